@@ -1,0 +1,102 @@
+// What goes wrong while loading and building. Problems are collected with their place in the input and thrown
+// once, all together; nothing is thrown while a tile is rendered.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lancer {
+
+// A place in an input file. Line and column count from 1; 0 means unknown.
+struct Location {
+    std::string file;
+    uint32_t line = 0, column = 0;
+};
+
+// "file", "file:line" or "file:line:column", as far as known; "" for no file.
+inline std::string to_string(const Location& l)
+{
+    std::string s = l.file;
+    if (l.line) s += ":" + std::to_string(l.line);
+    if (l.line && l.column) s += ":" + std::to_string(l.column);
+    return s;
+}
+
+// Why something could not be done; decides the exit code of the program.
+enum class ErrorKind {
+    failed,         // at run time: memory, cannot write (exit 1)
+    usage,          // the command line (exit 2)
+    invalid_input,  // a scene or an asset is wrong (exit 65)
+    missing_input,  // a file named in the input does not exist (exit 66)
+};
+
+// The one exception type. what() holds complete lines "place: error: message", without a newline at the end.
+class Error : public std::exception {
+public:
+    Error(ErrorKind kind, std::string text) : kind_(kind), text_(std::move(text)) {}
+    Error(ErrorKind kind, const Location& where, const std::string& message)
+        : kind_(kind), text_((where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message)
+    {
+    }
+    const char* what() const noexcept override { return text_.c_str(); }
+    ErrorKind kind() const { return kind_; }
+
+private:
+    ErrorKind kind_;
+    std::string text_;
+};
+
+// Collects errors and warnings. Warnings with the same message are counted under the first place they occurred,
+// so a million bad faces make one line.
+class Diagnostics {
+public:
+    struct Warning {
+        Location where;
+        std::string message;
+        uint64_t count = 0;
+    };
+
+    void error(const Location& where, const std::string& message, ErrorKind kind = ErrorKind::invalid_input)
+    {
+        if (errors_ == 0) kind_ = kind;
+        if (++errors_ > max_errors) return;
+        if (!text_.empty()) text_ += '\n';
+        text_ += (where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message;
+    }
+    void warning(const Location& where, const std::string& message)
+    {
+        const auto [it, fresh] = index_.try_emplace(where.file + '\n' + message, warnings_.size());
+        if (fresh) warnings_.push_back({where, message, 0});
+        ++warnings_[it->second].count;
+    }
+    bool has_errors() const { return errors_ > 0; }
+    const std::vector<Warning>& warnings() const { return warnings_; }
+    // The kind is that of the first error.
+    void throw_if_errors() const
+    {
+        if (errors_ == 0) return;
+        const uint64_t more = errors_ > max_errors ? errors_ - max_errors : 0;
+        throw Error(kind_, more ? text_ + "\nerror: and " + std::to_string(more) + " more" : text_);
+    }
+
+private:
+    static constexpr uint64_t max_errors = 50;  // a broken file of a million lines still gives a readable report
+    ErrorKind kind_ = ErrorKind::invalid_input;
+    uint64_t errors_ = 0;
+    std::string text_;
+    std::vector<Warning> warnings_;
+    std::map<std::string, size_t> index_;
+};
+
+// "place: warning: message (n times)"
+inline std::string to_string(const Diagnostics::Warning& w)
+{
+    return (w.where.file.empty() ? "" : to_string(w.where) + ": ") + "warning: " + w.message +
+           (w.count > 1 ? " (" + std::to_string(w.count) + " times)" : "");
+}
+
+}  // namespace lancer

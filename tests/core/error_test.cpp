@@ -1,0 +1,54 @@
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+namespace lancer {
+namespace {
+
+TEST(Error, TextNamesThePlace)
+{
+    const Error e(ErrorKind::invalid_input, {"a.toml", 12, 5}, "unknown key");
+    EXPECT_STREQ(e.what(), "a.toml:12:5: error: unknown key");
+    EXPECT_EQ(to_string(Location{"a.obj", 3, 0}), "a.obj:3");
+    EXPECT_EQ(to_string(Location{"a.obj", 0, 7}), "a.obj");
+}
+
+TEST(Diagnostics, SameWarningIsCountedUnderItsFirstPlace)
+{
+    Diagnostics d;
+    for (uint32_t line = 4; line < 9; ++line) d.warning({"a.obj", line, 0}, "zero-area face dropped");
+    d.warning({"b.obj", 1, 0}, "zero-area face dropped");
+    ASSERT_EQ(d.warnings().size(), 2u);
+    EXPECT_EQ(to_string(d.warnings()[0]), "a.obj:4: warning: zero-area face dropped (5 times)");
+    EXPECT_EQ(to_string(d.warnings()[1]), "b.obj:1: warning: zero-area face dropped");
+    EXPECT_NO_THROW(d.throw_if_errors());
+}
+
+TEST(Diagnostics, AllErrorsAreThrownTogetherWithTheKindOfTheFirst)
+{
+    Diagnostics d;
+    d.error({"a.toml", 1, 2}, "one", ErrorKind::missing_input);
+    d.error({"a.toml", 3, 4}, "two");
+    try {
+        d.throw_if_errors();
+        FAIL() << "nothing thrown";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::missing_input);
+        EXPECT_STREQ(e.what(), "a.toml:1:2: error: one\na.toml:3:4: error: two");
+    }
+}
+
+TEST(Diagnostics, AFloodOfErrorsIsCutAndCounted)
+{
+    Diagnostics d;
+    for (int i = 0; i < 60; ++i) d.error({}, "bad");
+    try {
+        d.throw_if_errors();
+        FAIL() << "nothing thrown";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("and 10 more"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace lancer
