@@ -1,0 +1,20 @@
+#include "core/film.h"
+
+namespace lancer {
+
+double estimate_rel_mse(const Film& film)
+{
+    double sum = 0;
+    uint64_t counted = 0;
+    for (const Pixel& p : film.pixels) {
+        if (p.n < 2) continue;
+        const double n = p.n;
+        const double mean = (0.2126 * p.sum[0] + 0.7152 * p.sum[1] + 0.0722 * p.sum[2]) / n;
+        const double variance = std::max(0.0, (p.sum_sq / n - mean * mean) * n / (n - 1));
+        sum += variance / n / (mean * mean + 0.01);
+        ++counted;
+    }
+    return counted ? sum / static_cast<double>(counted) : 0;
+}
+
+}  // namespace lancer

@@ -1,0 +1,62 @@
+// Where samples end up. Sums are double and grow in blocks of 16 samples, so that a picture in several passes has the
+// bits of one pass.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/color.h"
+
+namespace lancer {
+
+inline constexpr uint32_t samples_per_block = 16;
+
+struct Pixel {
+    std::array<double, 3> sum{};  // of radiance
+    double sum_sq = 0;            // of squared luminance: feeds the error estimate
+    uint32_t n = 0;               // samples that count; a non-finite one does not
+
+    Color mean() const
+    {
+        if (n == 0) return {};
+        const double s = 1.0 / n;
+        return {static_cast<float>(sum[0] * s), static_cast<float>(sum[1] * s), static_cast<float>(sum[2] * s)};
+    }
+    Pixel& operator+=(const Pixel& o)
+    {
+        for (size_t c = 0; c < 3; ++c) sum[c] += o.sum[c];
+        sum_sq += o.sum_sq;
+        n += o.n;
+        return *this;
+    }
+};
+
+// Half-open rectangle of pixels in the coordinates of the whole picture, y down.
+struct Tile {
+    uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    uint32_t width() const { return x1 - x0; }
+    uint32_t height() const { return y1 - y0; }
+    friend bool operator==(const Tile&, const Tile&) = default;
+};
+
+// Half-open range of sample indices within each pixel.
+struct SampleRange {
+    uint32_t begin = 0, end = 0;
+};
+
+struct Film {
+    uint32_t width = 0, height = 0;  // of the whole picture
+    Tile crop;                       // the part that is rendered; pixels holds only that
+    std::vector<Pixel> pixels;
+
+    Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
+    Pixel& at(uint32_t x, uint32_t y) { return pixels[size_t{y - crop.y0} * crop.width() + (x - crop.x0)]; }
+    const Pixel& at(uint32_t x, uint32_t y) const { return pixels[size_t{y - crop.y0} * crop.width() + (x - crop.x0)]; }
+};
+
+// Relative mean squared error of the film as its own samples tell it: mean over pixels of var / n / (mean^2 + 0.01) in
+// luminance. An upper estimate: it takes the samples for independent, and Sobol' points do better.
+double estimate_rel_mse(const Film& film);
+
+}  // namespace lancer

@@ -1,0 +1,52 @@
+// A ray, and where the next one starts.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/vec.h"
+
+namespace lancer {
+
+// Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
+struct Ray {
+    Vec3 org;
+    float t_min = 0;
+    Vec3 dir;
+    float t_max = std::numeric_limits<float>::infinity();
+};
+
+// What accelerators accept: all finite but t_max, and below the magnitude that Embree takes for infinite.
+inline bool is_traceable(const Ray& r)
+{
+    constexpr float limit = 1.8e18f;
+    const auto ok = [](Vec3 v) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; };
+    return ok(r.org) && ok(r.dir) && (r.dir.x != 0 || r.dir.y != 0 || r.dir.z != 0) && r.t_min >= 0 &&
+           r.t_max >= r.t_min;
+}
+
+// Bound of the relative error of n roundings in float: n u / (1 - n u), u = 2^-24.
+// Higham, "Accuracy and Stability of Numerical Algorithms", section 3.1.
+constexpr float gamma(int n)
+{
+    const float nu = static_cast<float>(n) * 0x1p-24f;
+    return nu / (1 - nu);
+}
+
+// Origin of a ray that leaves a surface towards w: p moved along n by the bound `error` (absolute, per axis) of p's
+// own rounding, then to the next number outwards. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
+// section 6.8.6. n is unit; w decides the side.
+inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 w)
+{
+    const float d = dot(abs(n), error);
+    const Vec3 offset = dot(w, n) < 0 ? n * -d : n * d;
+    const auto away = [](float x, float by) {
+        const float moved = x + by;
+        if (by > 0) return std::nextafter(moved, std::numeric_limits<float>::infinity());
+        if (by < 0) return std::nextafter(moved, -std::numeric_limits<float>::infinity());
+        return moved;
+    };
+    return {away(p.x, offset.x), away(p.y, offset.y), away(p.z, offset.z)};
+}
+
+}  // namespace lancer

@@ -1,0 +1,91 @@
+// From the unit square to other domains, each with its density.
+// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
+#pragma once
+
+#include "core/vec.h"
+
+namespace lancer {
+
+struct SinCos {
+    float sin, cos;
+};
+
+// Sine and cosine of 2 pi u for u in [0, 1]: quadrant and polynomial (the coefficients are those of Cephes' sinf and
+// cosf), so that every machine gets the same bits. Error below 1e-7.
+inline SinCos sin_cos_2pi(float u)
+{
+    const float t = u * 4;
+    const float q = std::nearbyint(t);
+    const float a = (t - q) * 1.57079632679489661923f, a2 = a * a;
+    const float s = a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
+    const float c =
+        1 - 0.5f * a2 + a2 * a2 * (4.166664568298827e-2f + a2 * (-1.388731625493765e-3f + a2 * 2.443315711809948e-5f));
+    switch (static_cast<int>(q) & 3) {
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};
+    }
+}
+
+// Unit disk, uniform: Shirley and Chiu's concentric map.
+inline Vec2 square_to_disk(Vec2 u)
+{
+    const float a = 2 * u.x - 1, b = 2 * u.y - 1;
+    if (a == 0 && b == 0) return {};
+    const bool wide = std::abs(a) > std::abs(b);
+    const float r = wide ? a : b;
+    const float turn = wide ? 0.125f * (b / a) : 0.25f - 0.125f * (a / b);  // angle / 2 pi
+    const SinCos sc = sin_cos_2pi(turn < 0 ? turn + 1 : turn);
+    return {r * sc.cos, r * sc.sin};
+}
+
+// Hemisphere around z, density cos / pi.
+inline Vec3 square_to_cosine_hemisphere(Vec2 u)
+{
+    const float r = std::sqrt(u.x);
+    const SinCos sc = sin_cos_2pi(u.y);
+    return {r * sc.cos, r * sc.sin, std::sqrt(std::max(0.0f, 1 - u.x))};
+}
+inline float pdf_cosine_hemisphere(float cos_theta) { return std::max(0.0f, cos_theta) * (1 / pi); }
+
+// Barycentric weights of the second and third corner, uniform over the triangle: the low-distortion map of Heitz,
+// "A Low-Distortion Map Between Triangle and Square", 2019. Density 1 / area.
+inline Vec2 square_to_triangle(Vec2 u)
+{
+    if (u.x < u.y) {
+        const float b = u.x * 0.5f;
+        return {b, u.y - b};
+    }
+    const float c = u.y * 0.5f;
+    return {u.x - c, c};
+}
+
+// 1 - cos of the half angle of the cone under which a sphere is seen, given sin^2 of that angle in [0, 1]; without the
+// cancellation that makes the plain formula useless for far or small spheres.
+template <class T>
+T one_minus_cos(T sin2)
+{
+    return sin2 / (1 + std::sqrt(std::max(T{0}, 1 - sin2)));
+}
+
+// Polar angle in the cone with the given 1 - cos(theta_max), uniform in solid angle: 1 - cos(theta) for u in [0, 1).
+// Density 1 / (2 pi (1 - cos(theta_max))).
+inline double square_to_cone(float u, double one_minus_cos_max) { return static_cast<double>(u) * one_minus_cos_max; }
+inline double pdf_cone(double one_minus_cos_max) { return 1 / (2 * 3.14159265358979323846 * one_minus_cos_max); }
+
+// Unit sphere, uniform, density 1 / (4 pi).
+inline Vec3 square_to_sphere(Vec2 u)
+{
+    const float z = 1 - 2 * u.x;
+    const float r = 2 * std::sqrt(std::max(0.0f, u.x * (1 - u.x)));
+    const SinCos sc = sin_cos_2pi(u.y);
+    return {r * sc.cos, r * sc.sin, z};
+}
+inline constexpr float pdf_sphere = 1 / (4 * pi);
+
+}  // namespace lancer

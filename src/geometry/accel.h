@@ -1,0 +1,53 @@
+// The seam between what is hit and everything else. An accelerator only decides *which* primitive is nearest; t and uv
+// come from refine(), so that every accelerator draws the same picture. Ties go to the lowest (instance, geometry,
+// primitive) where the accelerator sees them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "geometry/geometry.h"
+
+namespace lancer {
+
+struct AccelStats {
+    double build_seconds = 0;
+    uint64_t bytes = 0;  // of the structure, without the Geometry
+};
+
+// Whether the rays of a batch start close together and go much the same way.
+enum class Coherence { coherent, incoherent };
+
+// Rays that are not traceable (is_traceable) hit nothing. Thread-safe after construction. The Geometry must outlive
+// the accelerator.
+class Accelerator {
+public:
+    virtual ~Accelerator() = default;
+
+    // Nearest hit with t in [t_min, t_max], refined; kind none on a miss.
+    virtual Hit closest(const Ray& ray) const = 0;
+    // Is anything in [t_min, t_max]?
+    virtual bool any(const Ray& ray) const = 0;
+
+    // The same for many rays; hits[i], occluded[i] answer rays[i]. An answer never depends on the other rays.
+    virtual void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const
+    {
+        for (size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
+    }
+    virtual void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const
+    {
+        for (size_t i = 0; i < rays.size(); ++i) occluded[i] = any(rays[i]);
+    }
+
+    virtual AccelStats stats() const = 0;
+};
+
+enum class AccelKind { embree, list };
+
+// isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.
+// Throws Error (failed) if the structure cannot be built. Not from inside a parallel loop.
+std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& geometry, const std::string& isa);
+
+}  // namespace lancer

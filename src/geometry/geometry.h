@@ -1,0 +1,53 @@
+// All that rays can hit, as plain arrays: what an accelerator is built from. Shading data lives elsewhere.
+#pragma once
+
+#include <vector>
+
+#include "geometry/hit.h"
+#include "geometry/shapes.h"
+
+namespace lancer {
+
+struct Geometry {
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Sphere> spheres;
+    std::vector<Plane> planes;
+};
+
+// t and uv of a hit from its primitive alone, in double and then rounded: the same bits whichever accelerator found
+// it. Only (instance, geometry, primitive, kind) of `hit` are read.
+inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
+{
+    switch (hit.kind) {
+        case Kind::none:
+            break;
+        case Kind::sphere:
+            if (const auto t = intersect(g.spheres[hit.primitive], ray)) hit.t = static_cast<float>(*t);
+            hit.uv = {};
+            break;
+        case Kind::plane:
+            if (const auto t = intersect(g.planes[hit.primitive], ray)) hit.t = static_cast<float>(*t);
+            hit.uv = {};
+            break;
+        case Kind::triangle: {
+            Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
+            if (hit.instance != Hit::no_instance) {
+                const Transform& m = g.instances[hit.instance].to_mesh;
+                org = m.point(org);
+                dir = m.vector(dir);
+            }
+            // Seen exactly from its edge the triangle has no such place: its first corner, whichever accelerator says
+            // so.
+            const auto h = intersect_plane_of(g.meshes[hit.geometry], hit.primitive, org, dir)
+                               .value_or(TriangleHit{hit.t, 0, 0, true});
+            const double u = std::clamp(h.u, 0.0, 1.0);
+            hit.t = std::max(0.0f, static_cast<float>(h.t));
+            hit.uv = {static_cast<float>(u), static_cast<float>(std::clamp(h.v, 0.0, 1.0 - u))};
+            break;
+        }
+    }
+    return hit;
+}
+
+}  // namespace lancer

@@ -1,0 +1,67 @@
+// The loop over every primitive, in double: what every other accelerator is tested against.
+#pragma once
+
+#include "geometry/accel.h"
+
+namespace lancer {
+
+class List final : public Accelerator {
+public:
+    explicit List(const Geometry& geometry) : g_(geometry) {}
+
+    using Accelerator::any;
+    using Accelerator::closest;
+    Hit closest(const Ray& ray) const override
+    {
+        return is_traceable(ray) ? refine(g_, ray, nearest<false>(ray)) : Hit{};
+    }
+    bool any(const Ray& ray) const override { return is_traceable(ray) && nearest<true>(ray); }
+    AccelStats stats() const override { return {}; }
+
+private:
+    // In order of instance, mesh and primitive, so that the first of equals wins; with `first_will_do` any hit ends it.
+    template <bool first_will_do>
+    Hit nearest(const Ray& ray) const
+    {
+        Hit best;
+        Ray rest = ray;
+        const auto mesh = [&](uint32_t instance, uint32_t index, Vec3d org, Vec3d dir) {
+            const Mesh& m = g_.meshes[index];
+            for (uint32_t i = 0; i < m.triangles.size(); ++i) {
+                const auto h = intersect_plane_of(m, i, org, dir);
+                if (!h || !h->inside || !(h->t >= ray.t_min && h->t <= ray.t_max)) continue;
+                const auto t = static_cast<float>(h->t);
+                if (best && !(t < best.t)) continue;
+                best = {t, instance, index, i, {}, Kind::triangle};
+                rest.t_max = t;
+                if (first_will_do) return;
+            }
+        };
+        const Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
+        for (uint32_t i = 0; i < g_.instances.size(); ++i) {
+            const Transform& m = g_.instances[i].to_mesh;
+            mesh(i, g_.instances[i].mesh, m.point(org), m.vector(dir));
+            if (first_will_do && best) return best;
+        }
+        for (uint32_t i = 0; i < g_.meshes.size(); ++i) {
+            if (!g_.meshes[i].instanced) mesh(Hit::no_instance, i, org, dir);
+            if (first_will_do && best) return best;
+        }
+        const auto shapes = [&](const auto& list, Kind kind) {
+            for (uint32_t i = 0; i < list.size(); ++i)
+                if (const auto t = intersect(list[i], rest)) {
+                    best = {static_cast<float>(*t), Hit::no_instance, 0, i, {}, kind};
+                    rest.t_max = best.t;
+                    if (first_will_do) return;
+                }
+        };
+        shapes(g_.spheres, Kind::sphere);
+        if (first_will_do && best) return best;
+        shapes(g_.planes, Kind::plane);
+        return best;
+    }
+
+    const Geometry& g_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,65 @@
+// What an integrator may do where a ray ended: add light, ask whether a light is seen, send rays on. It never waits
+// for an answer, so the kernel advances many paths at once and nothing recurses.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/color.h"
+#include "core/ray.h"
+
+namespace lancer {
+
+// One ray under way.
+struct State {
+    Ray ray;
+    Color throughput{1, 1, 1};  // what the path so far does to light that comes along the ray
+    float pdf = 0;              // with which the BSDF chose the ray, per solid angle
+    Vec3 normal;                // shading normal where it started
+    float eta_scale = 1;        // product of eta^2 over refractions: throughput times it speaks of energy
+    uint32_t slot = 0;          // the sample that it adds to
+    uint32_t branch = 0;        // part of the address of its random numbers; siblings differ
+    uint32_t depth = 0;         // surface vertices before this ray
+    bool specular = true;       // chosen by a delta lobe or by the camera: no light sampling could have found it
+    bool last = false;          // only emission counts where it ends
+};
+
+// What steps collect, for a whole batch. Reused from batch to batch, so that no ray allocates.
+struct Queue {
+    struct Shadow {
+        Color radiance;  // if nothing is in between
+        uint32_t slot;
+    };
+    std::vector<Color> radiance;  // of each slot
+    std::vector<Ray> shadow_rays;
+    std::vector<Shadow> shadows;  // parallel to shadow_rays
+    std::vector<State> next;
+};
+
+// The steps of one sample. Their order is the order of summation: all adds of a depth, then its shadow rays.
+class Steps {
+public:
+    Steps(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
+
+    void add(Color radiance) { queue_.radiance[slot_] += radiance; }
+    void shadow(const Ray& ray, Color radiance_if_unoccluded)
+    {
+        if (!is_traceable(ray)) return spoil();
+        queue_.shadow_rays.push_back(ray);
+        queue_.shadows.push_back({radiance_if_unoccluded, slot_});
+    }
+    void next(const State& state)
+    {
+        if (!is_traceable(state.ray)) return spoil();
+        queue_.next.push_back(state);
+    }
+
+private:
+    // A ray that is not a number spoils its sample: dropped and counted in the end, never silently black.
+    void spoil() { queue_.radiance[slot_].r = std::numeric_limits<float>::quiet_NaN(); }
+
+    Queue& queue_;
+    uint32_t slot_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,133 @@
+// The pieces of which path tracers are made: emission with its weight, light sampling, scattering.
+// Multiple importance sampling by the power heuristic: Veach, "Robust Monte Carlo Methods for Light Transport
+// Simulation", 1997, section 9.2.
+#pragma once
+
+#include "core/frame.h"
+#include "core/sampler.h"
+#include "integrators/steps.h"
+#include "integrators/view.h"
+#include "materials/bsdf.h"
+
+namespace lancer {
+
+// Which of two techniques find direct light. Both off-combinations stay unbiased but for emitters that one alone
+// cannot find: nee alone misses none that it lists; BSDF sampling alone misses point lights.
+struct DirectLight {
+    bool nee = true;  // next-event estimation: a shadow ray to a sampled light at each vertex
+    bool mis = true;  // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
+};
+
+// Weight of a sample of density a, when the other technique would have found it with density b. a > 0.
+inline float power_heuristic(float a, float b)
+{
+    const float r = b / a;
+    return 1 / (1 + r * r);
+}
+
+// Weight of light found by following a ray, against a light sample's density there (0: none could find it).
+inline float weight_of_found(const State& s, DirectLight how, float pdf_light)
+{
+    if (s.specular || !how.nee || pdf_light == 0) return 1;
+    return how.mis ? power_heuristic(s.pdf, pdf_light) : 0;
+}
+
+template <class V>
+void add_emission(const V& view, const State& s, const Surface& surface, DirectLight how, Steps& steps)
+{
+    const Color e = view.emission(surface);
+    if (is_black(e)) return;
+    const float pdf = s.specular || !how.nee ? 0 : view.pdf_light(s.ray.org, s.ray.dir, surface);
+    steps.add(s.throughput * e * weight_of_found(s, how, pdf));
+}
+
+template <class V>
+void add_environment(const V& view, const State& s, DirectLight how, Steps& steps)
+{
+    const Color e = view.environment(s.ray.dir);
+    if (is_black(e)) return;
+    const float pdf = s.specular || !how.nee ? 0 : view.pdf_environment(s.normal, s.ray.dir);
+    steps.add(s.throughput * e * weight_of_found(s, how, pdf));
+}
+
+// From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by the
+// rounding of a point along so long a ray.
+inline Ray shadow_ray(const Surface& from, const LightSample& light)
+{
+    const Vec3 org = offset_origin(from.p, from.p_error, from.n, light.wi);
+    if (light.infinite) return {.org = org, .dir = light.wi};
+    const float reach = length(light.point - org) * gamma(4);
+    const Vec3 end = offset_origin(light.point, light.p_error + Vec3{reach, reach, reach}, light.n, -light.wi);
+    const Vec3 d = end - org;
+    const float distance = length(d);
+    return {.org = org, .dir = d / distance, .t_max = distance};
+}
+
+// Next-event estimation at a vertex.
+template <class V, class B>
+void sample_direct(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
+                   const Sampler& sampler, DirectLight how, Steps& steps)
+{
+    if (bsdf.only_delta() || !how.nee) return;
+    const auto light = view.sample_light(surface, sampler, s.depth);
+    if (!light || dot(light->wi, surface.n) <= 0) return;
+    const BsdfValue f = bsdf.eval(wo, frame.to_local(light->wi));
+    if (is_black(f.f_cos)) return;
+    const float weight = light->delta || !how.mis ? 1 : power_heuristic(light->pdf, f.pdf);
+    steps.shadow(shadow_ray(surface, *light), s.throughput * f.f_cos * light->radiance * (weight / light->pdf));
+}
+
+// The ray that the BSDF sends on, or nothing if it absorbs.
+template <class B>
+std::optional<State> scatter(const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
+                             const Sampler& sampler)
+{
+    const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
+    if (!b || is_black(b->weight)) return {};
+    const Vec3 wi = normalize(frame.to_world(b->wi));
+    // The geometric side decides: a shading normal must not carry light through the surface.
+    const bool transmitted = b->wi.z < 0;
+    if ((dot(wi, surface.n) < 0) != transmitted) return {};
+    State n = s;
+    n.ray = {.org = offset_origin(surface.p, surface.p_error, surface.n, wi), .dir = wi};
+    n.throughput *= b->weight;
+    n.pdf = b->pdf;
+    n.normal = surface.ns;
+    n.eta_scale *= b->eta * b->eta;
+    n.specular = b->delta;
+    ++n.depth;
+    return n;
+}
+
+// Russian roulette on the energy that the path still carries. The first vertices are spared: on bright scenes ending
+// them costs several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing.
+inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth)
+{
+    if (s.depth < first_depth) return true;
+    const float q = std::min(0.95f, max_component(s.throughput) * s.eta_scale);
+    if (!(sampler.get1(s.depth, Dim::roulette) < q)) return false;
+    s.throughput /= q;
+    return true;
+}
+
+// One vertex of a path tracer: emission, a shadow ray, the next ray. is_last(next) tells whether only emission is
+// wanted of where the next ray ends.
+template <class V, class IsLast>
+void trace_vertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, DirectLight how,
+                  uint32_t roulette_depth, const IsLast& is_last, Steps& steps)
+{
+    add_emission(view, s, surface, how, steps);
+    if (s.last) return;
+    view.with_material(surface.material, [&](const auto& material) {
+        const auto bsdf = material.at(ShadingPoint{.front = surface.front});
+        const Frame frame(surface.ns);
+        const Vec3 wo = frame.to_local(-s.ray.dir);
+        sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
+        auto n = scatter(s, surface, frame, wo, bsdf, sampler);
+        if (!n || !survives_roulette(*n, sampler, roulette_depth)) return;
+        n->last = is_last(*n);
+        steps.next(*n);
+    });
+}
+
+}  // namespace lancer

@@ -1,0 +1,36 @@
+// Ideal diffuse reflection, on both sides of the surface. Pharr, Jakob, Humphreys, 4th ed., section 9.2.
+#pragma once
+
+#include "core/warp.h"
+#include "materials/bsdf.h"
+
+namespace lancer {
+
+struct LambertBsdf {
+    Color albedo;
+
+    static constexpr bool only_delta() { return false; }
+    BsdfValue eval(Vec3 wo, Vec3 wi) const
+    {
+        if (wo.z <= 0 || wi.z <= 0) return {};
+        const float pdf = pdf_cosine_hemisphere(wi.z);
+        return {albedo * pdf, pdf};
+    }
+    std::optional<BsdfSample> sample(Vec3 wo, float, Vec2 v) const
+    {
+        if (wo.z <= 0) return {};
+        const Vec3 wi = square_to_cosine_hemisphere(v);
+        if (wi.z <= 0) return {};
+        return BsdfSample{.wi = wi, .weight = albedo, .pdf = pdf_cosine_hemisphere(wi.z)};
+    }
+};
+static_assert(Bsdf<LambertBsdf>);
+
+struct Lambert {
+    static constexpr const char* name = "lambert";
+    Color albedo;
+
+    LambertBsdf at(const ShadingPoint&) const { return {albedo}; }
+};
+
+}  // namespace lancer

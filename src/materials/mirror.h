@@ -1,0 +1,28 @@
+// A perfect mirror with a constant tint, on both sides.
+#pragma once
+
+#include "materials/bsdf.h"
+
+namespace lancer {
+
+struct MirrorBsdf {
+    Color tint;
+
+    static constexpr bool only_delta() { return true; }
+    static BsdfValue eval(Vec3, Vec3) { return {}; }
+    std::optional<BsdfSample> sample(Vec3 wo, float, Vec2) const
+    {
+        if (wo.z <= 0) return {};
+        return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = tint, .pdf = 1, .delta = true};
+    }
+};
+static_assert(Bsdf<MirrorBsdf>);
+
+struct Mirror {
+    static constexpr const char* name = "mirror";
+    Color tint;
+
+    MirrorBsdf at(const ShadingPoint&) const { return {tint}; }
+};
+
+}  // namespace lancer

@@ -1,0 +1,172 @@
+// The one pixel loop. A batch of paths of one tile advances in lockstep: their rays are traced together, each end is
+// handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
+// A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/film.h"
+#include "core/sampler.h"
+#include "geometry/accel.h"
+#include "integrators/steps.h"
+#include "integrators/view.h"
+#include "render/filter.h"
+#include "scene/camera.h"
+
+namespace lancer {
+
+// Everything but the place in the picture.
+struct KernelSettings {
+    SamplerKind sampler = SamplerKind::sobol;
+    uint64_t seed = 0;
+    Filter filter{FilterKind::blackman_harris};
+    uint32_t batch = 256;  // paths under way at once, >= 1
+};
+
+struct SampleId {
+    uint32_t x = 0, y = 0, sample = 0;
+    friend auto operator<=>(const SampleId&, const SampleId&) = default;
+};
+
+struct Counters {
+    uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
+    uint64_t dropped = 0;                   // samples that were not finite
+    std::optional<SampleId> first_dropped;  // in order of x, y, sample
+
+    void drop(const SampleId& id)
+    {
+        ++dropped;
+        if (!first_dropped || id < *first_dropped) first_dropped = id;
+    }
+    Counters& operator+=(const Counters& o)
+    {
+        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays, dropped += o.dropped;
+        if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
+        return *this;
+    }
+};
+
+// Memory of one thread at work, kept from tile to tile.
+struct Workspace {
+    Queue queue;
+    std::vector<State> states;
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<uint8_t> occluded;
+    std::vector<SampleId> slots;
+    std::vector<Pixel> block;  // one per pixel of the tile
+};
+
+// Hears what happens to the paths of a batch. This one hears nothing, at no cost.
+struct NoListener {
+    void ray(const State&, const Hit&) const {}
+    void vertex(const State&, const Surface&) const {}
+    void added(const State&, Color) const {}
+    void shadow(const Ray&, Color, bool) const {}
+};
+
+// Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
+template <class Integrator, class Listener>
+void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                 const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
+                 const Listener& listener)
+{
+    const auto sampler = [&](const State& s) {
+        const SampleId& id = w.slots[s.slot];
+        return Sampler(settings.sampler, settings.seed, uint64_t{id.y} * width + id.x, id.sample, s.branch);
+    };
+    w.queue.radiance.assign(w.slots.size(), Color{});
+    w.states.clear();
+    for (uint32_t i = 0; i < w.slots.size(); ++i) {
+        State s;
+        s.slot = i;
+        const Sampler numbers = sampler(s);
+        const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
+        s.ray = camera.ray(
+            {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
+            numbers.get2(0, Dim::lens));
+        w.states.push_back(s);
+    }
+    counters.camera_rays += w.slots.size();
+
+    for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
+        w.rays.clear();
+        for (const State& s : w.states) w.rays.push_back(s.ray);
+        w.hits.resize(w.rays.size());
+        accel.closest(w.rays, w.hits, coherence);
+        if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
+
+        w.queue.next.clear();
+        w.queue.shadow_rays.clear();
+        w.queue.shadows.clear();
+        for (size_t i = 0; i < w.states.size(); ++i) {
+            const State& s = w.states[i];
+            Steps steps(w.queue, s.slot);
+            const Color before = w.queue.radiance[s.slot];
+            listener.ray(s, w.hits[i]);
+            if (w.hits[i]) {
+                const Surface surface = view.surface_at(s.ray, w.hits[i]);
+                listener.vertex(s, surface);
+                integrator.hit(view, s, surface, sampler(s), steps);
+            } else {
+                integrator.miss(view, s, steps);
+            }
+            listener.added(s, w.queue.radiance[s.slot] - before);
+        }
+
+        w.occluded.resize(w.queue.shadow_rays.size());
+        accel.any(w.queue.shadow_rays, w.occluded);
+        counters.shadow_rays += w.queue.shadow_rays.size();
+        for (size_t i = 0; i < w.occluded.size(); ++i) {
+            const Queue::Shadow& shadow = w.queue.shadows[i];
+            listener.shadow(w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
+        }
+        std::swap(w.states, w.queue.next);
+    }
+}
+
+// Renders samples [begin, end) of every pixel of a tile into the film.
+template <class Integrator>
+void render_tile(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                 const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                 Counters& counters)
+{
+    const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
+    const auto flush = [&] {
+        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, NoListener{});
+        for (size_t i = 0; i < w.slots.size(); ++i) {
+            const Color c = w.queue.radiance[i];
+            if (!is_finite(c)) {
+                counters.drop(w.slots[i]);
+                continue;
+            }
+            Pixel& p = w.block[index(w.slots[i])];
+            const double y = luminance(c);
+            p += {{c.r, c.g, c.b}, y * y, 1};
+        }
+        w.slots.clear();
+    };
+    constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
+    w.slots.clear();
+    w.slots.reserve(settings.batch);
+    for (uint32_t first = samples.begin; first < samples.end;) {
+        const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
+        w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
+        for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
+            for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
+                for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
+                    for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x)
+                        for (uint32_t i = first; i < last; ++i) {
+                            w.slots.push_back({x, y, i});
+                            if (w.slots.size() == settings.batch) flush();
+                        }
+        flush();
+        for (uint32_t y = tile.y0; y < tile.y1; ++y)
+            for (uint32_t x = tile.x0; x < tile.x1; ++x) film.at(x, y) += w.block[index({x, y, 0})];
+        first = last;
+    }
+}
+
+}  // namespace lancer

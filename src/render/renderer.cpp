@@ -1,0 +1,62 @@
+#include "render/renderer.h"
+
+#include <atomic>
+
+#include "core/parallel.h"
+
+namespace lancer {
+
+Renderer::Renderer(Scene scene, const RenderSettings& settings)
+    : scene_(std::move(scene)),
+      settings_(settings),
+      accel_(make_accelerator(settings_.accel, scene_.geometry, settings_.isa)),
+      kernel_(make_tile_kernel(scene_, *accel_, settings_.integrator, settings_.kernel))
+{
+}
+
+Renderer::~Renderer() = default;
+
+PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
+                          const std::stop_token& stop, const std::function<void()>& tile_done) const
+{
+    PassResult result;
+    parallel_for(tiles.size(), [&](size_t i) {
+        if (stop.stop_requested()) return;
+        std::unique_ptr<Workspace> w;
+        {
+            std::lock_guard lock(mutex_);
+            if (!workspaces_.empty()) {
+                w = std::move(workspaces_.back());
+                workspaces_.pop_back();
+            }
+        }
+        if (!w) w = std::make_unique<Workspace>();
+        Counters counters;
+        kernel_(camera, film, tiles[i], samples, *w, counters);
+        {
+            std::lock_guard lock(mutex_);
+            result.counters += counters;
+            workspaces_.push_back(std::move(w));
+        }
+        if (tile_done) tile_done();
+    });
+    result.complete = !stop.stop_requested();
+    return result;
+}
+
+Color Renderer::replay(const Camera& camera, uint32_t width, const SampleId& id, const PathListener& listener) const
+{
+    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, camera, width, id, listener);
+}
+
+std::vector<Tile> make_tiles(const Tile& crop, uint32_t size)
+{
+    std::vector<Tile> tiles;
+    for (uint32_t y = crop.y0 / size * size; y < crop.y1; y += size)
+        for (uint32_t x = crop.x0 / size * size; x < crop.x1; x += size)
+            tiles.push_back(
+                {std::max(x, crop.x0), std::max(y, crop.y0), std::min(x + size, crop.x1), std::min(y + size, crop.y1)});
+    return tiles;
+}
+
+}  // namespace lancer

@@ -1,0 +1,64 @@
+// A scene ready to render: the accelerator built, the kernel chosen. Every way of rendering (whole, crop, progressive,
+// one sample) goes through pass() or replay().
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <stop_token>
+#include <string>
+
+#include "integrators/integrator.h"
+#include "render/kernel.h"
+#include "render/specialize.h"
+
+namespace lancer {
+
+struct RenderSettings {
+    AnyIntegrator integrator = Path{};
+    AccelKind accel = AccelKind::embree;
+    std::string isa = "avx2";
+    KernelSettings kernel;
+};
+
+// What a pass did. Incomplete if it was stopped: some tiles then lack its samples.
+struct PassResult {
+    Counters counters;
+    bool complete = true;
+};
+
+class Renderer {
+public:
+    // Builds the accelerator; throws Error (failed). Call inside with_threads.
+    Renderer(Scene scene, const RenderSettings& settings);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Adds samples [begin, end) of every pixel of the tiles to the film. Begin and end must be multiples of
+    // samples_per_block for a picture to have the same bits however its samples are split; only the last end of all
+    // may differ. Each tile must lie within film.crop, and no two may overlap. `stop` is looked at once a tile;
+    // tile_done is called after each, from any thread.
+    PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
+                    const std::stop_token& stop = {}, const std::function<void()>& tile_done = {}) const;
+
+    // See lancer::replay.
+    Color replay(const Camera& camera, uint32_t width, const SampleId& id, const PathListener& listener) const;
+
+    const Scene& scene() const { return scene_; }
+    const Accelerator& accelerator() const { return *accel_; }
+
+private:
+    Scene scene_;
+    RenderSettings settings_;
+    std::unique_ptr<Accelerator> accel_;
+    TileKernel kernel_;
+    // Workspaces at rest: a thread takes one for a tile and puts it back.
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<Workspace>> workspaces_;
+};
+
+// The crop in tiles of at most size x size pixels, aligned to the whole picture.
+std::vector<Tile> make_tiles(const Tile& crop, uint32_t size);
+
+}  // namespace lancer

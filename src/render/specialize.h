@@ -1,0 +1,31 @@
+// From run-time facts to types: the one place that turns a scene and the name of an integrator into a compiled kernel.
+#pragma once
+
+#include <functional>
+
+#include "integrators/integrator.h"
+#include "render/kernel.h"
+
+namespace lancer {
+
+// One call per tile, so the type erasure costs nothing; below it only concrete types.
+using TileKernel = std::function<void(const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
+
+// All references must outlive the kernel.
+TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
+                            const KernelSettings& settings);
+
+// What happened to one sample, for a reader. Every function must be set.
+struct PathListener {
+    std::function<void(const State&, const Hit&)> ray;         // traced to its end
+    std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
+    std::function<void(const State&, Color)> added;            // radiance added there at once
+    std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
+};
+
+// Traces one sample as a render would, with the same bits, and returns its radiance.
+Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
+             const KernelSettings& settings, const Camera& camera, uint32_t width, const SampleId& id,
+             const PathListener& listener);
+
+}  // namespace lancer

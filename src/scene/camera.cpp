@@ -1,0 +1,51 @@
+#include "scene/camera.h"
+
+#include "core/warp.h"
+
+namespace lancer {
+namespace {
+
+constexpr double to_rad = 3.14159265358979323846 / 180;
+
+}  // namespace
+
+Camera::Camera(const CameraDescription& c, const Normalisation& normalisation, uint32_t width, uint32_t height)
+{
+    const Vec3d eye = normalisation.to_scene(c.position), target = normalisation.to_scene(c.target);
+    const Vec3d forward = normalize(target - eye), right = normalize(cross(forward, c.up)), up = cross(right, forward);
+    const double pixel = 2 * std::tan(0.5 * c.fov_deg * to_rad) / height;
+    position_ = to_float(eye);
+    forward_ = to_float(forward);
+    right_ = to_float(right * pixel);
+    down_ = to_float(up * -pixel);
+    centre_ = {0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height)};
+    const double radius = c.type == CameraType::thin_lens ? c.aperture * normalisation.scale : 0;
+    lens_right_ = to_float(right * radius);
+    lens_up_ = to_float(up * radius);
+    focus_ = static_cast<float>(c.focus ? *c.focus * normalisation.scale : length(target - eye));
+}
+
+Ray Camera::ray(Vec2 film, Vec2 lens) const
+{
+    const Vec3 d = forward_ + right_ * (film.x - centre_.x) + down_ * (film.y - centre_.y);
+    if (lens_right_ == Vec3{}) return {.org = position_, .dir = normalize(d)};
+    // All rays through one film point meet where the plane in focus cuts the ray through the lens' centre.
+    const Vec2 disk = square_to_disk(lens);
+    const Vec3 on_lens = lens_right_ * disk.x + lens_up_ * disk.y;
+    return {.org = position_ + on_lens, .dir = normalize(d * focus_ - on_lens)};
+}
+
+CameraDescription fit_camera(const Bounds& subject, double aspect)
+{
+    CameraDescription c;
+    const double radius = subject.radius() > 0 ? subject.radius() : 1;
+    const Vec3d center = subject.empty() ? Vec3d{} : subject.center();
+    // The bounding sphere touches the narrower side of the picture.
+    const double half = std::tan(0.5 * c.fov_deg * to_rad) * std::min(1.0, aspect);
+    const double distance = radius / std::sin(std::atan(half));
+    c.target = center;
+    c.position = center + normalize(Vec3d{0.35, 0.3, 1}) * distance;
+    return c;
+}
+
+}  // namespace lancer

@@ -1,0 +1,30 @@
+// From a point on the film to a ray. Pharr, Jakob, Humphreys, 4th ed., chapter 5.
+#pragma once
+
+#include "core/bounds.h"
+#include "core/ray.h"
+#include "scene/description.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+// A pinhole, or a thin lens where aperture is not 0.
+class Camera {
+public:
+    // size: of the whole picture, pixels.
+    Camera(const CameraDescription& description, const Normalisation& normalisation, uint32_t width, uint32_t height);
+
+    // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
+    Ray ray(Vec2 film, Vec2 lens) const;
+
+private:
+    Vec3 position_, right_, down_, forward_;  // right_, down_: one pixel at distance 1
+    Vec3 lens_right_, lens_up_;               // radius of the lens; 0 for a pinhole
+    Vec2 centre_;                             // of the film, pixels
+    float focus_;                             // distance of the plane in focus
+};
+
+// Looks at the whole of the subject from the front, a little from above. aspect: width over height.
+CameraDescription fit_camera(const Bounds& subject, double aspect);
+
+}  // namespace lancer

@@ -1,0 +1,127 @@
+#include "scene/light.h"
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "scene/scene.h"
+#include "scene/surface.h"
+
+namespace lancer {
+namespace {
+
+const Emission& emission_of(const Scene& scene, const TriangleLight& l)
+{
+    return scene.emission[scene.shading[l.mesh].material_of(l.triangle)];
+}
+
+std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface& from, Vec2)
+{
+    const Vec3 d = light.position - from.p;
+    const float d2 = dot(d, d);
+    if (!(d2 > 0)) return {};
+    return LightSample{
+        .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
+}
+
+std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface& from, Vec2 u)
+{
+    const TrianglePoint q = triangle_point(scene, light.instance, light.mesh, light.triangle, square_to_triangle(u));
+    const Vec3 d = q.p - from.p;
+    const float d2 = dot(d, d);
+    if (!(d2 > 0)) return {};
+    const Vec3 wi = d / std::sqrt(d2);
+    const float c = -dot(wi, q.n);
+    const Color radiance = emission_of(scene, light).towards(c > 0);
+    if (c == 0 || is_black(radiance)) return {};
+    return LightSample{.wi = wi,
+                       .point = q.p,
+                       .p_error = q.p_error,
+                       .n = q.n,
+                       .radiance = radiance,
+                       .pdf = d2 / (std::abs(c) * q.area)};
+}
+
+// Uniform in the cone under which the sphere is seen (Physically Based Rendering, 4th ed., section 6.2.4), in double
+// and with 1 - cos free of cancellation, so that it holds for any distance; from inside, uniform over the area.
+std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface& from, Vec2 u)
+{
+    const Sphere& s = scene.geometry.spheres[light.sphere];
+    const Emission& emission = scene.emission[scene.sphere_material[light.sphere]];
+    const Vec3d p = to_double(from.p), to_center = s.center - p;
+    const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
+        const Vec3 point = to_float(s.center + n * s.radius);
+        return LightSample{.wi = wi,
+                           .point = point,
+                           .p_error = abs(point) * gamma(4),
+                           .n = to_float(n),
+                           .radiance = emission.radiance,
+                           .pdf = pdf};
+    };
+    if (d2 <= r2) {
+        if (!emission.both_sides) return {};
+        const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
+        const double l2 = dot(d, d), c = dot(d, n);
+        if (!(l2 > 0) || !(c > 0)) return {};
+        return at(n, to_float(d / std::sqrt(l2)),
+                  static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * 3.14159265358979323846 * r2)));
+    }
+    const double max = one_minus_cos(r2 / d2), v = square_to_cone(u.x, max);
+    const double cos_theta = 1 - v, sin2_theta = v * (2 - v), d = std::sqrt(d2);
+    const SinCos phi = sin_cos_2pi(u.y);
+    const Frame frame(to_float(to_center / d));
+    const Vec3d side =
+        to_double(frame.x) * static_cast<double>(phi.cos) + to_double(frame.y) * static_cast<double>(phi.sin);
+    const Vec3d w = to_center / d * cos_theta + side * std::sqrt(sin2_theta);
+    const double t = d * cos_theta - std::sqrt(std::max(0.0, r2 - d2 * sin2_theta));
+    return at(normalize(w * t - to_center), to_float(normalize(w)), static_cast<float>(pdf_cone(max)));
+}
+
+// A constant sky: by the cosine at the surface, which is all that varies.
+std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec2 u)
+{
+    const Vec3 local = square_to_cosine_hemisphere(u);
+    const float pdf = pdf_cosine_hemisphere(local.z);
+    if (!(pdf > 0)) return {};
+    return LightSample{
+        .wi = Frame(from.ns).to_world(local), .infinite = true, .radiance = scene.environment, .pdf = pdf};
+}
+
+}  // namespace
+
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u)
+{
+    const LightTable& table = scene.lights;
+    if (table.pick.empty()) return {};
+    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(pick);
+    auto s = std::visit([&](const auto& light) { return sample(scene, light, from, u); }, table.lights[id]);
+    if (s) s->pdf *= table.pick.probability(id);
+    return s;
+}
+
+float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
+{
+    if (at.light == Scene::none) return 0;
+    const float choice = scene.lights.pick.probability(at.light);
+    if (const auto* t = std::get_if<TriangleLight>(&scene.lights.lights[at.light])) {
+        const Vec3 d = at.p - from;
+        const float area = triangle_point(scene, t->instance, t->mesh, t->triangle, {}).area;
+        const float c = std::abs(dot(wi, at.n));
+        return c > 0 ? choice * dot(d, d) / (c * area) : 0;
+    }
+    const auto& light = std::get<SphereLight>(scene.lights.lights[at.light]);
+    const Sphere& s = scene.geometry.spheres[light.sphere];
+    const Vec3d to_center = s.center - to_double(from);
+    const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
+    const Vec3d d = to_double(at.p) - to_double(from);
+    const double c = std::abs(dot(to_double(wi), to_double(at.n)));
+    return c > 0 ? choice * static_cast<float>(dot(d, d) / (c * 4 * 3.14159265358979323846 * r2)) : 0;
+}
+
+float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
+{
+    if (scene.environment_light == Scene::none) return 0;
+    return scene.lights.pick.probability(scene.environment_light) * pdf_cosine_hemisphere(dot(normal, wi));
+}
+
+}  // namespace lancer

@@ -1,0 +1,56 @@
+// Lights, and how to choose and sample one. Pharr, Jakob, Humphreys, 4th ed., chapter 12.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "core/color.h"
+#include "core/distribution.h"
+#include "core/vec.h"
+
+namespace lancer {
+
+struct Scene;
+struct Surface;
+
+struct PointLight {
+    Vec3 position;
+    Color intensity;  // per square scene unit
+};
+struct SphereLight {
+    uint32_t sphere;  // its emission is that of its material
+};
+struct TriangleLight {
+    uint32_t instance, mesh, triangle;
+};
+struct EnvironmentLight {};  // constant; its radiance is Scene::environment
+
+using Light = std::variant<PointLight, SphereLight, TriangleLight, EnvironmentLight>;
+
+struct LightTable {
+    std::vector<Light> lights;
+    Discrete pick;  // by power
+};
+
+struct LightSample {
+    Vec3 wi;              // unit, from the surface to the light
+    Vec3 point, p_error;  // on the light; unused if infinite
+    Vec3 n;               // normal of the light there, for the offset of the shadow ray's end; 0 for a point light
+    bool infinite = false;
+    Color radiance;      // arriving if nothing is in between; for a point light intensity / distance^2
+    float pdf = 0;       // per solid angle, choice of the light included; 1 x choice for a point light
+    bool delta = false;  // no BSDF sample can meet it
+};
+
+// A light chosen by power and a point on it, as seen from the surface. Nothing if it cannot send light there.
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
+
+// Density, per solid angle at `from`, with which sample_light() would have found the emitter at `at`, hit along wi
+// (unit) at distance t; 0 if it is in no list of lights. normal: the shading normal at `from`.
+float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at);
+
+// The same for a ray that left the scene.
+float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi);
+
+}  // namespace lancer

@@ -1,0 +1,119 @@
+#include "scene/surface.h"
+
+#include "scene/scene.h"
+
+namespace lancer {
+namespace {
+
+Vec3 scaled(Vec3 v, float s) { return v * s; }
+
+// |M| v: how far an error per axis can reach through a linear map.
+Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
+
+struct Placed {
+    Vec3 p, p_error, n, ns;  // n, ns on the front side
+    double double_area;      // twice the area
+};
+
+Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
+{
+    const Mesh& mesh = scene.geometry.meshes[mesh_index];
+    const auto& t = mesh.triangles[triangle];
+    const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+    const float w = 1 - uv.x - uv.y;
+    const Vec3 wa = a * w, wb = b * uv.x, wc = c * uv.y;
+    Placed s;
+    // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
+    s.p = wa + wb + wc;
+    s.p_error = scaled(abs(wa) + abs(wb) + abs(wc), gamma(7));
+
+    Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
+    Vec3d n = cross(e1, e2);
+    Vec3d ns = n;
+    const MeshShading& shading = scene.shading[mesh_index];
+    if (!shading.normals.empty())
+        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal)
+            ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
+
+    if (instance != Hit::no_instance) {
+        const Instance& placing = scene.geometry.instances[instance];
+        const Transform& m = placing.to_world;
+        const Vec3d p = to_double(s.p);
+        s.p = to_float(m.point(p));
+        // Embree takes the ray into the mesh's space in float: its rounding there, seen from here, comes on top.
+        const Vec3d there = spread(placing.to_mesh, abs(to_double(s.p))) + abs(placing.to_mesh.translation);
+        const Vec3d here = spread(m, abs(p)) + abs(m.translation) + spread(m, there);
+        s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));
+        e1 = m.vector(e1), e2 = m.vector(e2);
+        n = placing.to_mesh.normal_by_inverse(n);
+        ns = placing.to_mesh.normal_by_inverse(ns);
+    }
+    s.double_area = length(cross(e1, e2));
+    const double ln = length(n), lns = length(ns);
+    s.n = ln > 0 ? to_float(n / ln) : Vec3{0, 0, 1};
+    s.ns = lns > 0 ? to_float(ns / lns) : s.n;
+    if (dot(s.n, s.ns) < 0) s.n = -s.n;  // the normals of the file say which side is the front
+    return s;
+}
+
+uint32_t light_of(const Scene& scene, const Hit& hit)
+{
+    const auto& ranks = scene.shading[hit.geometry].emitter_rank;
+    if (ranks.empty() || ranks[hit.primitive] == Scene::none) return Scene::none;
+    const uint32_t first = hit.instance == Hit::no_instance ? scene.mesh_first_light[hit.geometry]
+                                                            : scene.instance_first_light[hit.instance];
+    return first + ranks[hit.primitive];
+}
+
+}  // namespace
+
+TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
+{
+    const Placed s = place(scene, instance, mesh, triangle, uv);
+    return {s.p, s.p_error, s.n, static_cast<float>(0.5 * s.double_area)};
+}
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
+{
+    Surface s;
+    s.t = hit.t;
+    s.light = Scene::none;
+    // Spheres and planes: along the ray in double, then back onto the surface; what remains is the rounding to float.
+    const auto along = [&] { return to_double(ray.org) + to_double(ray.dir) * static_cast<double>(hit.t); };
+    switch (hit.kind) {
+        case Kind::sphere: {
+            const Sphere& sphere = scene.geometry.spheres[hit.primitive];
+            const Vec3d n = normalize(along() - sphere.center);
+            s.p = to_float(sphere.center + n * sphere.radius);
+            s.p_error = scaled(abs(s.p), gamma(4));
+            s.n = s.ns = to_float(n);
+            s.material = scene.sphere_material[hit.primitive];
+            s.light = scene.sphere_light[hit.primitive];
+            break;
+        }
+        case Kind::plane: {
+            const Plane& plane = scene.geometry.planes[hit.primitive];
+            const Vec3d p = along();
+            s.p = to_float(p - plane.normal * (dot(plane.normal, p) - plane.offset));
+            s.p_error = scaled(abs(s.p), gamma(4));
+            s.n = s.ns = to_float(plane.normal);
+            s.material = scene.plane_material[hit.primitive];
+            break;
+        }
+        default: {
+            const Placed placed = place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
+            s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns;
+            s.material = scene.shading[hit.geometry].material_of(hit.primitive);
+            s.light = light_of(scene, hit);
+        }
+    }
+    const Vec3 wo = -ray.dir;
+    s.front = dot(s.n, wo) > 0;
+    if (!s.front) s.n = -s.n, s.ns = -s.ns;
+    // An interpolated normal may face away from the ray although the surface does not: mirrored about the silhouette,
+    // which is continuous there and keeps it in the hemisphere of n.
+    if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));
+    return s;
+}
+
+}  // namespace lancer

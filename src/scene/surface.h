@@ -1,0 +1,32 @@
+// The place that a hit is: point, normals, material. Derived from the hit once, whichever accelerator found it.
+#pragma once
+
+#include "core/ray.h"
+#include "geometry/geometry.h"
+
+namespace lancer {
+
+struct Scene;
+
+struct Surface {
+    Vec3 p;
+    Vec3 p_error;  // bound of p's rounding error, per axis: what offset_origin() wants
+    Vec3 n;        // geometric, unit, on the side the ray came from
+    Vec3 ns;       // shading, unit, in the hemisphere of n and turned towards the ray
+    bool front;    // the ray came from the side the geometric normal of the shape points to
+    uint32_t material;
+    uint32_t light;  // id of the light that this place belongs to, or Scene::none
+    float t;
+};
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
+
+// A point of a triangle and what light sampling needs to know there.
+struct TrianglePoint {
+    Vec3 p, p_error, n;  // n: geometric, unit, on the front side
+    float area;          // of the whole triangle, scene units
+};
+// uv: barycentric weights of the second and third corner.
+TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
+
+}  // namespace lancer
