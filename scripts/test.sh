@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, runs the tests. The last line is always "N passed, N failed".
+set -uo pipefail
+
+usage() {
+    cat <<'END'
+usage: scripts/test.sh [--slow]
+  (nothing)  release build with warnings as errors, all its tests
+  --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer
+The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
+END
+}
+
+slow=false
+for argument in "$@"; do
+    case $argument in
+        --slow) slow=true ;;
+        -h | --help) usage; exit 0 ;;
+        *)
+            echo "test.sh: error: unknown option '$argument'" >&2
+            usage >&2
+            exit 2
+            ;;
+    esac
+done
+
+unset CDPATH
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 1
+# shellcheck source=scripts/common.sh
+source scripts/common.sh
+
+passed=0
+failed=0
+
+finish() {
+    if ((passed == 0 && failed == 0)); then
+        echo 'No test ran.'
+        failed=1
+    fi
+    echo "$passed passed, $failed failed"
+    exit $((failed > 0))
+}
+
+# Of ctest's log: what each failed test printed, not more than 60 lines of each.
+show_failures() {
+    awk '/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: / { shown = /\*\*\*/ && !/\*\*\*Skipped/ ? 60 : 0 }
+         /^ +Start +[0-9]+: / { shown = 0 }
+         /^[0-9]+% tests passed, / { shown = 1000 }
+         shown > 0 { print; if (--shown == 0) print "  ..." }' "$1"
+}
+
+# test_preset PRESET: runs the tests of a built preset and adds to the counts.
+test_preset() {
+    local preset=$1 log=$PWD/build/$1/test.log report=$PWD/build/$1/test.xml start=$SECONDS
+    local status=0 cases good skipped bad
+    rm -f "$report"
+    echo "Testing preset $preset (log: build/$preset/test.log)"
+    "${run_under[@]}" ctest --preset "$preset" -j 2 --output-junit "$report" >"$log" 2>&1 </dev/null || status=$?
+    if [[ ! -f $report ]]; then
+        tail -n 25 "$log"
+        echo "ctest ended with $status and left no report."
+        failed=$((failed + 1))
+        return
+    fi
+    # What tests print is escaped in the report, so that only true elements match.
+    cases=$(grep -c '^[[:space:]]*<testcase ' "$report" || true)
+    good=$(grep -c '^[[:space:]]*<testcase .* status="run"' "$report" || true)
+    # Left out by the test itself or by its author; a missing program is "notrun" too, but with another reason.
+    skipped=$(grep -c -E '<skipped message="SKIP_|^[[:space:]]*<testcase .* status="disabled"' "$report" || true)
+    bad=$((cases - good - skipped))
+    if ((status != 0 || bad > 0)); then show_failures "$log"; fi
+    if ((status != 0 && bad == 0)); then
+        echo "ctest ended with $status."
+        bad=1
+    elif ((cases == 0)); then
+        echo "No test in preset $preset."
+        bad=1
+    fi
+    echo "Preset $preset: $good passed, $bad failed, $skipped skipped in $((SECONDS - start)) s"
+    passed=$((passed + good))
+    failed=$((failed + bad))
+}
+
+# run PRESET [-DOPTION...]: builds and tests; a build that fails counts as one failed test.
+run() {
+    if build_preset "$@"; then
+        test_preset "$1"
+    else
+        failed=$((failed + 1))
+    fi
+}
+
+if ! scripts/install-deps.sh; then
+    failed=1
+    finish
+fi
+
+run release -DLANCER_WERROR=ON
+
+if $slow; then
+    run_under=(env UBSAN_OPTIONS=print_stacktrace=1)
+    run asan -DLANCER_WERROR=OFF
+    # The libraries from packages are not instrumented: what goes on inside them cannot be judged. Address space
+    # randomisation is off where that is allowed: ThreadSanitizer of g++ 12 and 13 fails on 32 random bits.
+    run_under=(env TSAN_OPTIONS="ignore_noninstrumented_modules=1 ${TSAN_OPTIONS-}")
+    if setarch -R true 2>/dev/null; then run_under+=(setarch -R); fi
+    run tsan -DLANCER_WERROR=OFF
+fi
+finish
