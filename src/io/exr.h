@@ -1,0 +1,29 @@
+// OpenEXR pictures: what a render writes (exact floats, crop, metadata) and reads back as reference or texture.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "io/metadata.h"
+
+namespace lancer {
+
+class AtomicFile;
+
+struct ExrOptions {
+    bool half = false;  // 16-bit floats; a picture with finite values beyond 65504 is written as 32-bit all the same
+};
+
+// R, G, B, ZIP-compressed, Rec. 709 chromaticities; display and data windows as in the image. Each metadata pair
+// becomes an attribute "lancer:NAME"; an integer beyond 32 bits, for which the format has no type, becomes text.
+// The file appears whole or not at all. The second form fills a file made earlier; its owner commits it.
+void write_exr(const std::string& path, const Image& image, const Metadata& metadata = {},
+               const ExrOptions& options = {});
+void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ExrOptions& options = {});
+
+// Any single-part picture, scan lines or tiles, with channels R, G, B, or Y for grey, of any type. Metadata are the
+// attributes "lancer:NAME", without the prefix. A broken or truncated file is ErrorKind::invalid_input, never a
+// partial picture; a missing one missing_input.
+Image read_exr(const std::string& path, Metadata* metadata = nullptr);
+
+}  // namespace lancer

@@ -1,0 +1,14 @@
+// A look at the header of an OpenEXR file before the library sees it. The library allocates what the size fields say
+// (attributes, chunk tables, line buffers) before it knows whether the file is long enough; a broken file of 300 bytes
+// must not cost gigabytes.
+#pragma once
+
+#include "io/input_file.h"
+
+namespace lancer {
+
+// Throws Error(invalid_input) where the file is no flat single-part OpenEXR file, where its picture is larger than the
+// limits of input_file.h, or where the file is too short for what its header announces.
+void check_exr_header(InputFile& file);
+
+}  // namespace lancer

@@ -1,0 +1,265 @@
+// libpng reports errors by longjmp. So that no destructor is jumped over and no exception passes through its C frames:
+// everything with a destructor lives in the callers of the functions that call setjmp, those hold plain values only,
+// and callbacks keep an exception in the context until libpng has been left.
+#include "io/png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <csetjmp>
+#include <cstring>
+#include <exception>
+#include <limits>
+
+#include "core/srgb.h"
+#include "io/atomic_file.h"
+#include "io/input_file.h"
+
+namespace lancer {
+namespace {
+
+struct Context {
+    AtomicFile* out = nullptr;
+    InputFile* in = nullptr;
+    std::exception_ptr thrown;
+    char message[200] = "";
+};
+
+Context& context_of(png_structp png) { return *static_cast<Context*>(png_get_error_ptr(png)); }
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message)
+{
+    Context& c = context_of(png);
+    std::strncpy(c.message, message, sizeof c.message - 1);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_write(png_structp png, png_bytep bytes, size_t count)
+{
+    Context& c = context_of(png);
+    try {
+        c.out->write(bytes, count);
+    } catch (...) {
+        c.thrown = std::current_exception();
+    }
+    if (c.thrown) png_error(png, "write");
+}
+
+void on_flush(png_structp) {}
+
+void on_read(png_structp png, png_bytep bytes, size_t count)
+{
+    if (context_of(png).in->read(bytes, count) != count) png_error(png, "the file ends too early");
+}
+
+struct Writer {
+    Context context;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &context, on_error, on_warning);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+    Context context;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &context, on_error, on_warning);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    Reader() = default;
+    Reader(const Reader&) = delete;
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+bool encode(png_structp png, png_infop info, const Window& data, bool crop, png_textp texts, int text_count,
+            png_bytepp rows)
+{
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_write_fn(png, png_get_error_ptr(png), on_write, on_flush);
+    png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(data.width()), static_cast<png_uint_32>(data.height()), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (crop) png_set_oFFs(png, info, data.x0, data.y0, PNG_OFFSET_PIXEL);
+    png_set_text(png, info, texts, text_count);
+    png_write_info(png, info);
+    png_write_image(png, rows);
+    png_write_end(png, nullptr);
+    return true;
+}
+
+struct Layout {
+    png_uint_32 width = 0, height = 0;
+    int depth = 0, passes = 0;
+    size_t stored_row_bytes = 0;  // in the file, after decompression
+    size_t row_bytes = 0;         // as handed out: 3 channels of 8 or 16 bits
+};
+
+bool decode_header(png_structp png, png_infop info, Layout* layout)
+{
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_read_fn(png, png_get_error_ptr(png), on_read);
+    png_set_user_limits(png, max_image_side, max_image_side);
+    png_set_chunk_malloc_max(png, 64 << 20);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+    png_read_info(png, info);
+    layout->width = png_get_image_width(png, info);
+    layout->height = png_get_image_height(png, info);
+    layout->stored_row_bytes = png_get_rowbytes(png, info);
+    png_set_expand(png);
+    png_set_gray_to_rgb(png);
+    png_set_strip_alpha(png);
+    if (png_get_bit_depth(png, info) == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+    layout->passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    layout->depth = png_get_bit_depth(png, info);
+    layout->row_bytes = png_get_rowbytes(png, info);
+    return png_get_channels(png, info) == 3;
+}
+
+bool decode_rows(png_structp png, png_bytepp rows)
+{
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_read_image(png, rows);
+    png_read_end(png, nullptr);
+    return true;
+}
+
+// A number in [0, 1) for each channel of each pixel: fixed, so that the same picture gives the same file.
+double dither_offset(uint32_t x, uint32_t y, uint32_t channel)
+{
+    uint32_t h = x * 0x9e3779b1u ^ (y * 0x85ebca77u + channel * 0xc2b2ae3du);
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    return (h ^ (h >> 16)) * 0x1p-32;
+}
+
+uint8_t quantize(double linear, double offset)
+{
+    if (!(linear > 0)) return 0;  // NaN as well
+    if (linear >= 1) return 255;
+    return static_cast<uint8_t>(srgb_from_linear(linear) * 255 + offset);
+}
+
+std::vector<uint8_t> to_bytes(const Image& image, const PngOptions& options)
+{
+    std::vector<uint8_t> bytes;
+    bytes.reserve(3 * image.pixels.size());
+    const double scale = std::exp2(static_cast<double>(options.exposure_stops));
+    for (int32_t y = image.data.y0; y < image.data.y1; ++y) {
+        for (int32_t x = image.data.x0; x < image.data.x1; ++x) {
+            const Color c = image.at(x, y);
+            const float values[] = {c.r, c.g, c.b};
+            for (uint32_t i = 0; i < 3; ++i) {
+                const double offset =
+                    options.dither ? dither_offset(static_cast<uint32_t>(x), static_cast<uint32_t>(y), i) : 0.5;
+                bytes.push_back(quantize(scale * static_cast<double>(values[i]), offset));
+            }
+        }
+    }
+    return bytes;
+}
+
+template <class Byte>
+std::vector<png_bytep> row_pointers(std::vector<Byte>& bytes, size_t row_bytes, size_t rows)
+{
+    std::vector<png_bytep> result(rows);
+    for (size_t y = 0; y < rows; ++y) result[y] = bytes.data() + y * row_bytes;
+    return result;
+}
+
+template <class T>
+std::vector<float> decoding_table(Encoding encoding)
+{
+    std::vector<float> table(size_t{std::numeric_limits<T>::max()} + 1);
+    const double last = static_cast<double>(table.size() - 1);
+    for (size_t i = 0; i < table.size(); ++i) {
+        const double v = static_cast<double>(i) / last;
+        table[i] = static_cast<float>(encoding == Encoding::srgb ? linear_from_srgb(v) : v);
+    }
+    return table;
+}
+
+template <class T>
+void to_pixels(const std::vector<uint8_t>& bytes, Encoding encoding, std::vector<Color>& pixels)
+{
+    const std::vector<float> table = decoding_table<T>(encoding);
+    T v[3];
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        std::memcpy(v, bytes.data() + i * sizeof v, sizeof v);
+        pixels[i] = {table[v[0]], table[v[1]], table[v[2]]};
+    }
+}
+
+}  // namespace
+
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, const PngOptions& options)
+{
+    if (image.data.empty()) throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
+    std::vector<std::pair<std::string, std::string>> pairs = {{"Software", "lancer"}};
+    for (const auto& [name, value] : metadata) pairs.emplace_back("lancer:" + name, to_string(value));
+    std::vector<png_text> texts(pairs.size());
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const std::string& text = pairs[i].second;
+        const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
+        texts[i].compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;  // the latter is UTF-8
+        texts[i].key = pairs[i].first.data();
+        texts[i].text = pairs[i].second.data();
+        texts[i].text_length = text.size();
+        texts[i].itxt_length = ascii ? 0 : text.size();
+    }
+    std::vector<uint8_t> bytes = to_bytes(image, options);
+    std::vector<png_bytep> rows =
+        row_pointers(bytes, 3 * static_cast<size_t>(image.data.width()), static_cast<size_t>(image.data.height()));
+    Writer writer;
+    writer.context.out = &file;
+    if (!writer.info) throw Error(ErrorKind::failed, {file.path()}, "cannot write: not enough memory");
+    const bool done = encode(writer.png, writer.info, image.data, image.data != image.display, texts.data(),
+                             static_cast<int>(texts.size()), rows.data());
+    if (writer.context.thrown) std::rethrow_exception(writer.context.thrown);
+    if (!done) throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + writer.context.message);
+}
+
+void write_png(const std::string& path, const Image& image, const Metadata& metadata, const PngOptions& options)
+{
+    AtomicFile file(path);
+    write_png(file, image, metadata, options);
+    file.commit();
+}
+
+Image read_png(const std::string& path, Encoding encoding)
+{
+    InputFile file(path);
+    Reader reader;
+    reader.context.in = &file;
+    if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
+    const auto broken = [&](const char* reason) {
+        return file.invalid(std::string("not a valid PNG file: ") + (*reason ? reason : "unknown channels"));
+    };
+    Layout layout;
+    if (!decode_header(reader.png, reader.info, &layout)) throw broken(reader.context.message);
+    const std::string size = std::to_string(layout.width) + " x " + std::to_string(layout.height);
+    if (int64_t{layout.width} * layout.height > max_image_pixels) {
+        throw file.invalid("picture too large: " + size + " pixels");
+    }
+    // The compression of the format shrinks no more than 1032 times; nothing is allocated for a picture that the
+    // file cannot hold.
+    if (layout.stored_row_bytes * layout.height / 1032 > file.size()) {
+        throw file.invalid("the file is too short for a picture of " + size + " pixels");
+    }
+    std::vector<uint8_t> bytes(layout.row_bytes * layout.height);
+    std::vector<png_bytep> rows = row_pointers(bytes, layout.row_bytes, layout.height);
+    if (!decode_rows(reader.png, rows.data())) throw broken(reader.context.message);
+    Image image = make_image(static_cast<int32_t>(layout.width), static_cast<int32_t>(layout.height));
+    if (layout.depth == 16) {
+        to_pixels<uint16_t>(bytes, encoding, image.pixels);
+    } else {
+        to_pixels<uint8_t>(bytes, encoding, image.pixels);
+    }
+    return image;
+}
+
+}  // namespace lancer

@@ -1,0 +1,32 @@
+// PNG pictures: the 8-bit view of a render, and textures.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "io/metadata.h"
+
+namespace lancer {
+
+class AtomicFile;
+
+// How the numbers of an 8- or 16-bit file are meant: colours for the eye, or plain data (roughness, bump, normals).
+enum class Encoding { srgb, linear };
+
+struct PngOptions {
+    float exposure_stops = 0;  // pixels are scaled by 2^stops
+    bool dither = false;       // hides banding with a fixed pattern of +- half a step
+};
+
+// sRGB, 8 bit: values below 0 and NaN become 0, above 1 they become 255, else the nearest step. Only the data window is
+// written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata pairs become text chunks
+// "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
+void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
+               const PngOptions& options = {});
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const PngOptions& options = {});
+
+// Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
+// partial picture; a missing one missing_input.
+Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
+
+}  // namespace lancer

@@ -1,0 +1,34 @@
+// Errors of a picture against a reference, in linear radiance before any tone mapping. Sums are in double and in a
+// fixed order: the same pictures give the same figures everywhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/image.h"
+
+namespace lancer {
+
+// A pixel that is not finite on either side has infinite error: rmse and relmse are then infinite, never NaN, so a
+// comparison with a limit fails as it should.
+struct Metrics {
+    double rmse = 0;            // root of the mean over pixels and channels of (x - r)^2
+    double relmse = 0;          // mean over pixels and channels of (x - r)^2 / (r^2 + 0.01)
+    double relmse_trimmed = 0;  // the same without the 0.1 % of pixels (rounded down) with the largest error
+    std::array<double, 3> mean = {}, reference_mean = {}, mean_ratio = {};  // each channel; ratio = mean / reference
+    double max_difference = 0;                                              // largest |x - r| of any channel
+    int32_t max_x = 0, max_y = 0;     // the pixel where it is, the first one in reading order
+    size_t differing_pixels = 0;      // not the same bit by bit (so 0 and -0 differ)
+    size_t non_finite_pixels = 0;     // of the picture
+    size_t reference_non_finite = 0;  // pixels of the reference
+};
+
+// Both must have the same windows; else Error(invalid_input) with both.
+Metrics compare(const Image& x, const Image& reference);
+
+// The mean over pixels and channels of (x - r1)(x - r2) / (r1 r2 + 0.01), for two independent references: their noise
+// averages out instead of adding to the error of x. Can be slightly negative.
+double unbiased_squared_error(const Image& x, const Image& r1, const Image& r2);
+
+}  // namespace lancer
