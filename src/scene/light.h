@@ -34,9 +34,9 @@ struct LightTable {
 };
 
 struct LightSample {
-    Vec3 wi;              // unit, from the surface to the light
-    Vec3 point, p_error;  // on the light; unused if infinite
-    Vec3 n;               // normal of the light there, for the offset of the shadow ray's end; 0 for a point light
+    Vec3 wi;                  // unit, from the surface to the light
+    Vec3 point{}, p_error{};  // on the light; unused if infinite
+    Vec3 n{};                 // normal of the light there, for the offset of the shadow ray's end; 0 for a point light
     bool infinite = false;
     Color radiance;      // arriving if nothing is in between; for a point light intensity / distance^2
     float pdf = 0;       // per solid angle, choice of the light included; 1 x choice for a point light
