@@ -1,0 +1,86 @@
+// Help for a mistyped name: the known name it was probably meant to be, and the end of the message that says so.
+// Used wherever a name is looked up in a list: keys and names of a scene file, options of the command line.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lancer {
+
+// How many letters to insert, delete, replace or swap with their neighbour (no letter twice) to get from a to b.
+// Upper and lower case count as the same letter.
+inline size_t edit_distance(std::string_view a, std::string_view b)
+{
+    const auto same = [](char x, char y) {
+        return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+    };
+    std::vector<size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    for (size_t j = 0; j <= b.size(); ++j) above[j] = j;
+    for (size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j) {
+            const size_t replaced = above[j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1])) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        before.swap(above);
+        above.swap(row);
+    }
+    return above[b.size()];
+}
+
+// The known name that `wrong` is probably a typo of: at most a third of its letters differ. The first of equals.
+template <class Names>
+std::optional<std::string> nearest(std::string_view wrong, const Names& known)
+{
+    constexpr size_t longest = 64;  // nobody mistypes a longer name, and the search would take its time
+    std::optional<std::string> best;
+    size_t best_distance = 0;
+    for (const std::string_view name : known) {
+        const size_t letters = std::max(wrong.size(), name.size());
+        if (letters > longest) continue;
+        const size_t distance = edit_distance(wrong, name);
+        const bool is_typo = distance <= std::max<size_t>(1, letters / 3) && distance < wrong.size();
+        if (is_typo && (!best || distance < best_distance)) {
+            best = name;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+// A name from a file as a message can show it: one line, no longer than a line, and no commands to the terminal.
+inline std::string on_one_line(std::string_view name)
+{
+    constexpr size_t longest = 80;
+    std::string text(name.substr(0, longest));
+    for (char& c : text) c = std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+    return name.size() > longest ? text + "..." : text;
+}
+
+inline std::string in_quotes(std::string_view name) { return "'" + on_one_line(name) + "'"; }
+
+// "; did you mean 'x'? known: a, b, c", or "; known: a, b, c" if nothing is near, or "" if nothing is known.
+template <class Names>
+std::string suggestion(std::string_view wrong, const Names& known)
+{
+    constexpr size_t most = 20;  // a scene can have thousands of materials
+    std::string list;
+    size_t count = 0;
+    for (const std::string_view name : known) {
+        if (count++ < most) list += (list.empty() ? "" : ", ") + on_one_line(name);
+    }
+    if (count == 0) return "";
+    if (count > most) list += " and " + std::to_string(count - most) + " more";
+    const std::optional<std::string> meant = nearest(wrong, known);
+    return (meant ? "; did you mean " + in_quotes(*meant) + "? known: " : "; known: ") + list;
+}
+
+}  // namespace lancer
