@@ -1,5 +1,5 @@
 // Writes the generated meshes of this folder: make_meshes OUTPUT_FOLDER
-// shell.obj, a sea shell with ribs; knot.obj, a torus knot; backdrop.obj, a floor that curves up into a wall.
+// shell.obj, a sea shell with spiral ridges; knot.obj, a torus knot; backdrop.obj, a floor that curves up into a wall.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -51,15 +51,14 @@ bool write_grid(const std::string& path, const std::string& material, const Surf
 }
 
 // A tube whose radius and distance from the axis grow by the same factor every turn, as in Thompson, "On Growth and
-// Form", chapter 11; ribs are a wave along the turn.
+// Form", chapter 11, with ridges along the turn.
 Point shell(double u, double v)
 {
-    const double turns = 5.5, theta = 2 * pi * turns * u, phi = 2 * pi * v;
-    const double s = std::exp(0.105 * theta) / std::exp(0.105 * 2 * pi * turns);
-    const double rib = 1 + 0.045 * std::cos(11 * theta) * (0.5 + 0.5 * std::sin(phi));
-    const double tube = 0.46 * rib, reach = 0.50;
-    const double r = s * (reach + tube * std::cos(phi));
-    return {r * std::cos(theta), s * (tube * std::sin(phi) - 1.62) + 1.62, r * std::sin(theta)};
+    const double turns = 6.25, theta = 2 * pi * turns * u, phi = 2 * pi * v;
+    const double s = std::exp(0.088 * (theta - 2 * pi * turns));
+    const double tube = 0.42 * (1 + 0.06 * std::cos(9 * phi));
+    const double r = s * (0.42 + tube * std::cos(phi));
+    return {r * std::cos(theta), s * (1.15 * tube * std::sin(phi) - 2.1) + 2.1, r * std::sin(theta)};
 }
 
 Point knot_axis(double t)
@@ -96,7 +95,7 @@ int main(int argc, char** argv)
         return 2;
     }
     const std::string folder = std::string(argv[1]) + "/";
-    const bool ok = write_grid(folder + "shell.obj", "shell", shell, 330, 32, true) &&
+    const bool ok = write_grid(folder + "shell.obj", "shell", shell, 230, 54, true) &&
                     write_grid(folder + "knot.obj", "knot", knot, 320, 24, true) &&
                     write_grid(folder + "backdrop.obj", "backdrop", backdrop, 1, 120, true);
     return ok ? 0 : 1;
