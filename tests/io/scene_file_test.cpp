@@ -236,6 +236,7 @@ emission_sides = "front")");
     EXPECT_EQ(lamp.emission, (Color{12, 12, 12}));
     EXPECT_TRUE(lamp.emission_both_sides);
     EXPECT_EQ(chrome.type, MaterialType::mirror);
+    EXPECT_EQ(chrome.base_color, (Color{1, 1, 1})) << "untinted";
     EXPECT_EQ(chrome.emission, (Color{1, 2, 3}));
     EXPECT_FALSE(chrome.emission_both_sides);
 }
