@@ -121,6 +121,16 @@ TEST_F(Obj, EveryFormOfCornerIsRead)
     }
 }
 
+TEST_F(Obj, AnIndexLeftOutIsNotThatOfTheNextCorner)
+{
+    const auto m = load(square + "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1// 2// 3//\nf 1//1 2// 3//2\n");
+    ASSERT_TRUE(m) << errors();
+    constexpr uint32_t no = MeshData::no_normal;
+    EXPECT_THAT(m->normal_triangles, ElementsAre(Triangle{0, 0, 0}, Triangle{no, no, no}, Triangle{no, no, no}));
+    EXPECT_THAT(warnings(),
+                ElementsAre("a.obj:10: warning: face with normals at some corners only: they are ignored there"));
+}
+
 TEST_F(Obj, LineEndsByteOrderMarkAndContinuations)
 {
     const std::vector<std::string> texts{
