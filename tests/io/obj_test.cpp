@@ -603,6 +603,19 @@ TEST(ObjFiles, BrokenFilesGiveAMeshOrAnError)
     }
 }
 
+TEST_F(Obj, BrokenMaterialFilesGiveAMesh)
+{
+    std::error_code error;
+    for (fs::recursive_directory_iterator i(shared_folder() / "malformed", error), end; i != end; ++i) {
+        const std::string extension = i->path().extension().string();
+        if (!i->is_regular_file() || (extension != ".obj" && extension != ".mtl")) continue;
+        const auto m = load("mtllib " + i->path().string() + "\n" + corners + "usemtl a\nf 1 2 3\n");
+        ASSERT_TRUE(m) << i->path() << errors();
+        expect_valid(*m);
+        for (const std::string& w : warnings()) EXPECT_THAT(w, testing::Not(HasSubstr("not found"))) << w;
+    }
+}
+
 TEST(ObjFiles, RealFilesHaveTheirCounts)
 {
     struct Case {
