@@ -59,19 +59,18 @@ public:
     void add_file(const std::string& path, std::string_view text, Diagnostics& diagnostics)
     {
         const MtlScan scan = scan_mtl(text, path, diagnostics);
-        if (scan.materials.empty()) return;
-        std::map<std::string, int> index;
-        std::vector<tinyobj::material_t> values;
-        std::istringstream stream(scan.text);
-        std::string warnings, errors;
-        tinyobj::LoadMtl(&index, &values, &stream, &warnings, &errors);
-        for (size_t i = 0; i < std::min(values.size(), scan.materials.size()); ++i) {
-            const MtlEntry& entry = scan.materials[i];
-            if (!index_.try_emplace(entry.name, static_cast<uint32_t>(materials_.size())).second) {
-                diagnostics.warning({path, entry.line, 0}, "material of this name exists already; the first is used");
-                continue;
+        constexpr size_t at_once = 1000;  // the parser's materials take kilobytes each
+        for (size_t begin = 0; begin < scan.materials.size(); begin += at_once) {
+            const size_t end = std::min(begin + at_once, scan.materials.size());
+            const std::vector<tinyobj::material_t> values = parse(scan, begin, end);
+            for (size_t i = 0; i < std::min(values.size(), end - begin); ++i) {
+                const MtlEntry& entry = scan.materials[begin + i];
+                if (index_.try_emplace(entry.name, static_cast<uint32_t>(materials_.size())).second)
+                    materials_.push_back(describe_material(entry, values[i], path, diagnostics));
+                else
+                    diagnostics.warning({path, entry.line, 0},
+                                        "material of this name exists already; the first is used");
             }
-            materials_.push_back(describe_material(entry, values[i], path, diagnostics));
         }
     }
     const MaterialDescription* find(const std::string& name) const
@@ -81,6 +80,18 @@ public:
     }
 
 private:
+    static std::vector<tinyobj::material_t> parse(const MtlScan& scan, size_t begin, size_t end)
+    {
+        const size_t from = scan.materials[begin].begin;
+        const size_t to = end == scan.materials.size() ? scan.text.size() : scan.materials[end].begin;
+        std::istringstream stream(scan.text.substr(from, to - from));
+        std::map<std::string, int> index;
+        std::vector<tinyobj::material_t> values;
+        std::string warnings, errors;
+        tinyobj::LoadMtl(&index, &values, &stream, &warnings, &errors);
+        return values;
+    }
+
     std::map<std::string, uint32_t, std::less<>> index_;
     std::vector<MaterialDescription> materials_;
 };
