@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/names.h"
 #include "io/text_file.h"
 
 namespace lancer {

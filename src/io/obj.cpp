@@ -9,6 +9,8 @@
 #include <limits>
 #include <sstream>
 
+#include "core/hash.h"
+#include "core/names.h"
 #include "io/mtl_scan.h"
 #include "io/obj_scan.h"
 #include "io/triangulate.h"

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/hash.h"
 #include "io/input_text.h"
 #include "scene_test_support.h"
 
@@ -293,9 +294,6 @@ TEST_F(SceneFileTest, RelativePathOfTheSceneStaysRelative)
 
 TEST_F(SceneFileTest, ContentHashIsOfTheBytes)
 {
-    EXPECT_EQ(hash_bytes(""), 0xcbf29ce484222325u);
-    EXPECT_EQ(hash_bytes("foobar"), 0x85944171f73967e8u) << "the published value of FNV-1a";
-    EXPECT_EQ(hash_bytes("bar", hash_bytes("foo")), hash_bytes("foobar"));
     EXPECT_EQ(scene("[camera]").content_hash, hash_bytes("[camera]"));
     EXPECT_NE(scene("[camera]").content_hash, scene("[camera] ").content_hash);
 }
