@@ -1,0 +1,26 @@
+// Reads a text file as a whole, and turns away what the parser of scene files must not see.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace lancer {
+
+// All bytes of the file. Throws Error if it is missing, a folder, unreadable or larger than any scene can be.
+std::string read_input_text(const std::string& path);
+
+// Reports a text that is empty, binary, or has keys of so many parts that toml++ would exhaust the stack on them.
+// True if there is nothing to report.
+bool check_toml_text(std::string_view text, const std::string& path, Diagnostics& diagnostics);
+
+// FNV-1a with 64 bits; to hash several texts as one, pass the hash so far.
+inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0xcbf29ce484222325u)
+{
+    for (const char c : bytes) so_far = (so_far ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return so_far;
+}
+
+}  // namespace lancer

@@ -1,0 +1,102 @@
+#include "io/scene_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/names.h"
+#include "io/input_text.h"
+#include "io/scene_tables.h"
+
+namespace lancer {
+namespace {
+
+TomlValue to_value(const toml::node& node)
+{
+    TomlValue value{node.source().begin.line, node.source().begin.column, TomlValue::Date{}};
+    if (const toml::table* table = node.as_table()) {
+        TomlValue::Table entries;
+        for (const auto& [key, child] : *table) {
+            entries.push_back(
+                {std::string(key.str()), key.source().begin.line, key.source().begin.column, to_value(child)});
+        }
+        // As written; toml++ sorts them by name.
+        std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+            return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+        });
+        value.data = std::move(entries);
+    } else if (const toml::array* array = node.as_array()) {
+        TomlValue::Array elements;
+        for (const toml::node& element : *array) elements.push_back(to_value(element));
+        value.data = std::move(elements);
+    } else if (const auto* text = node.as_string()) {
+        value.data = text->get();
+    } else if (const auto* integer = node.as_integer()) {
+        value.data = integer->get();
+    } else if (const auto* number = node.as_floating_point()) {
+        value.data = number->get();
+    } else if (const auto* boolean = node.as_boolean()) {
+        value.data = boolean->get();
+    }
+    return value;
+}
+
+// "Error while parsing array: ..." begins like an error of the program; it is one of the file.
+std::string syntax_message(std::string_view description)
+{
+    const std::string_view prefix = "Error while parsing ";
+    if (!description.starts_with(prefix)) return "invalid TOML: " + std::string(description);
+    return "invalid TOML in " + std::string(description.substr(prefix.size()));
+}
+
+void load_meshes(const std::vector<MeshFile>& files, const MeshLoader& load, SceneDescription& scene,
+                 Diagnostics& diagnostics)
+{
+    std::map<std::string, std::shared_ptr<const MeshData>> loaded;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const AssetFolder::Found& file = files[i].file;
+        if (file.path.empty()) continue;
+        const auto [entry, is_new] = loaded.try_emplace(file.identity);
+        if (is_new) entry->second = load(file.path, diagnostics);
+        scene.meshes[i].data = entry->second;
+        // No caller should meet a null that nobody has reported.
+        if (!entry->second && !diagnostics.has_errors()) {
+            diagnostics.error(files[i].where, "mesh file " + in_quotes(file.path) + " could not be loaded");
+        }
+    }
+}
+
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
+                             Diagnostics& diagnostics)
+{
+    SceneDescription scene;
+    scene.file = path;
+    scene.content_hash = hash_bytes(text);
+    const AssetFolder assets(path, options.asset_root);
+    if (!check_toml_text(text, path, diagnostics)) return scene;
+    TomlValue root;
+    try {
+        root = to_value(toml::parse(text));
+    } catch (const toml::parse_error& e) {
+        const toml::source_position at = e.source().begin;
+        diagnostics.error({path, at.line, at.column}, syntax_message(e.description()));
+        return scene;
+    }
+    TomlProblems problems(path);
+    const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
+    problems.report(diagnostics);
+    load_meshes(files, options.mesh_loader, scene, diagnostics);
+    return scene;
+}
+
+SceneDescription load_scene_file(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics)
+{
+    return parse_scene(read_input_text(path), path, options, diagnostics);
+}
+
+}  // namespace lancer

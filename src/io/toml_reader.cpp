@@ -1,0 +1,243 @@
+#include "io/toml_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace lancer {
+namespace {
+
+std::string to_text(double x)
+{
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+
+std::string kind_of(const TomlValue& value)
+{
+    constexpr std::array kinds{"a table", "an array",  "a string",      "an integer",
+                               "a float", "a boolean", "a date or time"};
+    return kinds[value.data.index()];
+}
+
+const TomlValue::Array* as_array(const TomlValue& value) { return std::get_if<TomlValue::Array>(&value.data); }
+const TomlValue::Table* as_table(const TomlValue& value) { return std::get_if<TomlValue::Table>(&value.data); }
+
+std::optional<double> as_number(const TomlValue& value)
+{
+    if (const auto* x = std::get_if<double>(&value.data)) return *x;
+    if (const auto* i = std::get_if<int64_t>(&value.data)) return static_cast<double>(*i);
+    return {};
+}
+
+// What stands where an array of a certain length should: its length, or what it is instead of an array.
+std::string count_or_kind(const TomlValue& value)
+{
+    const TomlValue::Array* array = as_array(value);
+    return array ? std::to_string(array->size()) : kind_of(value);
+}
+
+}  // namespace
+
+void TomlProblems::report(Diagnostics& diagnostics)
+{
+    std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+        return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
+    });
+    for (const Problem& p : problems_) diagnostics.error(p.where, p.message, p.kind);
+    problems_.clear();
+}
+
+const TomlValue* TomlTable::find(std::string_view key) const
+{
+    for (const TomlEntry& entry : *as_table(*value_)) {
+        if (entry.key == key) return &entry.value;
+    }
+    return nullptr;
+}
+
+void TomlTable::allow(const NameList& known) const
+{
+    for (const TomlEntry& entry : *as_table(*value_)) {
+        if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+        const TomlValue::Array* array = as_array(entry.value);
+        const bool is_table = as_table(entry.value) || (array && !array->empty() && as_table(array->front()));
+        error(problems_->where(entry), (is_table && label_.empty() ? "unknown table " : "unknown key ") +
+                                           name(entry.key) + suggestion(entry.key, known));
+    }
+}
+
+bool TomlTable::require(std::string_view key, std::string_view type) const
+{
+    if (has(key)) return true;
+    error(where(), label_ + (type.empty() ? "" : " of type " + in_quotes(type)) + " needs " + in_quotes(key));
+    return false;
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const auto* text = std::get_if<std::string>(&value->data);
+    if (text && !text->empty()) return *text;
+    error(key, text ? " must not be empty" : " must be a string, not " + kind_of(*value));
+    return {};
+}
+
+std::optional<size_t> TomlTable::choice(std::string_view key, const NameList& names, size_t otherwise) const
+{
+    if (!has(key)) return otherwise;
+    const std::optional<std::string> chosen = text(key);
+    if (!chosen) return {};
+    const auto found = std::find(names.begin(), names.end(), *chosen);
+    if (found != names.end()) return static_cast<size_t>(found - names.begin());
+    error(where(key),
+          "unknown " + std::string(key) + " " + in_quotes(*chosen) + " in " + label_ + suggestion(*chosen, names));
+    return {};
+}
+
+std::optional<int64_t> TomlTable::integer(const TomlValue& value, std::string_view key, int64_t low, int64_t high) const
+{
+    const auto* i = std::get_if<int64_t>(&value.data);
+    if (i && *i >= low && *i <= high) return *i;
+    const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
+    error(problems_->where(value),
+          name(key) + " must be " + (i ? range + ", not " + std::to_string(*i) : "an integer, not " + kind_of(value)));
+    return {};
+}
+
+std::optional<int64_t> TomlTable::integer(std::string_view key, int64_t low, int64_t high) const
+{
+    const TomlValue* value = find(key);
+    return value ? integer(*value, key, low, high) : std::nullopt;
+}
+
+std::optional<double> TomlTable::number(const TomlValue& value, std::string_view key, const NumberRule& rule) const
+{
+    const std::optional<double> x = as_number(value);
+    if (x && std::isfinite(*x) && rule.holds(*x)) return x;
+    std::string must = "a number, not " + kind_of(value);
+    if (x) must = (std::isfinite(*x) ? rule.text : "finite") + (", not " + to_text(*x));
+    error(problems_->where(value), name(key) + " must be " + must);
+    return {};
+}
+
+std::optional<double> TomlTable::number(std::string_view key, const NumberRule& rule) const
+{
+    const TomlValue* value = find(key);
+    return value ? number(*value, key, rule) : std::nullopt;
+}
+
+std::optional<Vec3d> TomlTable::vector(std::string_view key, const NumberRule& rule) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const TomlValue::Array* array = as_array(*value);
+    if (!array || array->size() != 3) {
+        error(key, " must be three numbers, not " + count_or_kind(*value));
+        return {};
+    }
+    const std::optional<double> x = number((*array)[0], key, rule);
+    const std::optional<double> y = number((*array)[1], key, rule);
+    const std::optional<double> z = number((*array)[2], key, rule);
+    if (!x || !y || !z) return {};
+    return Vec3d{*x, *y, *z};
+}
+
+std::optional<Vec3d> TomlTable::number_or_vector(std::string_view key, const NumberRule& rule) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    if (as_number(*value)) {
+        const std::optional<double> x = number(*value, key, rule);
+        return x ? std::optional(Vec3d{*x, *x, *x}) : std::nullopt;
+    }
+    if (as_array(*value)) return vector(key, rule);
+    error(key, " must be one number or three, not " + kind_of(*value));
+    return {};
+}
+
+std::optional<Color> TomlTable::color(std::string_view key, const NumberRule& rule) const
+{
+    const std::optional<Vec3d> v = number_or_vector(key, rule);
+    if (!v) return {};
+    const Vec3 rgb = to_float(*v);
+    return Color{rgb.x, rgb.y, rgb.z};
+}
+
+std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) const
+{
+    constexpr int64_t max_side = 65535, max_pixels = int64_t{1} << 31;
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const TomlValue::Array* array = as_array(*value);
+    if (!array || array->size() != 2) {
+        error(key, " must be two integers, width and height, not " + count_or_kind(*value));
+        return {};
+    }
+    const std::optional<int64_t> width = integer((*array)[0], key, 1, max_side);
+    const std::optional<int64_t> height = integer((*array)[1], key, 1, max_side);
+    if (!width || !height) return {};
+    if (*width * *height > max_pixels) {
+        error(key, " must make at most 2147483648 pixels, not " + std::to_string(*width * *height));
+        return {};
+    }
+    return std::array{static_cast<uint32_t>(*width), static_cast<uint32_t>(*height)};
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const std::string heading = "[" + std::string(key) + "]";
+    if (as_table(*value)) return TomlTable(*value, heading, *problems_);
+    error(key, " must be one table, written " + heading + ", not " + kind_of(*value));
+    return {};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const std::string heading = "[[" + std::string(key) + "]]";
+    const TomlValue::Array* array = as_array(*value);
+    if (!array) {
+        error(key, " must be a list of tables, each written " + heading + ", not " + kind_of(*value));
+        return {};
+    }
+    std::vector<TomlTable> tables;
+    for (const TomlValue& element : *array) {
+        if (as_table(element)) {
+            tables.emplace_back(element, heading, *problems_);
+        } else {
+            error(problems_->where(element), heading + " must be a table, not " + kind_of(element));
+        }
+    }
+    return tables;
+}
+
+std::vector<std::pair<std::string, TomlTable>> TomlTable::named_tables(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const std::string prefix = "[" + std::string(key) + ".";
+    if (!as_table(*value)) {
+        error(key, " must be tables, each written " + prefix + "NAME], not " + kind_of(*value));
+        return {};
+    }
+    std::vector<std::pair<std::string, TomlTable>> tables;
+    for (const TomlEntry& entry : *as_table(*value)) {
+        if (entry.key.empty()) {
+            error(problems_->where(entry), prefix + "NAME] needs a name that is not empty");
+        } else if (as_table(entry.value)) {
+            tables.emplace_back(entry.key, TomlTable(entry.value, prefix + on_one_line(entry.key) + "]", *problems_));
+        } else {
+            error(problems_->where(entry), in_quotes(entry.key) + " in [" + std::string(key) +
+                                               "] must be a table, written " + prefix + "NAME], not " +
+                                               kind_of(entry.value));
+        }
+    }
+    return tables;
+}
+
+}  // namespace lancer

@@ -1,0 +1,131 @@
+// Reads the tables of a TOML file key by key. Every reader checks the kind and the range of one value; what is wrong is
+// collected with its place, and the reader returns nothing. Knows nothing of scenes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/color.h"
+#include "core/error.h"
+#include "core/names.h"
+#include "core/vec.h"
+#include "io/toml_value.h"
+
+namespace lancer {
+
+using NameList = std::vector<std::string_view>;
+
+// What a number must be, besides finite.
+struct NumberRule {
+    bool (*holds)(double);
+    const char* text;
+};
+inline constexpr NumberRule any_number{[](double) { return true; }, ""};
+inline constexpr NumberRule not_zero{[](double x) { return x != 0; }, "other than 0"};
+inline constexpr NumberRule above_zero{[](double x) { return x > 0; }, "greater than 0"};
+inline constexpr NumberRule zero_or_more{[](double x) { return x >= 0; }, "0 or greater"};
+inline constexpr NumberRule half_turn{[](double x) { return x > 0 && x < 180; }, "greater than 0 and less than 180"};
+inline constexpr NumberRule reflectance{[](double x) { return x >= 0 && x <= 1; }, "from 0 to 1"};
+// These two are stored as float.
+inline constexpr NumberRule brightness{[](double x) { return x >= 0 && x <= std::numeric_limits<float>::max(); },
+                                       "from 0 to 3.4e38"};
+inline constexpr NumberRule index_of_refraction{
+    [](double x) { return x <= std::numeric_limits<float>::max() && static_cast<float>(x) > 0; },
+    "greater than 0 and at most 3.4e38"};
+
+// The problems of one file. Tables are read kind by kind; the user wants to hear of them from top to bottom.
+class TomlProblems {
+public:
+    explicit TomlProblems(std::string file) : file_(std::move(file)) {}
+
+    // Of a value or an entry.
+    template <class T>
+    Location where(const T& at) const
+    {
+        return {file_, at.line, at.column};
+    }
+    void add(const Location& where, std::string message, ErrorKind kind = ErrorKind::invalid_input)
+    {
+        problems_.push_back({where, std::move(message), kind});
+    }
+    void report(Diagnostics& diagnostics);
+
+private:
+    struct Problem {
+        Location where;
+        std::string message;
+        ErrorKind kind;
+    };
+    std::string file_;
+    std::vector<Problem> problems_;
+};
+
+// One table of the file. Every reader takes a key; if its value is wrong, it says so and returns nothing.
+class TomlTable {
+public:
+    // `value` must hold a table. The label stands in messages, as "[camera]"; empty for the whole file.
+    TomlTable(const TomlValue& value, std::string label, TomlProblems& problems)
+        : value_(&value), label_(std::move(label)), problems_(&problems)
+    {
+    }
+
+    const std::string& label() const { return label_; }
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+    Location where() const { return problems_->where(*value_); }
+    bool holds_text(std::string_view key) const
+    {
+        return find(key) && std::holds_alternative<std::string>(find(key)->data);
+    }
+    // Of the value; of the table if it has no such key.
+    Location where(std::string_view key) const
+    {
+        const TomlValue* value = find(key);
+        return problems_->where(value ? *value : *value_);
+    }
+    void error(const Location& place, const std::string& message, ErrorKind kind = ErrorKind::invalid_input) const
+    {
+        problems_->add(place, message, kind);
+    }
+    // "'key' in [table] must be ..." or the like, at the value.
+    void error(std::string_view key, const std::string& message) const { error(where(key), name(key) + message); }
+
+    // Says of every other key that it is unknown.
+    void allow(const NameList& known) const;
+    // Says so if there is no such key; `type` explains what it is needed for.
+    bool require(std::string_view key, std::string_view type = "") const;
+
+    std::optional<std::string> text(std::string_view key) const;
+    // The place in `names` of the text at the key; `otherwise` if there is none.
+    std::optional<size_t> choice(std::string_view key, const NameList& names, size_t otherwise) const;
+    // From low to high, both included.
+    std::optional<int64_t> integer(std::string_view key, int64_t low, int64_t high) const;
+    std::optional<double> number(std::string_view key, const NumberRule& rule) const;
+    std::optional<Vec3d> vector(std::string_view key, const NumberRule& rule = any_number) const;
+    std::optional<Vec3d> number_or_vector(std::string_view key, const NumberRule& rule) const;
+    std::optional<Color> color(std::string_view key, const NumberRule& rule) const;
+    std::optional<std::array<uint32_t, 2>> size(std::string_view key) const;
+    std::optional<TomlTable> table(std::string_view key) const;                               // [key]
+    std::vector<TomlTable> tables(std::string_view key) const;                                // [[key]]
+    std::vector<std::pair<std::string, TomlTable>> named_tables(std::string_view key) const;  // [key.NAME]
+
+private:
+    const TomlValue* value_;
+    std::string label_;
+    TomlProblems* problems_;
+
+    const TomlValue* find(std::string_view key) const;
+    std::string name(std::string_view key) const
+    {
+        return in_quotes(key) + (label_.empty() ? " at the top level" : " in " + label_);
+    }
+    std::optional<int64_t> integer(const TomlValue& value, std::string_view key, int64_t low, int64_t high) const;
+    std::optional<double> number(const TomlValue& value, std::string_view key, const NumberRule& rule) const;
+};
+
+}  // namespace lancer

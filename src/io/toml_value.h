@@ -1,0 +1,29 @@
+// A TOML file as plain values, each with its place: what scene_file.cpp makes of toml++'s tree, so that the readers
+// of tables do not depend on that library.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lancer {
+
+struct TomlEntry;
+
+struct TomlValue {
+    struct Date {};  // or time: no key takes one
+    using Array = std::vector<TomlValue>;
+    using Table = std::vector<TomlEntry>;
+
+    uint32_t line = 0, column = 0;
+    std::variant<Table, Array, std::string, int64_t, double, bool, Date> data;
+};
+
+struct TomlEntry {
+    std::string key;
+    uint32_t line = 0, column = 0;  // of the key
+    TomlValue value;
+};
+
+}  // namespace lancer
