@@ -12,6 +12,19 @@ if(EMBREE_VERSION VERSION_LESS 3.13 OR EMBREE_VERSION VERSION_GREATER_EQUAL 5)
 endif()
 lancer_find(TBB libtbb-dev)
 lancer_find(tinyobjloader libtinyobjloader-dev)
+# The library exists twice in the package; the one for double carries its define in its target.
+if(NOT TARGET tinyobjloader::tinyobjloader_double)
+  find_library(TINYOBJLOADER_DOUBLE_LIBRARY tinyobjloader_double)
+  find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
+  if(NOT TINYOBJLOADER_DOUBLE_LIBRARY OR NOT TINYOBJLOADER_INCLUDE_DIR)
+    message(FATAL_ERROR "tinyobjloader_double not found: apt-get install libtinyobjloader-dev (or run scripts/install-deps.sh)")
+  endif()
+  add_library(tinyobjloader::tinyobjloader_double UNKNOWN IMPORTED)
+  set_target_properties(tinyobjloader::tinyobjloader_double PROPERTIES
+    IMPORTED_LOCATION ${TINYOBJLOADER_DOUBLE_LIBRARY}
+    INTERFACE_COMPILE_DEFINITIONS TINYOBJLOADER_USE_DOUBLE
+    INTERFACE_INCLUDE_DIRECTORIES ${TINYOBJLOADER_INCLUDE_DIR})
+endif()
 lancer_find(Imath libimath-dev)
 lancer_find(OpenEXR libopenexr-dev)
 lancer_find(CLI11 libcli11-dev)

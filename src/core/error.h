@@ -67,11 +67,12 @@ public:
         if (!text_.empty()) text_ += '\n';
         text_ += (where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message;
     }
-    void warning(const Location& where, const std::string& message)
+    // count > 1: for a caller that has counted the occurrences itself; where is then the first of them.
+    void warning(const Location& where, const std::string& message, uint64_t count = 1)
     {
         const auto [it, fresh] = index_.try_emplace(where.file + '\n' + message, warnings_.size());
         if (fresh) warnings_.push_back({where, message, 0});
-        ++warnings_[it->second].count;
+        warnings_[it->second].count += count;
     }
     bool has_errors() const { return errors_ > 0; }
     const std::vector<Warning>& warnings() const { return warnings_; }

@@ -37,6 +37,7 @@ struct MeshData {
         normal_triangles;                 // parallel to triangles, no_normal where a face has none; empty if normals is
     std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one
+    uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
     static constexpr uint32_t no_normal = UINT32_MAX;
 };
 

@@ -17,9 +17,10 @@ TEST(Diagnostics, SameWarningIsCountedUnderItsFirstPlace)
 {
     Diagnostics d;
     for (uint32_t line = 4; line < 9; ++line) d.warning({"a.obj", line, 0}, "zero-area face dropped");
+    d.warning({"a.obj", 20, 0}, "zero-area face dropped", 7);
     d.warning({"b.obj", 1, 0}, "zero-area face dropped");
     ASSERT_EQ(d.warnings().size(), 2u);
-    EXPECT_EQ(to_string(d.warnings()[0]), "a.obj:4: warning: zero-area face dropped (5 times)");
+    EXPECT_EQ(to_string(d.warnings()[0]), "a.obj:4: warning: zero-area face dropped (12 times)");
     EXPECT_EQ(to_string(d.warnings()[1]), "b.obj:1: warning: zero-area face dropped");
     EXPECT_NO_THROW(d.throw_if_errors());
 }

@@ -1,0 +1,67 @@
+// What can be known of an OBJ file before it is parsed. The parser behind load_obj trusts its input: it wraps
+// indices, reads "nan" as 0 and forgets lines. So every statement it will see is checked here first, with its line,
+// and reaches it in one plain form (ObjFeed). Curves and surfaces of the format are not supported.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <streambuf>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "io/text_file.h"
+
+namespace lancer {
+
+struct ObjLimits {
+    uint64_t vertices = INT32_MAX;       // the parser's indices are int
+    uint64_t triangles = UINT32_MAX;     // triangles are numbered with 32 bits
+    uint64_t corners_of_face = 100'000;  // cutting ears takes quadratic time
+    uint64_t libraries = 1000;           // different mtllib statements: each searches a folder
+};
+
+struct ObjSummary {
+    struct Name {
+        std::string name;  // of a material; as written after mtllib: one or more files
+        uint32_t line = 0;
+        uint64_t count = 0;
+    };
+    uint64_t vertices = 0, normals = 0, texcoords = 0;
+    uint64_t faces = 0;      // with at least one corner
+    uint64_t triangles = 0;  // at most, after triangulation
+    bool forward_references = false, face_normals = false;
+    std::vector<Name> libraries, materials;
+    std::map<std::string, uint32_t, std::less<>> material_index;  // into materials, by name
+};
+
+// Returns nothing after adding an error.
+std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& file, Diagnostics& diagnostics,
+                                   const ObjLimits& limits = {});
+
+// The line of the index-th statement v, vn or f (one with corners); for messages only: it searches from the start.
+enum class ObjStatement { vertex, normal, texcoord, face, use_material, library, line_or_point, ignored, unknown };
+uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index);
+
+// The statements v, vn, f and usemtl of a text that passed scan_obj, without comments and continuations, materials
+// as numbers (index into ObjSummary::materials).
+class ObjFeed : public std::streambuf {
+public:
+    enum class Part { all, vertices };
+    ObjFeed(std::string_view text, const ObjSummary& summary, Part part) : lines_(text), summary_(&summary), part_(part)
+    {
+    }
+
+protected:
+    int_type underflow() override;
+
+private:
+    TextLines lines_;
+    const ObjSummary* summary_;
+    Part part_;
+    std::string buffer_;
+};
+
+}  // namespace lancer
