@@ -9,9 +9,11 @@
 namespace lancer {
 
 // Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
+// t_min says "not the origin itself": on a plane through 0 the error bound of a point is 0 across the plane, a ray
+// starts exactly there, and a robust Embree counts t = 0 as a hit.
 struct Ray {
     Vec3 org;
-    float t_min = 0;
+    float t_min = std::numeric_limits<float>::min();
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
 };

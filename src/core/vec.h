@@ -76,7 +76,7 @@ T length(Vec3T<T> a)
 template <class T>
 Vec3T<T> normalize(Vec3T<T> a)
 {
-    return a / length(a);
+    return a * (1 / length(a));
 }
 template <class T>
 Vec3T<T> abs(Vec3T<T> a)

@@ -27,14 +27,15 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
     s.p = wa + wb + wc;
     s.p_error = scaled(abs(wa) + abs(wb) + abs(wc), gamma(7));
 
-    Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
-    Vec3d n = cross(e1, e2);
-    Vec3d ns = n;
+    const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
+    Vec3d n = cross(e1, e2), ns;
+    bool smooth = false;
     const MeshShading& shading = scene.shading[mesh_index];
     if (!shading.normals.empty())
-        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal)
+        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
-
+            smooth = true;
+        }
     if (instance != Hit::no_instance) {
         const Instance& placing = scene.geometry.instances[instance];
         const Transform& m = placing.to_world;
@@ -44,14 +45,15 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
         const Vec3d there = spread(placing.to_mesh, abs(to_double(s.p))) + abs(placing.to_mesh.translation);
         const Vec3d here = spread(m, abs(p)) + abs(m.translation) + spread(m, there);
         s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));
-        e1 = m.vector(e1), e2 = m.vector(e2);
         n = placing.to_mesh.normal_by_inverse(n);
         ns = placing.to_mesh.normal_by_inverse(ns);
+        s.double_area = length(cross(m.vector(e1), m.vector(e2)));
     }
-    s.double_area = length(cross(e1, e2));
-    const double ln = length(n), lns = length(ns);
-    s.n = ln > 0 ? to_float(n / ln) : Vec3{0, 0, 1};
-    s.ns = lns > 0 ? to_float(ns / lns) : s.n;
+    const double ln = length(n);
+    if (instance == Hit::no_instance) s.double_area = ln;
+    s.n = s.ns = ln > 0 ? to_float(n * (1 / ln)) : Vec3{0, 0, 1};
+    if (!smooth) return s;
+    if (const double lns = length(ns); lns > 0) s.ns = to_float(ns * (1 / lns));
     if (dot(s.n, s.ns) < 0) s.n = -s.n;  // the normals of the file say which side is the front
     return s;
 }

@@ -412,6 +412,8 @@ TEST_F(SceneMistakes, DotsInTextAndNumbersAreNotCounted)
     scene(
         "# ............................\n[material.\"a.b.c.d.e.f.g.h.i.j.k\"]\nbase_color = [0.1, 0.2, 0.3]\n"
         "[render]\nfilter = '.............'\nsampler = \"...\\\"........\"");
+    EXPECT_EQ(problems("[camera]\nup = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]"),
+              "s.toml:2:6: error: 'up' in [camera] must be three numbers, not 10");
 }
 
 // Must not crash, hang or throw anything but an Error, whatever stands in the file.

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <regex>
-#include <sstream>
 
 #include "io/input_text.h"
 #include "scene_test_support.h"
@@ -310,18 +308,23 @@ TEST_F(SceneFileTest, ByteOrderMarkAndWindowsLinesAreFine)
 
 TEST_F(SceneFileTest, EveryExampleOfTheManualIsRight)
 {
-    std::ifstream file(LANCER_SOURCE_DIR "/docs/scene-format.md");
-    std::stringstream manual;
-    manual << file.rdbuf();
-    const std::string text = manual.str(), open = "```toml\n", close = "```";
+    std::ifstream manual(LANCER_SOURCE_DIR "/docs/scene-format.md");
     int examples = 0;
-    for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
-        at += open.size();
-        const std::string example = text.substr(at, text.find(close, at) - at);
-        const std::regex mesh_file("file = \"([^\"]+)\"");
-        for (std::sregex_iterator m(example.begin(), example.end(), mesh_file), end; m != end; ++m) write((*m)[1], "");
-        scene(example);
-        ++examples;
+    std::string example;
+    bool is_inside = false;
+    for (std::string line; std::getline(manual, line);) {
+        const std::string file_key = "file = \"";
+        if (line == "```toml") {
+            is_inside = true;
+        } else if (is_inside && line == "```") {
+            scene(example);
+            example.clear();
+            is_inside = false;
+            ++examples;
+        } else if (is_inside) {
+            example += line + "\n";
+            if (line.starts_with(file_key)) write(line.substr(file_key.size(), line.rfind('"') - file_key.size()), "");
+        }
     }
     EXPECT_GE(examples, 9);
 }

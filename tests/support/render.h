@@ -1,0 +1,40 @@
+// A description to a film in one call.
+#pragma once
+
+#include "core/parallel.h"
+#include "render/renderer.h"
+#include "support/scenes.h"
+
+namespace lancer {
+
+struct RenderRequest {
+    uint32_t width = 32, height = 24;
+    std::optional<Tile> crop;       // default: the whole picture
+    std::vector<uint32_t> spp{16};  // samples of each pass, one after the other
+    unsigned threads = 1;
+    uint32_t tile = 16;
+    RenderSettings settings{};
+};
+
+struct Rendered {
+    Film film;
+    Counters counters;
+};
+
+inline Rendered render(const SceneDescription& d, const RenderRequest& r)
+{
+    Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
+    with_threads(r.threads, [&] {
+        const Renderer renderer(build_scene(d), r.settings);
+        const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
+        const std::vector<Tile> tiles = make_tiles(out.film.crop, r.tile);
+        uint32_t begin = 0;
+        for (const uint32_t n : r.spp) {
+            out.counters += renderer.pass(camera, out.film, tiles, {begin, begin + n}).counters;
+            begin += n;
+        }
+    });
+    return out;
+}
+
+}  // namespace lancer

@@ -1,0 +1,249 @@
+// Small scenes in code, as descriptions: what the tests of scene, integrators and render draw. Each is about one unit
+// large, has its camera, and fits a picture of any size.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "scene/camera.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+// A mesh of one material, flat-shaded.
+inline std::shared_ptr<const MeshData> make_mesh_data(std::vector<Vec3d> positions,
+                                                      std::vector<std::array<uint32_t, 3>> triangles,
+                                                      MaterialDescription material = {})
+{
+    MeshData data;
+    data.positions = std::move(positions);
+    data.triangles = std::move(triangles);
+    data.materials.push_back(std::move(material));
+    return std::make_shared<const MeshData>(std::move(data));
+}
+
+// Two triangles; a, b, c, d counter-clockwise seen from the side of the normal.
+inline std::shared_ptr<const MeshData> make_quad(Vec3d a, Vec3d b, Vec3d c, Vec3d d, MaterialDescription material = {})
+{
+    return make_mesh_data({a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}, std::move(material));
+}
+
+// A closed sphere of radius 1 around the origin; neighbours share their vertices. bump: how far the surface waves in
+// and out, 0 for none. Vertices come row by row between a pole at +z (the first) and one at -z (the last).
+inline std::shared_ptr<const MeshData> make_uv_sphere(uint32_t rows, uint32_t columns, double bump = 0,
+                                                      MaterialDescription material = {})
+{
+    constexpr double pi_d = std::numbers::pi;
+    std::vector<Vec3d> p{{0, 0, 1}};
+    for (uint32_t r = 1; r < rows; ++r)
+        for (uint32_t c = 0; c < columns; ++c) {
+            const double theta = pi_d * r / rows, phi = 2 * pi_d * c / columns;
+            const double radius = 1 + bump * std::sin(5 * theta) * std::cos(7 * phi);
+            p.push_back(Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)} *
+                        radius);
+        }
+    p.push_back({0, 0, -1});
+    const auto last = static_cast<uint32_t>(p.size() - 1);
+    const auto at = [&](uint32_t row, uint32_t column) { return 1 + (row - 1) * columns + column % columns; };
+    std::vector<std::array<uint32_t, 3>> t;
+    for (uint32_t c = 0; c < columns; ++c) t.push_back({0, at(1, c), at(1, c + 1)});
+    for (uint32_t r = 1; r + 1 < rows; ++r)
+        for (uint32_t c = 0; c < columns; ++c) {
+            t.push_back({at(r, c), at(r + 1, c), at(r + 1, c + 1)});
+            t.push_back({at(r, c), at(r + 1, c + 1), at(r, c + 1)});
+        }
+    for (uint32_t c = 0; c < columns; ++c) t.push_back({at(rows - 1, c), last, at(rows - 1, c + 1)});
+    return make_mesh_data(std::move(p), std::move(t), std::move(material));
+}
+
+// A cube of side 2 around the origin, normals outwards.
+inline std::shared_ptr<const MeshData> make_cube(MaterialDescription material = {})
+{
+    std::vector<Vec3d> p;
+    for (int i = 0; i < 8; ++i) p.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
+    return make_mesh_data(std::move(p),
+                          {{0, 2, 3},
+                           {0, 3, 1},
+                           {4, 5, 7},
+                           {4, 7, 6},
+                           {0, 1, 5},
+                           {0, 5, 4},
+                           {2, 6, 7},
+                           {2, 7, 3},
+                           {0, 4, 6},
+                           {0, 6, 2},
+                           {1, 3, 7},
+                           {1, 7, 5}},
+                          std::move(material));
+}
+
+inline MaterialDescription make_lambert(std::string name, Color albedo)
+{
+    return {.name = std::move(name), .where = {}, .base_color = albedo};
+}
+inline MaterialDescription make_emitter(std::string name, Color radiance)
+{
+    return {.name = std::move(name), .where = {}, .base_color = {}, .emission = radiance};
+}
+inline MeshDescription make_mesh(std::shared_ptr<const MeshData> data, TransformDescription transform = {})
+{
+    return {.name = {}, .where = {}, .data = std::move(data), .material = {}, .transform = transform};
+}
+inline CameraDescription make_camera(Vec3d position, Vec3d target, double fov_deg)
+{
+    CameraDescription c;
+    c.position = position;
+    c.target = target;
+    c.fov_deg = fov_deg;
+    return c;
+}
+
+// A box open to the front with coloured walls, two blocks and a quad light of two triangles: meshes only, all diffuse.
+inline SceneDescription cornell_scene()
+{
+    SceneDescription d;
+    const Color white{0.7f, 0.7f, 0.7f};
+    const auto wall = [&](Vec3d a, Vec3d b, Vec3d c, Vec3d e, Color colour) {
+        d.meshes.push_back(make_mesh(make_quad(a, b, c, e, make_lambert("wall", colour))));
+    };
+    wall({-1, -1, 1}, {1, -1, 1}, {1, -1, -1}, {-1, -1, -1}, white);
+    wall({-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}, white);
+    wall({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, white);
+    wall({-1, -1, 1}, {-1, -1, -1}, {-1, 1, -1}, {-1, 1, 1}, {0.6f, 0.1f, 0.1f});
+    wall({1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {1, 1, -1}, {0.1f, 0.5f, 0.1f});
+    d.meshes.push_back(make_mesh(make_quad({-0.3, 0.99, -0.3}, {0.3, 0.99, -0.3}, {0.3, 0.99, 0.3}, {-0.3, 0.99, 0.3},
+                                           make_emitter("light", {12, 10, 8}))));
+    const auto block = [&](Vec3d at, double turn_deg, Vec3d half) {
+        d.meshes.push_back(make_mesh(make_cube(make_lambert("block", white)), {at, {0, turn_deg, 0}, half}));
+    };
+    block({0.35, -0.7, 0.3}, -17, {0.28, 0.3, 0.28});
+    block({-0.35, -0.4, -0.3}, 20, {0.28, 0.6, 0.28});
+    d.camera = make_camera({0, 0, 3.6}, {0, 0, 0}, 40);
+    return d;
+}
+
+// A mirror, a glass and a diffuse sphere on a plane under a sphere light and a constant sky, through a thin lens:
+// no mesh at all.
+inline SceneDescription spheres_scene()
+{
+    SceneDescription d;
+    d.materials = {make_lambert("floor", {0.5f, 0.5f, 0.5f}),
+                   make_lambert("red", {0.7f, 0.2f, 0.1f}),
+                   {.name = "mirror", .where = {}, .type = MaterialType::mirror, .base_color = {0.9f, 0.9f, 0.9f}},
+                   {.name = "glass", .where = {}, .type = MaterialType::glass, .base_color = {1, 1, 1}, .ior = 1.5f}};
+    d.planes.push_back({.where = {}, .point = {0, -0.5, 0}, .normal = {0, 1, 0}, .material = "floor"});
+    d.spheres.push_back({.where = {}, .center = {-1.05, 0, 0}, .radius = 0.5, .material = "mirror"});
+    d.spheres.push_back({.where = {}, .center = {0, 0, 0.2}, .radius = 0.5, .material = "glass"});
+    d.spheres.push_back({.where = {}, .center = {1.05, 0, -0.1}, .radius = 0.5, .material = "red"});
+    d.lights.push_back(
+        {.where = {}, .type = LightType::sphere, .position = {-0.5, 2.5, 1.5}, .radius = 0.4, .power = {9, 9, 8}});
+    d.lights.push_back({.where = {}, .type = LightType::environment, .power = {0.2f, 0.25f, 0.3f}});
+    d.camera = make_camera({0.3, 0.8, 4}, {0, 0, 0}, 40);
+    d.camera->type = CameraType::thin_lens;
+    d.camera->aperture = 0.04;
+    return d;
+}
+
+// Every kind of light (point, sphere, emitting triangles, sky) over a bumpy mesh and a floor of two triangles.
+inline SceneDescription lights_scene()
+{
+    SceneDescription d;
+    d.meshes.push_back(make_mesh(make_quad({-2, -0.8, 2}, {2, -0.8, 2}, {2, -0.8, -2}, {-2, -0.8, -2},
+                                           make_lambert("floor", {0.6f, 0.6f, 0.5f}))));
+    d.meshes.push_back(make_mesh(make_uv_sphere(20, 40, 0.08, make_lambert("bumpy", {0.3f, 0.5f, 0.7f})),
+                                 {{0, 0, 0}, {30, 0, 0}, {0.7, 0.7, 0.7}}));
+    d.meshes.push_back(make_mesh(
+        make_quad({1.2, 0, -0.3}, {1.2, 0, 0.3}, {1.2, 0.6, 0.3}, {1.2, 0.6, -0.3}, make_emitter("panel", {4, 2, 1}))));
+    d.lights.push_back({.where = {}, .type = LightType::point, .position = {-1.5, 2, 1.5}, .power = {6, 6, 6}});
+    d.lights.push_back(
+        {.where = {}, .type = LightType::sphere, .position = {1.5, 2, 1}, .radius = 0.2, .power = {10, 12, 14}});
+    d.lights.push_back({.where = {}, .type = LightType::environment, .power = {0.1f, 0.1f, 0.15f}});
+    d.camera = make_camera({0, 1, 4}, {0, -0.1, 0}, 40);
+    return d;
+}
+
+// One bumpy mesh in five places - turned, stretched, mirrored - and an instanced lamp, on a plane.
+inline SceneDescription instances_scene()
+{
+    SceneDescription d;
+    d.materials = {make_lambert("floor", {0.5f, 0.5f, 0.5f})};
+    d.planes.push_back({.where = {}, .point = {0, -0.6, 0}, .normal = {0, 1, 0}, .material = "floor"});
+    MeshDescription bumpy = make_mesh(make_uv_sphere(12, 24, 0.1, make_lambert("bumpy", {0.7f, 0.6f, 0.3f})));
+    bumpy.name = "bumpy";
+    d.meshes.push_back(std::move(bumpy));
+    MeshDescription lamp =
+        make_mesh(make_quad({-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, make_emitter("lamp", {8, 8, 8})));
+    lamp.name = "lamp";
+    d.meshes.push_back(std::move(lamp));
+    const auto place = [&](const char* mesh, Vec3d translate, Vec3d rotate_deg, Vec3d scale) {
+        d.instances.push_back({.where = {}, .mesh = mesh, .transform = {translate, rotate_deg, scale}});
+    };
+    place("bumpy", {-1.2, 0, 0}, {0, 0, 0}, {0.4, 0.4, 0.4});
+    place("bumpy", {-0.4, 0, 0.3}, {30, 45, 60}, {0.3, 0.5, 0.2});
+    place("bumpy", {0.4, 0, 0}, {90, 0, 0}, {-0.4, 0.3, 0.4});
+    place("bumpy", {1.2, 0, 0.2}, {0, 90, 15}, {0.2, 0.6, 0.4});
+    place("bumpy", {0, 0.2, -0.9}, {10, 20, 200}, {0.7, 0.4, 0.3});
+    place("lamp", {0, 2, 0.5}, {10, 0, 5}, {0.5, 1, 0.4});
+    d.camera = make_camera({0, 1, 3.5}, {0, 0, 0}, 45);
+    return d;
+}
+
+struct NamedScene {
+    const char* name;
+    SceneDescription description;
+};
+inline std::vector<NamedScene> all_test_scenes()
+{
+    std::vector<NamedScene> all;
+    all.push_back({"cornell", cornell_scene()});
+    all.push_back({"spheres", spheres_scene()});
+    all.push_back({"lights", lights_scene()});
+    all.push_back({"instances", instances_scene()});
+    return all;
+}
+
+// The same scene s times as large, seen the same: lengths grow by s, intensities by s^2, radiances stay.
+inline SceneDescription scaled_by(SceneDescription d, double s)
+{
+    const auto resize = [s](TransformDescription& t) {
+        t.translate *= s;
+        t.scale *= s;
+    };
+    for (auto& m : d.meshes) {
+        const bool instanced = [&] {
+            for (const auto& i : d.instances)
+                if (i.mesh == m.name) return true;
+            return false;
+        }();
+        if (!instanced) resize(m.transform);
+    }
+    for (auto& i : d.instances) resize(i.transform);
+    for (auto& x : d.spheres) x.center *= s, x.radius *= s;
+    for (auto& p : d.planes) p.point *= s;
+    for (auto& l : d.lights) {
+        l.position *= s, l.radius *= s;
+        if (l.type == LightType::point) l.power *= static_cast<float>(s * s);
+    }
+    if (d.camera) {
+        d.camera->position *= s, d.camera->target *= s, d.camera->aperture *= s;
+        if (d.camera->focus) *d.camera->focus *= s;
+    }
+    return d;
+}
+
+inline Scene build_scene(const SceneDescription& d)
+{
+    Diagnostics diagnostics;
+    return Scene::build(d, diagnostics);
+}
+
+// The camera of the description, or the one fitted to what it shows.
+inline Camera camera_of(const SceneDescription& d, const Scene& scene, uint32_t width, uint32_t height)
+{
+    const CameraDescription c =
+        d.camera ? *d.camera : fit_camera(subject_bounds(d), static_cast<double>(width) / height);
+    return {c, scene.normalisation, width, height};
+}
+
+}  // namespace lancer
