@@ -11,10 +11,10 @@
 #include "app/signals.h"
 #include "app/system_info.h"
 #include "app/version.h"
+#include "core/hash.h"
 #include "core/parallel.h"
 #include "geometry/embree.h"
 #include "io/atomic_file.h"
-#include "io/input_text.h"
 #include "scene/camera.h"
 
 namespace lancer {

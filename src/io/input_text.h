@@ -16,11 +16,4 @@ std::string read_input_text(const std::string& path);
 // True if there is nothing to report.
 bool check_toml_text(std::string_view text, const std::string& path, Diagnostics& diagnostics);
 
-// FNV-1a with 64 bits; to hash several texts as one, pass the hash so far.
-inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0xcbf29ce484222325u)
-{
-    for (const char c : bytes) so_far = (so_far ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return so_far;
-}
-
 }  // namespace lancer

@@ -327,7 +327,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
 
     auto mesh = std::make_shared<MeshData>();
     mesh->file = path;
-    mesh->content_hash = hash_bytes(content.bytes, 0);
+    mesh->content_hash = hash_content(content.bytes, 0);
     MaterialLibrary library;
     for (const std::string& file : find_material_files(path, summary->libraries, diagnostics)) {
         const FileContent material_file = read_file(file);
@@ -336,7 +336,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
                                                                                            : material_file.problem));
             continue;
         }
-        mesh->content_hash = hash_bytes(material_file.bytes, mesh->content_hash);
+        mesh->content_hash = hash_content(material_file.bytes, mesh->content_hash);
         library.add_file(file, material_file.text(), diagnostics);
     }
     MeshBuilder builder(*summary, resolve_materials(*summary, library, path, diagnostics), *mesh);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/hash.h"
 #include "core/names.h"
 #include "io/input_text.h"
 #include "io/scene_tables.h"

@@ -83,7 +83,7 @@ FileContent read_file(const std::string& path)
     return content;
 }
 
-uint64_t hash_bytes(std::string_view bytes, uint64_t hash)
+uint64_t hash_content(std::string_view bytes, uint64_t hash)
 {
     constexpr uint64_t prime = 0x9E3779B185EBCA87u;
     hash = (hash ^ bytes.size()) * prime;

@@ -20,7 +20,7 @@ struct FileContent {
 FileContent read_file(const std::string& path);
 
 // Not cryptographic: tells whether inputs changed. Chain files by passing the hash so far.
-uint64_t hash_bytes(std::string_view bytes, uint64_t hash);
+uint64_t hash_content(std::string_view bytes, uint64_t hash);
 
 // Walks over lines that end in LF, CR LF or CR. A backslash at the end of a line joins it with the next one, except
 // in a line that is a comment. Lines are given without white space at both ends.

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/hash.h"
 #include "io/input_text.h"
 #include "scene_test_support.h"
 
