@@ -1,4 +1,102 @@
+// The program: finds the command, catches what it throws, turns that into an exit code.
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/version.h"
+#include "core/error.h"
+#include "core/names.h"
+#include "core/parallel.h"
+
 namespace lancer {
+
 int run(int argc, char** argv);
-int run(int, char**) { return 0; }
+
+namespace {
+
+struct Command {
+    std::string_view name;
+    int (*run)(int, char**);
+};
+constexpr std::array<Command, 3> commands{{{"render", run_render}, {"compare", run_compare}, {"pixel", run_pixel}}};
+
+const char* const help =
+    "lancer: a path tracer for CPUs\n\n"
+    "Usage:\n"
+    "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj) into .exr and .png files\n"
+    "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
+    "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
+    "  lancer SCENE ...                          the same as lancer render SCENE ...\n"
+    "  lancer COMMAND --help                     the options of a command\n"
+    "  lancer --version                          the versions of the program and its libraries\n\n"
+    "Results go to the standard output, everything else to the standard error.\n"
+    "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
+    "130 interrupted (the picture so far is written, marked partial).\n\n"
+    "Examples:\n"
+    "  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
+    "  lancer mesh.obj --size 640x360";
+
+// A name that cannot be a file to render was meant to be a command.
+bool looks_like_command(const std::string& word)
+{
+    return !word.starts_with('-') && word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word);
+}
+
+int dispatch(int argc, char** argv)
+{
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word.empty()) throw Error(ErrorKind::usage, {}, "nothing to do; see lancer --help");
+    if (word == "--help" || word == "-h" || word == "help") return print_result(help), exit_done;
+    if (word == "--version") return print_result(version_text()), exit_done;
+    for (const Command& command : commands)
+        if (command.name == word) return command.run(argc - 1, argv + 1);
+    if (looks_like_command(word)) {
+        std::array<std::string_view, commands.size()> known;
+        std::transform(commands.begin(), commands.end(), known.begin(), [](const Command& c) { return c.name; });
+        throw Error(ErrorKind::usage, {}, "unknown command " + in_quotes(word) + suggestion(word, known));
+    }
+    return run_render(argc, argv);
+}
+
+int exit_code(ErrorKind kind)
+{
+    switch (kind) {
+        case ErrorKind::failed:
+            return exit_failed;
+        case ErrorKind::usage:
+            return exit_usage;
+        case ErrorKind::invalid_input:
+            return exit_invalid;
+        case ErrorKind::missing_input:
+            return exit_missing;
+    }
+    return exit_failed;
+}
+
+}  // namespace
+
+int run(int argc, char** argv)
+{
+    set_flush_denormals();
+    try {
+        const int code = dispatch(argc, argv);
+        flush_results();
+        return code;
+    } catch (const Error& e) {
+        print_problem(e.what());
+        return exit_code(e.kind());
+    } catch (const std::bad_alloc&) {
+        print_problem("error: out of memory");
+    } catch (const std::exception& e) {
+        print_problem(std::string("error: ") + e.what());
+    }
+    return exit_failed;
+}
+
 }  // namespace lancer

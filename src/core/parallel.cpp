@@ -20,6 +20,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/version.h>
 #endif
 
 namespace lancer {
@@ -83,6 +84,8 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body)
     if (failure) std::rethrow_exception(failure);
 }
 
+std::string parallel_version() { return "std::thread"; }
+
 #else
 
 void with_threads(unsigned threads, const std::function<void()>& body)
@@ -106,6 +109,8 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body)
         },
         tbb::simple_partitioner{});
 }
+
+std::string parallel_version() { return std::string("TBB ") + TBB_runtime_version(); }
 
 #endif
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 
 namespace lancer {
 
@@ -21,5 +22,8 @@ void with_threads(unsigned threads, const std::function<void()>& body);
 // body(i) for every i in [0, count), each once, in any order and on any thread of the innermost with_threads;
 // indices are handed out one by one, smallest first, so that costly items do not wait behind each other.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);
+
+// Who runs the loops: "TBB 2021.8.0", of the library that is loaded, or "std::thread".
+std::string parallel_version();
 
 }  // namespace lancer

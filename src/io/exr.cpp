@@ -15,6 +15,7 @@
 #include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <OpenEXRConfig.h>
 #include <half.h>
 
 #include <algorithm>
@@ -231,5 +232,7 @@ Image read_exr(const std::string& path, Metadata* metadata)
         throw file.invalid(std::string("not a valid OpenEXR file: ") + e.what());
     }
 }
+
+std::string exr_version() { return OPENEXR_VERSION_STRING; }
 
 }  // namespace lancer

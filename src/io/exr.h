@@ -26,4 +26,7 @@ void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = 
 // partial picture; a missing one missing_input.
 Image read_exr(const std::string& path, Metadata* metadata = nullptr);
 
+// "3.1.5", of the library that it was compiled with.
+std::string exr_version();
+
 }  // namespace lancer

@@ -250,4 +250,6 @@ Image read_png(const std::string& path, Encoding encoding)
     return image;
 }
 
+std::string png_version() { return png_get_libpng_ver(nullptr); }
+
 }  // namespace lancer

@@ -27,4 +27,7 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = 
 // partial picture; a missing one missing_input.
 Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
 
+// "1.6.39", of the library that is loaded.
+std::string png_version();
+
 }  // namespace lancer

@@ -1,0 +1,71 @@
+// lancer compare: how far a picture is from one reference, or from two independent ones.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/options.h"
+#include "io/exr.h"
+#include "io/input_file.h"
+#include "io/png.h"
+#include "report/metrics.h"
+
+namespace lancer {
+namespace {
+
+// By what is in the file, not by its name.
+Image read_picture(const std::string& path)
+{
+    std::array<unsigned char, 4> magic{};
+    InputFile file(path);
+    file.read(magic.data(), magic.size());
+    if (magic == std::array<unsigned char, 4>{0x76, 0x2f, 0x31, 0x01}) return read_exr(path);
+    if (magic == std::array<unsigned char, 4>{0x89, 'P', 'N', 'G'}) return read_png(path);
+    throw file.invalid("neither an OpenEXR nor a PNG picture");
+}
+
+void print_value(const char* name, double value) { print_result(format_text("%-20s %.9g", name, value)); }
+void print_colour(const char* name, const std::array<double, 3>& c)
+{
+    print_result(format_text("%-20s %.9g %.9g %.9g", name, c[0], c[1], c[2]));
+}
+
+void print_metrics(const Metrics& m, size_t pixels)
+{
+    print_value("rmse", m.rmse);
+    print_value("relmse", m.relmse);
+    print_value("relmse_trimmed", m.relmse_trimmed);
+    print_colour("mean", m.mean);
+    print_colour("reference_mean", m.reference_mean);
+    print_colour("mean_ratio", m.mean_ratio);
+    print_result(format_text("%-20s %zu of %zu", "differing_pixels", m.differing_pixels, pixels));
+    print_result(format_text("%-20s %.9g at %d %d", "max_difference", m.max_difference, m.max_x, m.max_y));
+    if (m.non_finite_pixels || m.reference_non_finite)
+        print_result(format_text("%-20s %zu, in the reference %zu", "non_finite_pixels", m.non_finite_pixels,
+                                 m.reference_non_finite));
+}
+
+}  // namespace
+
+int run_compare(int argc, char** argv)
+{
+    const auto options = parse_compare(argc, argv);
+    if (!options) return exit_done;
+    const Image picture = read_picture(options->picture), reference = read_picture(options->reference);
+    const Metrics metrics = compare(picture, reference);
+    print_metrics(metrics, picture.pixels.size());
+    double error = options->metric == Metric::rmse ? metrics.rmse : metrics.relmse;
+    const char* name = options->metric == Metric::rmse ? "rmse" : "relmse";
+    if (!options->reference2.empty()) {
+        const double unbiased = unbiased_squared_error(picture, reference, read_picture(options->reference2));
+        print_value("relmse_unbiased", unbiased);
+        if (options->metric == Metric::relmse) error = unbiased, name = "relmse_unbiased";
+    }
+    // So that an error that is not a number is beyond every limit.
+    if (!options->fail_above || error <= *options->fail_above) return exit_done;
+    print_problem(format_text("error: %s %.9g is above %.9g", name, error, *options->fail_above));
+    return exit_failed;
+}
+
+}  // namespace lancer

@@ -1,0 +1,110 @@
+// lancer pixel: one sample again, with the bits that a render gives it, and every vertex on the way.
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/prepare.h"
+#include "core/names.h"
+#include "core/parallel.h"
+#include "scene/camera.h"
+
+namespace lancer {
+namespace {
+
+// 9 digits tell every float from its neighbours.
+std::string to_text(Vec3d v) { return format_text("(%.9g, %.9g, %.9g)", v.x, v.y, v.z); }
+std::string to_text(Vec3 v) { return to_text(to_double(v)); }
+std::string to_text(Color c) { return to_text(Vec3d{double(c.r), double(c.g), double(c.b)}); }
+
+// Prints what the kernel reports, in the units of the scene file.
+class Report {
+public:
+    Report(const Renderer& renderer, const SceneDescription& description)
+        : scene_(renderer.scene()), description_(description)
+    {
+    }
+    PathListener listener()
+    {
+        return {.ray = [this](const State& s, const Hit& h) { say_ray(s, h); },
+                .vertex = [this](const State&, const Surface& s) { say_vertex(s); },
+                .added = [](const State&, Color c) { print_result("  added          " + to_text(c)); },
+                .shadow = [this](const Ray& r, Color c, bool occluded) { say_shadow(r, c, occluded); }};
+    }
+
+private:
+    std::string place(Vec3 p) const { return to_text(scene_.normalisation.to_file(to_double(p))); }
+    double distance(float t) const { return double(t) / scene_.normalisation.scale; }
+
+    std::string name_of(const Hit& h) const
+    {
+        if (h.kind == Kind::sphere) return format_text("sphere %u", h.primitive);
+        if (h.kind == Kind::plane) return format_text("plane %u", h.primitive);
+        const MeshDescription& mesh = description_.meshes[h.geometry];
+        std::string text = format_text("triangle %u of mesh %u", h.primitive, h.geometry) + " " +
+                           in_quotes(mesh.name.empty() ? mesh.data->file : mesh.name);
+        if (h.instance != Hit::no_instance) text += format_text(", instance %u", h.instance);
+        return text;
+    }
+    void say_ray(const State& s, const Hit& h) const
+    {
+        print_result(format_text("ray at depth %u%s%s", s.depth, s.specular ? ", specular" : "",
+                                 s.last ? ", last: only emission counts" : ""));
+        print_result("  origin         " + place(s.ray.org));
+        print_result("  direction      " + to_text(s.ray.dir));
+        print_result("  throughput     " + to_text(s.throughput));
+        if (s.pdf > 0) print_result(format_text("  pdf            %.9g", double(s.pdf)));
+        if (!h) {
+            print_result("  left the scene");
+            return;
+        }
+        print_result("  hit            " + name_of(h));
+        print_result(format_text("  t              %.9g", distance(h.t)));
+        if (h.kind == Kind::triangle)
+            print_result(format_text("  u, v           %.9g, %.9g", double(h.uv.x), double(h.uv.y)));
+    }
+    void say_vertex(const Surface& s) const
+    {
+        print_result("  point          " + place(s.p));
+        print_result("  normal         " + to_text(s.n) + (s.front ? ", front side" : ", back side"));
+        print_result("  shading normal " + to_text(s.ns));
+        print_result(format_text("  material       %u ", s.material) + in_quotes(scene_.material_names[s.material]));
+    }
+    void say_shadow(const Ray& r, Color carried, bool occluded) const
+    {
+        print_result("  shadow ray from " + place(r.org) + " towards " + to_text(r.dir) +
+                     (std::isfinite(r.t_max) ? format_text(", length %.9g", distance(r.t_max)) : ", without end"));
+        print_result("    carries " + to_text(carried) + (occluded ? ": occluded" : ": arrives"));
+    }
+
+    const Scene& scene_;
+    const SceneDescription& description_;
+};
+
+}  // namespace
+
+int run_pixel(int argc, char** argv)
+{
+    const auto options = parse_pixel(argc, argv);
+    if (!options) return exit_done;
+    Diagnostics diagnostics;
+    Prepared p = load_prepared(options->picture, diagnostics, true);
+    const Settings& s = p.settings;
+    if (options->x >= s.width || options->y >= s.height)
+        throw Error(
+            ErrorKind::usage, {},
+            format_text("pixel %u %u lies outside of the picture of %ux%u", options->x, options->y, s.width, s.height));
+    build_prepared(p, options->picture, diagnostics);
+    with_threads(s.threads, [&] {
+        const Renderer renderer(std::move(p.scene), to_render_settings(s, 1));
+        const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height);
+        Report report(renderer, p.description);
+        const Color radiance =
+            renderer.replay(camera, s.width, {options->x, options->y, options->sample}, report.listener());
+        print_result("radiance " + to_text(radiance) +
+                     (is_finite(radiance) ? "" : ": not finite, left out of pictures"));
+    });
+    return exit_done;
+}
+
+}  // namespace lancer

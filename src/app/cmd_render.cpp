@@ -1,0 +1,253 @@
+// lancer render: a scene into pictures, in passes that double, so that an interrupted render is a picture too.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/outputs.h"
+#include "app/prepare.h"
+#include "app/progress.h"
+#include "app/signals.h"
+#include "app/system_info.h"
+#include "app/version.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+#include "geometry/embree.h"
+#include "io/atomic_file.h"
+#include "scene/camera.h"
+
+namespace lancer {
+namespace {
+
+// A tile of a pass is not left before it is done, so that a pass must not take long.
+constexpr uint32_t most_blocks_per_pass = 16;
+
+// One run of the command. Its figures grow as it goes.
+class Run {
+public:
+    explicit Run(const RenderOptions& options) : options_(options) {}
+    int execute();
+
+private:
+    template <class F>
+    auto timed(const char* phase, F&& f);
+    void load();
+    void describe();
+    void render(const Renderer& renderer);
+    void add_pass(const Film& film, const PassResult& result, SampleRange range, double since);
+    void write(const Film& film);
+    void write_stats();
+    void say_settings() const;
+    void say_summary() const;
+    void say_dropped() const;
+
+    const RenderOptions& options_;
+    Signals signals_;
+    Prepared prepared_;
+    Settings settings_;
+    RunStats stats_;
+};
+
+template <class F>
+auto Run::timed(const char* phase, F&& f)
+{
+    struct Clock {
+        RunStats& stats;
+        const char* name;
+        double wall = wall_seconds(), cpu = cpu_seconds();
+        ~Clock() { stats.phases.push_back({name, wall_seconds() - wall, cpu_seconds() - cpu}); }
+    } clock{stats_, phase};
+    return f();
+}
+
+void Run::load()
+{
+    Diagnostics diagnostics;
+    timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics, options_.quiet); });
+    settings_ = prepared_.settings;
+    settings_.spp = options_.spp.value_or(settings_.spp);
+    if (options_.crop) {
+        settings_.crop = *options_.crop;
+        if (settings_.crop.x1 > settings_.width || settings_.crop.y1 > settings_.height)
+            throw Error(ErrorKind::usage, {},
+                        format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
+    }
+    timed("build scene", [&] { build_prepared(prepared_, options_.picture, diagnostics); });
+}
+
+void Run::describe()
+{
+    const Settings& s = settings_;
+    stats_.context = {.version = LANCER_VERSION,
+                      .embree = embree_version(),
+                      .parallel = parallel_version(),
+                      .compiler = compiler_text(),
+                      .build_type = LANCER_BUILD_TYPE,
+                      .instructions = instruction_text(),
+                      .cpu = cpu_model(),
+                      .command_line = options_.command_line,
+                      .load_average = load_average()};
+    const Scene& scene = prepared_.scene;
+    stats_.scene = {.file = options_.picture.scene,
+                    .content_hash = prepared_.description.content_hash,
+                    .triangles = scene.triangle_count(),
+                    .meshes = scene.geometry.meshes.size(),
+                    .instances = scene.geometry.instances.size(),
+                    .spheres = scene.geometry.spheres.size(),
+                    .planes = scene.geometry.planes.size(),
+                    .lights = scene.lights.lights.size(),
+                    .materials = scene.materials.size(),
+                    .warnings = prepared_.warnings};
+    stats_.settings = {.width = s.width,
+                       .height = s.height,
+                       .spp = s.spp,
+                       .max_depth = s.max_depth,
+                       .threads = s.threads,
+                       .tile = options_.tile,
+                       .batch = options_.batch,
+                       .crop = s.crop,
+                       .seed = s.seed,
+                       .integrator = s.integrator,
+                       .sampler = s.sampler,
+                       .filter = s.filter,
+                       .accel = s.accel,
+                       .isa = s.isa,
+                       .nee = s.direct.nee,
+                       .mis = s.direct.mis,
+                       .hash = to_hex(hash_bytes(reproducing_options(s) + " --spp " + std::to_string(s.spp)))};
+}
+
+void Run::add_pass(const Film& film, const PassResult& result, SampleRange range, double since)
+{
+    stats_.counters += result.counters;
+    stats_.render_s = wall_seconds() - since;
+    stats_.estimated_error = std::sqrt(estimate_rel_mse(film));
+    stats_.partial = !result.complete || range.end < settings_.spp;
+    if (result.complete) stats_.passes.push_back({range.end, stats_.render_s, stats_.estimated_error});
+    stats_.samples = 0;
+    for (const Pixel& p : film.pixels) stats_.samples += p.n;
+}
+
+void Run::render(const Renderer& renderer)
+{
+    const Settings& s = settings_;
+    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height);
+    Film film(s.width, s.height, s.crop);
+    const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
+    timed("render", [&] {
+        Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp, film.pixels.size());
+        const auto tile_done = [&] {
+            signals_.poll();
+            progress.tile_done();
+        };
+        const double start = wall_seconds();
+        signals_.poll();
+        SampleRange range;
+        for (uint32_t blocks = 1; range.end < s.spp; blocks = std::min(2 * blocks, most_blocks_per_pass)) {
+            range = {range.end, std::min(s.spp - range.end, blocks * samples_per_block) + range.end};
+            progress.begin_pass(range, tiles.size());
+            const PassResult result = renderer.pass(camera, film, tiles, range, signals_.stop(), tile_done);
+            add_pass(film, result, range, start);
+            if (!result.complete) break;
+            progress.end_pass(stats_.estimated_error, stats_.rays());
+            if (signals_.take_snapshot_request() && stats_.partial) {
+                progress.clear();
+                write(film);
+                print_note(format_text("snapshot written at %u of %u spp", range.end, s.spp));
+            }
+        }
+    });
+    // Before the first tile there is nothing worth replacing an old picture with.
+    if (stats_.samples + stats_.counters.dropped == 0) return;
+    timed("write", [&] { write(film); });
+}
+
+void Run::write(const Film& film) { write_outputs(options_, to_image(film), make_metadata(stats_)); }
+
+void Run::write_stats()
+{
+    if (options_.stats.empty()) return;
+    stats_.peak_memory_bytes = peak_memory_bytes();
+    const std::string json = to_json(stats_);
+    AtomicFile file(options_.stats);
+    file.write(json.data(), json.size());
+    file.commit();
+}
+
+void Run::say_settings() const
+{
+    const RunStats::SceneFigures& c = stats_.scene;
+    print_note(
+        format_text("%s: %zu triangles, %zu meshes, %zu instances, %zu spheres, %zu planes, %zu lights, %zu "
+                    "materials",
+                    c.file.c_str(), c.triangles, c.meshes, c.instances, c.spheres, c.planes, c.lights, c.materials));
+    print_note(reproducing_options(settings_) +
+               format_text(" --spp %u --threads %u", settings_.spp, settings_.threads));
+}
+
+void Run::say_dropped() const
+{
+    const auto& first = stats_.counters.first_dropped;
+    if (!first) return;
+    std::string command = "lancer pixel " + in_shell_quotes(options_.picture.scene) +
+                          format_text(" %u %u %u ", first->x, first->y, first->sample) + reproducing_options(settings_);
+    if (!options_.picture.asset_root.empty())
+        command += " --asset-root " + in_shell_quotes(options_.picture.asset_root);
+    print_problem(format_text("warning: %zu samples were not finite and are left out; to see the first one:\n  ",
+                              stats_.counters.dropped) +
+                  command);
+}
+
+void Run::say_summary() const
+{
+    const Counters& c = stats_.counters;
+    const double rays = static_cast<double>(stats_.rays());
+    print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s, error < ~%.3g", stats_.rays(),
+                           c.camera_rays, c.bounce_rays, c.shadow_rays,
+                           stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0, stats_.estimated_error));
+    std::string phases;
+    for (const auto& p : stats_.phases)
+        phases += (phases.empty() ? "" : ", ") + p.name + format_text(" %.2f", p.wall_s);
+    print_note("seconds: " + phases);
+}
+
+int Run::execute()
+{
+    probe_outputs(options_);
+    load();
+    describe();
+    with_threads(settings_.threads, [&] {
+        const auto renderer = timed("build accelerator", [&] {
+            return std::make_unique<Renderer>(std::move(prepared_.scene),
+                                              to_render_settings(settings_, options_.batch));
+        });
+        stats_.scene.accelerator_bytes = renderer->accelerator().stats().bytes;
+        if (options_.verbose) say_settings();
+        render(*renderer);
+    });
+    if (stats_.phases.back().name != "write") {
+        print_problem("error: interrupted before the first sample; nothing is written");
+        return exit_interrupted;
+    }
+    write_stats();
+    say_dropped();
+    if (!options_.quiet) say_summary();
+    for (const std::string& path : options_.outputs) print_result(path);
+    if (!stats_.partial) return exit_done;
+    print_problem(format_text(
+        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)",
+        static_cast<double>(stats_.samples) / (static_cast<double>(settings_.crop.width()) * settings_.crop.height()),
+        settings_.spp));
+    return exit_interrupted;
+}
+
+}  // namespace
+
+int run_render(int argc, char** argv)
+{
+    const auto options = parse_render(argc, argv);
+    return options ? Run(*options).execute() : exit_done;
+}
+
+}  // namespace lancer

@@ -1,0 +1,106 @@
+#include "app/console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace lancer {
+namespace {
+
+bool is_coloured()
+{
+    const char* const no_color = std::getenv("NO_COLOR");
+    return stderr_is_terminal() && !(no_color && *no_color);
+}
+
+std::string coloured(std::string line)
+{
+    constexpr std::array<std::array<const char*, 2>, 2> words{{{"error:", "\x1b[1;31m"}, {"warning:", "\x1b[1;35m"}}};
+    for (const auto& [word, colour] : words) {
+        const size_t at = line.find(word);
+        if (at == std::string::npos || (at > 0 && line[at - 1] != ' ')) continue;
+        line.insert(at + std::strlen(word), "\x1b[0m");
+        line.insert(at, colour);
+        break;
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string format_text(const char* format, ...)
+{
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int size = std::vsnprintf(nullptr, 0, format, arguments);
+    va_end(arguments);
+    std::string text(static_cast<size_t>(size > 0 ? size : 0), '\0');
+    std::vsnprintf(text.data(), text.size() + 1, format, again);
+    va_end(again);
+    return text;
+}
+
+std::string shortest(double x)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
+std::string in_shell_quotes(const std::string& word)
+{
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) || std::strchr("-_./=,:+@%", c);
+    });
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+void print_result(const std::string& line) { std::fprintf(stdout, "%s\n", line.c_str()); }
+
+void flush_results()
+{
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        throw Error(ErrorKind::failed, {}, std::string("cannot write to the standard output: ") + std::strerror(errno));
+}
+
+void print_problem(const std::string& lines)
+{
+    const bool colour = is_coloured();
+    std::string text;
+    std::string_view rest = lines;
+    while (!rest.empty()) {
+        const size_t end = rest.find('\n');
+        std::string line(rest.substr(0, end));
+        rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
+        if (line.starts_with("error: ") || line.starts_with("warning: ")) line = "lancer: " + line;
+        text += (colour ? coloured(line) : line) + '\n';
+    }
+    print_raw(text);
+}
+
+void print_note(const std::string& line) { print_raw("lancer: " + line + "\n"); }
+
+bool stderr_is_terminal()
+{
+    const char* const terminal = std::getenv("TERM");
+    return isatty(STDERR_FILENO) && terminal && std::strcmp(terminal, "dumb") != 0;
+}
+
+void print_raw(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+}  // namespace lancer

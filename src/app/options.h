@@ -1,0 +1,67 @@
+// The command line, as one struct per command. options.cpp is the only file that knows CLI11.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/film.h"
+#include "integrators/transport.h"
+
+namespace lancer {
+
+// What decides the value of a pixel. What is not given here is taken from [render] of the scene, else from Settings.
+// Names have been checked against the lists of settings.h.
+struct PictureOptions {
+    std::string scene;
+    std::string asset_root;
+    std::optional<std::array<uint32_t, 2>> size;
+    std::optional<uint64_t> seed;
+    std::optional<uint32_t> max_depth;
+    std::optional<std::string> integrator, sampler, filter, accel, isa;
+    DirectLight direct;
+    std::optional<uint32_t> threads;
+    bool strict = false;
+};
+
+enum class ProgressKind { automatic, plain, json, none };
+
+struct RenderOptions {
+    PictureOptions picture;
+    std::vector<std::string> outputs;  // never empty; each ends in .exr or .png
+    std::optional<uint32_t> spp;
+    std::optional<Tile> crop;
+    uint32_t tile = 16;    // side in pixels
+    uint32_t batch = 256;  // paths under way at once
+    bool half = false;
+    float exposure_stops = 0;
+    bool dither = false;
+    std::string stats;  // empty: none
+    ProgressKind progress = ProgressKind::automatic;
+    bool quiet = false, verbose = false;
+    std::string command_line;  // as it was given
+};
+
+struct PixelOptions {
+    PictureOptions picture;
+    uint32_t x = 0, y = 0, sample = 0;
+};
+
+enum class Metric { rmse, relmse };
+
+struct CompareOptions {
+    std::string picture, reference;
+    std::string reference2;  // empty: one reference
+    Metric metric = Metric::relmse;
+    std::optional<double> fail_above;
+};
+
+// argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
+// for; it has then been printed. Throws Error (usage).
+std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<PixelOptions> parse_pixel(int argc, char** argv);
+std::optional<CompareOptions> parse_compare(int argc, char** argv);
+
+}  // namespace lancer

@@ -1,0 +1,78 @@
+#include "app/outputs.h"
+
+#include "app/paths.h"
+#include "io/atomic_file.h"
+#include "io/exr.h"
+#include "io/png.h"
+
+namespace lancer {
+namespace {
+
+// Whatever keeps the mean of the picture from the truth, however many samples it has.
+std::string bias_ledger(const RunStats& s)
+{
+    std::string ledger;
+    const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
+    if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
+    if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
+    return ledger.empty() ? "none" : ledger;
+}
+
+}  // namespace
+
+void probe_outputs(const RenderOptions& options)
+{
+    for (const std::string& path : options.outputs) const AtomicFile probe(path);
+    if (!options.stats.empty()) const AtomicFile probe(options.stats);
+}
+
+Image to_image(const Film& film)
+{
+    const auto window = [](const Tile& t) {
+        return Window{static_cast<int32_t>(t.x0), static_cast<int32_t>(t.y0), static_cast<int32_t>(t.x1),
+                      static_cast<int32_t>(t.y1)};
+    };
+    Image image = make_image(window({0, 0, film.width, film.height}), window(film.crop));
+    for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.pixels[i].mean();
+    return image;
+}
+
+Metadata make_metadata(const RunStats& s)
+{
+    const auto integer = [](uint64_t x) { return static_cast<int64_t>(x); };
+    return {{"software", "lancer " + s.context.version},
+            {"scene", s.scene.file},
+            {"scene_hash", to_hex(s.scene.content_hash)},
+            {"settings_hash", s.settings.hash},
+            {"integrator", s.settings.integrator},
+            {"sampler", s.settings.sampler},
+            {"filter", s.settings.filter},
+            {"accel", s.settings.accel},
+            {"isa", s.settings.isa},
+            {"spp", integer(s.settings.spp)},
+            {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
+            {"seed", integer(s.settings.seed)},
+            {"max_depth", integer(s.settings.max_depth)},
+            {"threads", integer(s.settings.threads)},
+            {"seconds", s.render_s},
+            {"rays", integer(s.rays())},
+            {"dropped_samples", integer(s.counters.dropped)},
+            {"bias", bias_ledger(s)},
+            {"estimated_error", s.estimated_error},
+            {"partial", integer(s.partial ? 1 : 0)},
+            {"embree", s.context.embree},
+            {"command_line", s.context.command_line}};
+}
+
+void write_outputs(const RenderOptions& options, const Image& image, const Metadata& metadata)
+{
+    for (const std::string& path : options.outputs) {
+        if (extension_of(path) == ".png") {
+            write_png(path, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
+        } else {
+            write_exr(path, image, metadata, {.half = options.half});
+        }
+    }
+}
+
+}  // namespace lancer

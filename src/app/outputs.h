@@ -1,0 +1,22 @@
+// The files that a render writes, and what stands in their headers.
+#pragma once
+
+#include "app/options.h"
+#include "core/image.h"
+#include "io/metadata.h"
+#include "report/stats_json.h"
+
+namespace lancer {
+
+// Throws Error (failed) if a file could not be written now; nothing is changed.
+void probe_outputs(const RenderOptions& options);
+
+// Each pixel is the mean of its own samples; one without any is black.
+Image to_image(const Film& film);
+
+// What the picture says about its making. The pixels are the same for the same scene and settings, these are not.
+Metadata make_metadata(const RunStats& stats);
+
+void write_outputs(const RenderOptions& options, const Image& image, const Metadata& metadata);
+
+}  // namespace lancer

@@ -1,0 +1,99 @@
+#include "app/settings.h"
+
+#include "core/names.h"
+#include "core/parallel.h"
+
+namespace lancer {
+
+const std::vector<std::string_view> integrator_names{Path::name, Direct::name};
+const std::vector<std::string_view> sampler_names{"sobol", "independent"};
+const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris"};
+const std::vector<std::string_view> accel_names{"embree", "list"};
+const std::vector<std::string_view> isa_names{"sse2", "sse4.2", "avx", "avx2", "avx512"};
+
+namespace {
+
+// The place of a name that is known to be in the list.
+size_t index_of(const std::vector<std::string_view>& names, std::string_view name)
+{
+    return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+// Takes what [render] says of a name, if it is one.
+void take_name(const std::optional<std::string>& said, const char* what, const std::vector<std::string_view>& known,
+               const Location& where, Diagnostics& diagnostics, std::string& value)
+{
+    if (!said) return;
+    if (index_of(known, *said) == known.size())
+        diagnostics.error(
+            where, "unknown " + std::string(what) + " " + in_quotes(*said) + " in [render]" + suggestion(*said, known));
+    value = *said;
+}
+
+Settings settings_of_scene(const RenderDescription& scene)
+{
+    Settings s;
+    Diagnostics diagnostics;
+    take_name(scene.integrator, "integrator", integrator_names, scene.where, diagnostics, s.integrator);
+    take_name(scene.sampler, "sampler", sampler_names, scene.where, diagnostics, s.sampler);
+    take_name(scene.filter, "filter", filter_names, scene.where, diagnostics, s.filter);
+    if (scene.size) {
+        s.width = (*scene.size)[0], s.height = (*scene.size)[1];
+        if (s.width > max_picture_side || s.height > max_picture_side ||
+            uint64_t{s.width} * s.height > max_picture_pixels)
+            diagnostics.error(scene.where, "size in [render] is too large: at most 65536 on a side, 2^28 pixels");
+    }
+    diagnostics.throw_if_errors();
+    s.spp = scene.spp.value_or(s.spp);
+    s.seed = scene.seed.value_or(s.seed);
+    s.max_depth = scene.max_depth.value_or(s.max_depth);
+    return s;
+}
+
+}  // namespace
+
+Settings resolve_settings(const PictureOptions& o, const RenderDescription& scene)
+{
+    Settings s = settings_of_scene(scene);
+    if (o.size) s.width = (*o.size)[0], s.height = (*o.size)[1];
+    s.crop = {0, 0, s.width, s.height};
+    s.seed = o.seed.value_or(s.seed);
+    s.max_depth = o.max_depth.value_or(s.max_depth);
+    s.integrator = o.integrator.value_or(s.integrator);
+    s.sampler = o.sampler.value_or(s.sampler);
+    s.filter = o.filter.value_or(s.filter);
+    s.accel = o.accel.value_or(s.accel);
+    s.isa = o.isa.value_or(s.isa);
+    s.direct = o.direct;
+    s.threads = o.threads ? *o.threads : available_threads();
+    return s;
+}
+
+RenderSettings to_render_settings(const Settings& s, uint32_t batch)
+{
+    RenderSettings r;
+    if (s.integrator == Direct::name) r.integrator = Direct{};
+    std::visit([&](auto& integrator) { integrator.max_depth = s.max_depth, integrator.direct = s.direct; },
+               r.integrator);
+    r.accel = s.accel == "list" ? AccelKind::list : AccelKind::embree;
+    r.isa = s.isa;
+    r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
+    r.kernel.seed = s.seed;
+    constexpr FilterKind filters[] = {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris};
+    r.kernel.filter = Filter(filters[index_of(filter_names, s.filter)]);
+    r.kernel.batch = batch;
+    return r;
+}
+
+std::string reproducing_options(const Settings& s)
+{
+    std::string text = "--size " + std::to_string(s.width) + "x" + std::to_string(s.height) + " --seed " +
+                       std::to_string(s.seed) + " --integrator " + s.integrator + " --max-depth " +
+                       std::to_string(s.max_depth) + " --sampler " + s.sampler + " --filter " + s.filter + " --accel " +
+                       s.accel + " --isa " + s.isa;
+    if (!s.direct.nee) text += " --set nee=false";
+    if (!s.direct.mis) text += " --set mis=false";
+    return text;
+}
+
+}  // namespace lancer

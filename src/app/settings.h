@@ -1,0 +1,39 @@
+// What is rendered and how: the command line over [render] of the scene over the defaults below.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/options.h"
+#include "render/renderer.h"
+
+namespace lancer {
+
+// Names as the command line and the scene file know them; the first is the default but for the filter and the ISA.
+extern const std::vector<std::string_view> integrator_names, sampler_names, filter_names, accel_names, isa_names;
+
+// Larger pictures are refused before anything is allocated for them; the readers of src/io have the same limits.
+constexpr uint32_t max_picture_side = 65536;
+constexpr uint64_t max_picture_pixels = uint64_t{1} << 28;
+
+struct Settings {
+    uint32_t width = 1280, height = 720;
+    Tile crop{};  // the part to render
+    uint32_t spp = 64;
+    uint64_t seed = 0;
+    uint32_t max_depth = 0;
+    std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "embree", isa = "avx2";
+    DirectLight direct;
+    uint32_t threads = 1;
+};
+
+// Throws Error: invalid_input for what [render] says, usage for what only both together can tell.
+Settings resolve_settings(const PictureOptions& options, const RenderDescription& scene);
+
+RenderSettings to_render_settings(const Settings& settings, uint32_t batch);
+
+// The options that give the same samples again, whatever [render] says. Without spp, crop, threads.
+std::string reproducing_options(const Settings& settings);
+
+}  // namespace lancer

@@ -1,0 +1,28 @@
+// Interrupts and snapshot requests. Handlers only set flags; poll() does the rest outside of them.
+#pragma once
+
+#include <stop_token>
+
+namespace lancer {
+
+// From the constructor on, the first SIGINT or SIGTERM asks to stop and the second one ends the program at once;
+// SIGUSR1 asks for a snapshot. One object in a program.
+class Signals {
+public:
+    Signals();
+    ~Signals();
+    Signals(const Signals&) = delete;
+    Signals& operator=(const Signals&) = delete;
+
+    // Passes an interrupt on to the stop token. Called now and then from any thread.
+    void poll();
+    std::stop_token stop() const { return stop_.get_token(); }
+    bool interrupted() const;
+    // True once per request.
+    bool take_snapshot_request();
+
+private:
+    std::stop_source stop_;
+};
+
+}  // namespace lancer

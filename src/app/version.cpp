@@ -1,0 +1,35 @@
+#include "app/version.h"
+
+#include "core/parallel.h"
+#include "geometry/embree.h"
+#include "io/exr.h"
+#include "io/png.h"
+
+namespace lancer {
+
+std::string version_text()
+{
+    return "lancer " LANCER_VERSION "\nEmbree " + embree_version() + "\n" + parallel_version() + "\nOpenEXR " +
+           exr_version() + "\nlibpng " + png_version() + "\ncompiled by " + compiler_text() +
+           ", " LANCER_BUILD_TYPE ", " + instruction_text();
+}
+
+std::string compiler_text()
+{
+#ifdef __clang__
+    return "clang " __clang_version__;
+#else
+    return "gcc " __VERSION__;
+#endif
+}
+
+std::string instruction_text()
+{
+#ifdef __AVX512F__
+    return "AVX-512";
+#else
+    return "x86-64-v3 (AVX2, FMA)";
+#endif
+}
+
+}  // namespace lancer

@@ -1,0 +1,96 @@
+#include "report/stats_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lancer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A rate over no time is not a number that JSON could hold.
+double rate(uint64_t count, double seconds) { return seconds > 0 ? static_cast<double>(count) / seconds : 0; }
+
+Json context_of(const RunStats& s)
+{
+    const RunStats::Context& c = s.context;
+    return {{"version", c.version},          {"embree", c.embree},
+            {"parallel", c.parallel},        {"compiler", c.compiler},
+            {"build_type", c.build_type},    {"instructions", c.instructions},
+            {"isa", s.settings.isa},         {"cpu", c.cpu},
+            {"threads", s.settings.threads}, {"load_average", c.load_average},
+            {"command_line", c.command_line}};
+}
+
+Json scene_of(const RunStats::SceneFigures& s)
+{
+    return {{"file", s.file},           {"content_hash", to_hex(s.content_hash)},
+            {"triangles", s.triangles}, {"meshes", s.meshes},
+            {"instances", s.instances}, {"spheres", s.spheres},
+            {"planes", s.planes},       {"lights", s.lights},
+            {"materials", s.materials}, {"accelerator_bytes", s.accelerator_bytes},
+            {"warnings", s.warnings}};
+}
+
+Json settings_of(const RunStats::SettingsUsed& s)
+{
+    return {{"width", s.width},
+            {"height", s.height},
+            {"crop", {s.crop.x0, s.crop.y0, s.crop.x1, s.crop.y1}},
+            {"spp", s.spp},
+            {"seed", s.seed},
+            {"integrator", s.integrator},
+            {"max_depth", s.max_depth},
+            {"nee", s.nee},
+            {"mis", s.mis},
+            {"sampler", s.sampler},
+            {"filter", s.filter},
+            {"accel", s.accel},
+            {"isa", s.isa},
+            {"threads", s.threads},
+            {"tile", s.tile},
+            {"batch", s.batch},
+            {"hash", s.hash}};
+}
+
+Json rays_of(const RunStats& s)
+{
+    const auto kind = [&](uint64_t count) { return Json{{"count", count}, {"per_second", rate(count, s.render_s)}}; };
+    return {{"camera", kind(s.counters.camera_rays)},
+            {"bounce", kind(s.counters.bounce_rays)},
+            {"shadow", kind(s.counters.shadow_rays)},
+            {"all", kind(s.rays())}};
+}
+
+Json samples_of(const RunStats& s)
+{
+    Json dropped{{"count", s.counters.dropped}};
+    if (const auto& first = s.counters.first_dropped)
+        dropped["first"] = {{"x", first->x}, {"y", first->y}, {"sample", first->sample}};
+    return {{"count", s.samples}, {"per_second", rate(s.samples, s.render_s)}, {"dropped", dropped}};
+}
+
+}  // namespace
+
+std::string to_json(const RunStats& s)
+{
+    Json phases = Json::array(), passes = Json::array();
+    for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
+    for (const auto& p : s.passes) passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", p.error}});
+    const Json all{{"schema", "lancer.stats/1"}, {"context", context_of(s)},
+                   {"scene", scene_of(s.scene)}, {"settings", settings_of(s.settings)},
+                   {"phases", phases},           {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
+                   {"rays", rays_of(s)},         {"samples", samples_of(s)},
+                   {"passes", passes},           {"estimated_error", s.estimated_error},
+                   {"partial", s.partial}};
+    // A file name need not be UTF-8; the text must be.
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_hex(uint64_t x)
+{
+    std::string text(16, '0');
+    for (size_t i = text.size(); i-- > 0; x >>= 4) text[i] = "0123456789abcdef"[x & 15];
+    return text;
+}
+
+}  // namespace lancer

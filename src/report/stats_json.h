@@ -1,0 +1,64 @@
+// What a run was, did and cost. The program fills it; as JSON it is what --stats writes, for scripts and reports.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/film.h"
+#include "render/kernel.h"
+
+namespace lancer {
+
+struct RunStats {
+    struct Context {
+        std::string version, embree, parallel, compiler, build_type, instructions, cpu, command_line;
+        double load_average = 0;  // when the run began, over one minute
+    };
+    struct SceneFigures {
+        std::string file;
+        uint64_t content_hash = 0;
+        uint64_t triangles = 0, meshes = 0, instances = 0, spheres = 0, planes = 0, lights = 0, materials = 0;
+        uint64_t accelerator_bytes = 0;
+        std::vector<std::string> warnings;
+    };
+    struct SettingsUsed {
+        uint32_t width = 0, height = 0, spp = 0, max_depth = 0, threads = 0, tile = 0, batch = 0;
+        Tile crop;
+        uint64_t seed = 0;
+        std::string integrator, sampler, filter, accel, isa;
+        bool nee = true, mis = true;
+        std::string hash;  // of all that decides the value of a pixel, but the scene
+    };
+    struct Phase {
+        std::string name;
+        double wall_s = 0, cpu_s = 0;
+    };
+    // The film after a pass.
+    struct Progress {
+        uint32_t spp = 0;
+        double seconds = 0, error = 0;
+    };
+
+    Context context;
+    SceneFigures scene;
+    SettingsUsed settings;
+    std::vector<Phase> phases;
+    std::vector<Progress> passes;
+    Counters counters;
+    uint64_t samples = 0;  // in the film
+    double render_s = 0;
+    double estimated_error = 0;  // square root of estimate_rel_mse: an upper estimate
+    uint64_t peak_memory_bytes = 0;
+    bool partial = false;
+
+    uint64_t rays() const { return counters.camera_rays + counters.bounce_rays + counters.shadow_rays; }
+};
+
+// Indented, with "schema": "lancer.stats/1", ends in a newline.
+std::string to_json(const RunStats& stats);
+
+// 16 hexadecimal digits: JSON and EXR have no unsigned number of 64 bits.
+std::string to_hex(uint64_t x);
+
+}  // namespace lancer
