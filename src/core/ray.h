@@ -9,11 +9,10 @@
 namespace lancer {
 
 // Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
-// A ray does not hit where it starts: on a face in a coordinate plane (a floor at y = 0) the error bound is 0, so
-// offset_origin() leaves the origin exactly on it, and the face would be met at t = 0.
+// t_min is not 0 but far below what float can tell: a ray never hits where it starts, though the interval is closed.
 struct Ray {
     Vec3 org;
-    float t_min = std::numeric_limits<float>::min();
+    float t_min = 0x1p-60f;
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
 };
