@@ -9,11 +9,10 @@
 namespace lancer {
 
 // Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
-// t_min says "not the origin itself": on a plane through 0 the error bound of a point is 0 across the plane, a ray
-// starts exactly there, and a robust Embree counts t = 0 as a hit.
+// t_min is not 0 but far below what float can tell: a ray never hits where it starts, though the interval is closed.
 struct Ray {
     Vec3 org;
-    float t_min = std::numeric_limits<float>::min();
+    float t_min = 0x1p-60f;
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
 };
@@ -24,7 +23,7 @@ inline bool is_traceable(const Ray& r)
     constexpr float limit = 1.8e18f;
     const auto ok = [](Vec3 v) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; };
     return ok(r.org) && ok(r.dir) && (r.dir.x != 0 || r.dir.y != 0 || r.dir.z != 0) && r.t_min >= 0 &&
-           r.t_max >= r.t_min;
+           r.t_min < std::numeric_limits<float>::infinity() && r.t_max >= r.t_min;
 }
 
 // Bound of the relative error of n roundings in float: n u / (1 - n u), u = 2^-24.

@@ -26,7 +26,7 @@ class Accelerator {
 public:
     virtual ~Accelerator() = default;
 
-    // Nearest hit with t in [t_min, t_max], refined; kind none on a miss.
+    // Nearest hit with t in [t_min, t_max], to within the accelerator's own rounding, refined; kind none on a miss.
     virtual Hit closest(const Ray& ray) const = 0;
     // Is anything in [t_min, t_max]?
     virtual bool any(const Ray& ray) const = 0;

@@ -95,6 +95,16 @@ void intersect_callback(const RTCIntersectFunctionNArguments* a)
         a->valid[i] = t ? -1 : 0;
 #endif
         if (!t) continue;
+        // Ties go to the lowest (instance, geometry, primitive), in whatever order Embree comes by.
+        const unsigned geometry = RTCHitN_geomID(hits, a->N, i);
+        if (geometry != RTC_INVALID_GEOMETRY_ID && static_cast<float>(*t) == RTCRayN_tfar(rays, a->N, i) &&
+            (RTCHitN_instID(hits, a->N, i, 0) != RTC_INVALID_GEOMETRY_ID || geometry < a->geomID ||
+             (geometry == a->geomID && RTCHitN_primID(hits, a->N, i) < a->primID))) {
+#if RTC_VERSION_MAJOR >= 4
+            a->valid[i] = 0;
+#endif
+            continue;
+        }
         RTCRayN_tfar(rays, a->N, i) = static_cast<float>(*t);
         RTCHitN_geomID(hits, a->N, i) = a->geomID;
         RTCHitN_primID(hits, a->N, i) = a->primID;

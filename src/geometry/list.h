@@ -29,7 +29,7 @@ private:
             const Mesh& m = g_.meshes[index];
             for (uint32_t i = 0; i < m.triangles.size(); ++i) {
                 const auto h = intersect_plane_of(m, i, org, dir);
-                if (!h || !h->inside || !(h->t >= ray.t_min && h->t <= ray.t_max)) continue;
+                if (!h || !h->inside || !reaches(ray, h->t)) continue;
                 const auto t = static_cast<float>(h->t);
                 if (best && !(t < best.t)) continue;
                 best = {t, instance, index, i, {}, Kind::triangle};
@@ -49,7 +49,7 @@ private:
         }
         const auto shapes = [&](const auto& list, Kind kind) {
             for (uint32_t i = 0; i < list.size(); ++i)
-                if (const auto t = intersect(list[i], rest)) {
+                if (const auto t = intersect(list[i], rest); t && !(best && static_cast<float>(*t) == best.t)) {
                     best = {static_cast<float>(*t), Hit::no_instance, 0, i, {}, kind};
                     rest.t_max = best.t;
                     if (first_will_do) return;

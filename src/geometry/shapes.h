@@ -56,7 +56,15 @@ inline Bounds bounds(const Plane& p)
             {upper(p.normal.x), upper(p.normal.y), upper(p.normal.z)}};
 }
 
-// Nearest t in (t_min, t_max). The discriminant from the distance of the centre to the ray does not cancel for far or
+// Whether a ray goes so far. Asked of t as it will be stored, so that an answer does not depend on what was found
+// before.
+inline bool reaches(const Ray& ray, double t)
+{
+    const auto stored = static_cast<float>(t);
+    return stored >= ray.t_min && stored <= ray.t_max;
+}
+
+// Nearest t in [t_min, t_max]. The discriminant from the distance of the centre to the ray does not cancel for far or
 // tiny spheres: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
 // Gems, chapter 7.
 inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
@@ -73,9 +81,8 @@ inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
     if (q == 0) return {};
     double t0 = c / q, t1 = q / a;
     if (t0 > t1) std::swap(t0, t1);
-    const double t_min = ray.t_min, t_max = ray.t_max;
-    if (t0 > t_min && t0 < t_max) return t0;
-    if (t1 > t_min && t1 < t_max) return t1;
+    if (reaches(ray, t0)) return t0;
+    if (reaches(ray, t1)) return t1;
     return {};
 }
 
@@ -83,7 +90,7 @@ inline std::optional<double> intersect(const Plane& p, const Ray& ray)
 {
     const double t = (p.offset - dot(p.normal, to_double(ray.org))) / dot(p.normal, to_double(ray.dir));
     // NaN (a ray within the plane) fails both.
-    if (t > static_cast<double>(ray.t_min) && t < std::min(static_cast<double>(ray.t_max), plane_extent)) return t;
+    if (t <= plane_extent && reaches(ray, t)) return t;
     return {};
 }
 

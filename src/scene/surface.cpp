@@ -7,6 +7,14 @@ namespace {
 
 Vec3 scaled(Vec3 v, float s) { return v * s; }
 
+// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
+// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
+Vec3 rounding_in_double(float reach)
+{
+    const float e = reach * 0x1p-40f;
+    return {e, e, e};
+}
+
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
@@ -20,12 +28,14 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
     const Mesh& mesh = scene.geometry.meshes[mesh_index];
     const auto& t = mesh.triangles[triangle];
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-    const float w = 1 - uv.x - uv.y;
+    // In double: the rounding of 1 - u - v is relative to 1, not to w, and a corner may be far away.
+    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
     const Vec3 wa = a * w, wb = b * uv.x, wc = c * uv.y;
     Placed s;
     // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
     s.p = wa + wb + wc;
-    s.p_error = scaled(abs(wa) + abs(wb) + abs(wc), gamma(7));
+    const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
+    s.p_error = scaled(abs(wa) + abs(wb) + abs(wc), gamma(7)) + rounding_in_double(reach);
 
     const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
     Vec3d n = cross(e1, e2), ns;
@@ -87,7 +97,8 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
             const Vec3d n = normalize(along() - sphere.center);
             s.p = to_float(sphere.center + n * sphere.radius);
-            s.p_error = scaled(abs(s.p), gamma(4));
+            s.p_error = scaled(abs(s.p), gamma(4)) +
+                        rounding_in_double(static_cast<float>(max_component(abs(sphere.center)) + sphere.radius));
             s.n = s.ns = to_float(n);
             s.material = scene.sphere_material[hit.primitive];
             s.light = scene.sphere_light[hit.primitive];
