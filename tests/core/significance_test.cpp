@@ -1,0 +1,52 @@
+// The judges themselves, against values from tables and R.
+#include "support/significance.h"
+
+#include <gtest/gtest-spi.h>
+
+namespace lancer {
+namespace {
+
+TEST(Significance, PValuesMatchTables)
+{
+    EXPECT_NEAR(stats::normal_p(1.959963985), 0.05, 1e-9);
+    EXPECT_NEAR(stats::upper_gamma(0.5 * 10, 0.5 * 18.307038), 0.05, 1e-7);    // chi-square, 10 degrees
+    EXPECT_NEAR(stats::upper_gamma(0.5 * 100, 0.5 * 67.327563), 0.995, 1e-7);  // the other branch
+    EXPECT_NEAR(stats::student_p(2.262157163, 9), 0.05, 1e-9);
+    EXPECT_NEAR(stats::student_p(63.656741162, 1), 0.01, 1e-9);
+    EXPECT_NEAR(stats::student_p(0, 5), 1, 1e-12);
+}
+
+TEST(Significance, WhatCannotHappenIsRed)
+{
+    EXPECT_EQ(stats::chi_square_p(std::vector<double>{99, 1}, std::vector<double>{100, 0}), 0);
+    EXPECT_GT(stats::chi_square_p(std::vector<double>{103, 97}, std::vector<double>{100, 100}), 0.5);
+    EXPECT_LT(stats::chi_square_p(std::vector<double>{150, 50}, std::vector<double>{100, 100}), 1e-9);
+}
+
+TEST(Significance, AFamilyIsRedForOneBadMemberAndForNone)
+{
+    EXPECT_NONFATAL_FAILURE(
+        {
+            stats::Family f;
+            for (int i = 0; i < 100; ++i) f.add(i == 50 ? 5e-5 : 0.5, std::to_string(i));
+        },
+        "50, the least of 100");
+    EXPECT_NONFATAL_FAILURE({ stats::Family f; }, "nothing was tested");
+    stats::Family f;  // 5e-3 alone would be red: not among a hundred
+    for (int i = 0; i < 100; ++i) f.add(i == 50 ? 5e-3 : 0.5, std::to_string(i));
+}
+
+TEST(Significance, WelchAndStudentSeeAShiftOfTheMean)
+{
+    stats::Tally a, b, c;
+    for (int i = 0; i < 64; ++i) {
+        a.add(i % 8), b.add((i * 3 + 1) % 8), c.add(i % 8 + 2);
+    }
+    EXPECT_EQ(stats::welch_p(a, b), 1);
+    EXPECT_LT(stats::welch_p(a, c), 1e-4);
+    EXPECT_LT(stats::mean_p(a, 5.5), 1e-4);
+    EXPECT_EQ(stats::mean_p(a, 3.5), 1);
+}
+
+}  // namespace
+}  // namespace lancer

@@ -1,0 +1,265 @@
+// What every material must obey, whatever it is: sample(), eval() and the densities speak of the same thing, nothing
+// gains energy, light may travel both ways. Over every alternative of Material.
+#include <gtest/gtest.h>
+
+#include "core/ray.h"
+#include "materials/samples.h"
+#include "support/significance.h"
+
+namespace lancer {
+namespace {
+
+template <class V>
+struct Alternatives;
+template <class... M>
+struct Alternatives<std::variant<M...>> {
+    using Types = testing::Types<M...>;
+};
+struct Names {
+    template <class M>
+    static std::string GetName(int)
+    {
+        return M::name;
+    }
+};
+template <class M>
+class MaterialLaws : public testing::Test {
+};
+TYPED_TEST_SUITE(MaterialLaws, Alternatives<Material>::Types, Names);
+
+// Both sides of the laws below are a handful of products and quotients.
+constexpr float rounding = gamma(16);
+
+// The five nodes and weights of Gauss and Legendre on [0, 1].
+constexpr std::array<double, 5> node{0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                     0.95308992296933200};
+constexpr std::array<double, 5> node_weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                            0.23931433524968324, 0.11846344252809454};
+
+// The sphere of directions in cells of equal size in cos(theta) and phi.
+constexpr size_t rings = 32, sectors = 24;
+
+size_t cell_of(Vec3 w)
+{
+    const double z = std::clamp(0.5 * (static_cast<double>(w.z) + 1), 0.0, 1.0);
+    const double phi = std::atan2(static_cast<double>(w.y), static_cast<double>(w.x)) / (2 * std::numbers::pi);
+    const auto at = [](double x, size_t n) { return std::min(n - 1, static_cast<size_t>(x * static_cast<double>(n))); };
+    return at(z, rings) * sectors + at(phi < 0 ? phi + 1 : phi, sectors);
+}
+
+// Integral of f(wi) over each cell.
+template <class F>
+std::vector<double> integrate_cells(const F& f)
+{
+    std::vector<double> cells(rings * sectors);
+    for (size_t i = 0; i < rings; ++i)
+        for (size_t j = 0; j < sectors; ++j)
+            for (size_t a = 0; a < 5; ++a)
+                for (size_t b = 0; b < 5; ++b) {
+                    const double z = 2 * (static_cast<double>(i) + node[a]) / rings - 1, r = std::sqrt(1 - z * z);
+                    const double phi = 2 * std::numbers::pi * (static_cast<double>(j) + node[b]) / sectors;
+                    const double solid_angle = 4 * std::numbers::pi / (rings * sectors);
+                    cells[i * sectors + j] += node_weight[a] * node_weight[b] * solid_angle *
+                                              f(to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), z}));
+                }
+    return cells;
+}
+
+double sum(const std::vector<double>& v)
+{
+    double s = 0;
+    for (const double x : v) s += x;
+    return s;
+}
+
+// Smooth lobes by cell, delta lobes by side, and what is absorbed: how often each happens is what the densities say.
+TYPED_TEST(MaterialLaws, FrequenciesAreThoseOfTheDensities)
+{
+    constexpr int count = 100000;
+    stats::Family family;
+    Random random(1);
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+        std::vector<double> expected =
+            integrate_cells([&](Vec3 wi) { return static_cast<double>(bsdf.eval(p.wo, wi).pdf); });
+        std::vector<double> observed(expected.size());
+        std::array<double, 2> delta_pdf{}, delta_count{};
+        double absorbed = 0;
+        for (int i = 0; i < count; ++i) {
+            const float u = random.get1();
+            const auto s = bsdf.sample(p.wo, u, random.get2());
+            if (!s) {
+                ++absorbed;
+            } else if (s->delta) {
+                const size_t side = s->wi.z < 0 ? 1 : 0;
+                EXPECT_TRUE(delta_count[side] == 0 || delta_pdf[side] == static_cast<double>(s->pdf)) << name;
+                delta_pdf[side] = static_cast<double>(s->pdf);
+                ++delta_count[side];
+            } else {
+                ++observed[cell_of(s->wi)];
+            }
+        }
+        const double smooth = sum(expected), total = smooth + delta_pdf[0] + delta_pdf[1];
+        EXPECT_LE(total, 1 + 1e-5) << name;
+        for (double& e : expected) e *= count;
+        for (size_t side = 0; side < 2; ++side) {
+            expected.push_back(count * delta_pdf[side]);
+            observed.push_back(delta_count[side]);
+        }
+        expected.push_back(count * std::max(0.0, 1 - total));
+        observed.push_back(absorbed);
+        family.add(stats::chi_square_p(observed, expected), name);
+    });
+}
+
+TYPED_TEST(MaterialLaws, WeightIsValueOverDensity)
+{
+    Random random(2);
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+        for (int i = 0; i < 1000; ++i) {
+            const float u = random.get1();
+            const auto s = bsdf.sample(p.wo, u, random.get2());
+            if (!s) continue;
+            ASSERT_GT(s->pdf, 0) << name;
+            ASSERT_NEAR(length(s->wi), 1, gamma(16)) << name;
+            if (s->delta) {
+                ASSERT_LE(s->pdf, 1) << name;
+                continue;
+            }
+            const BsdfValue v = bsdf.eval(p.wo, s->wi);
+            ASSERT_NEAR(s->pdf, v.pdf, rounding * v.pdf) << name;
+            for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                ASSERT_NEAR(s->weight.*channel * v.pdf, v.f_cos.*channel, rounding * v.f_cos.*channel) << name;
+        }
+    });
+}
+
+TYPED_TEST(MaterialLaws, OnlyDeltaMeansNoSmoothLobe)
+{
+    Random random(3);
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+        bool smooth = false;
+        for (int i = 0; i < 1000; ++i) {
+            const float u = random.get1();
+            const auto s = bsdf.sample(p.wo, u, random.get2());
+            smooth = smooth || (s && !s->delta) || bsdf.eval(p.wo, to_float(random.direction())).pdf > 0;
+        }
+        EXPECT_EQ(bsdf.only_delta(), !smooth) << name;
+    });
+}
+
+// No direction sends back more than it got, in energy: radiance grows by eta^2 where light enters what is denser.
+// What loses nothing is exactly white.
+TYPED_TEST(MaterialLaws, WhiteFurnace)
+{
+    stats::Family family;
+    Random random(4);
+    for_each_bsdf<TypeParam>([&](const std::string& name, const Sample<TypeParam>& sample, const Place& p,
+                                 const auto& bsdf) {
+        stats::Tally energy;
+        float most = 0;
+        for (int i = 0; i < 10000; ++i) {
+            const float u = random.get1();
+            const auto s = bsdf.sample(p.wo, u, random.get2());
+            const float e = s ? max_component(s->weight) * (s->eta * s->eta) : 0;
+            energy.add(static_cast<double>(e));
+            most = std::max(most, e);
+        }
+        EXPECT_LE(energy.mean - 5 * energy.error(), 1 + static_cast<double>(rounding)) << name;
+        if (sample.lossless) family.add(stats::mean_p(energy, 1, static_cast<double>(rounding)), name);
+        const double smooth = sum(
+            integrate_cells([&](Vec3 wi) { return static_cast<double>(max_component(bsdf.eval(p.wo, wi).f_cos)); }));
+        EXPECT_LE(smooth, 1 + 1e-5) << name;
+        if (bsdf.only_delta()) {
+            EXPECT_EQ(smooth, 0) << name;
+        }
+    });
+    if (std::none_of(samples<TypeParam>().begin(), samples<TypeParam>().end(),
+                     [](const auto& s) { return s.lossless; }))
+        family.add(1, "no lossless parameter set");
+}
+
+TYPED_TEST(MaterialLaws, SmoothLobesAreReciprocal)
+{
+    Random random(5);
+    for (const Sample<TypeParam>& s : samples<TypeParam>())
+        for (int i = 0; i < 20000; ++i) {
+            const auto bsdf = s.material.at({.front = i % 2 == 0});
+            Vec3 a = to_float(random.direction()), b = to_float(random.direction());
+            a.z = std::abs(a.z), b.z = std::abs(b.z);
+            if (a.z == 0 || b.z == 0) continue;
+            const Color there = bsdf.eval(a, b).f_cos / b.z, back = bsdf.eval(b, a).f_cos / a.z;
+            for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                ASSERT_NEAR(there.*channel, back.*channel, rounding * there.*channel) << s.name;
+        }
+}
+
+// The way back of a delta lobe: from where it went it returns where it came from, as likely, and, in energy, with the
+// same weight. Seen from the other side the local z axis turns round.
+TYPED_TEST(MaterialLaws, DeltaLobesAreReciprocal)
+{
+    Random random(6);
+    for_each_bsdf<TypeParam>(
+        [&](const std::string& name, const Sample<TypeParam>& sample, const Place& p, const auto& bsdf) {
+            for (int i = 0; i < 50; ++i) {
+                const auto there = bsdf.sample(p.wo, random.get1(), random.get2());
+                if (!there || !there->delta) continue;
+                const bool through = there->wi.z < 0;
+                const Vec3 from = through ? Vec3{there->wi.x, there->wi.y, -there->wi.z} : there->wi;
+                const Vec3 home = through ? Vec3{p.wo.x, p.wo.y, -p.wo.z} : p.wo;
+                const auto other = sample.material.at({.front = p.point.front != through});
+                // u at the same place within the lobe, reflection first.
+                const auto back = other.sample(from, through ? 1 - 0x1p-24f : 0, {});
+                ASSERT_TRUE(back && back->delta) << name;
+                // The rounding of `from` grows by d(theta_out) / d(theta_in) = cos / cos times the ratio of the
+                // indices.
+                const float stretch = std::max(1.0f, from.z / home.z * (home.z < 0 ? -1 : 1) / there->eta);
+                const float bound = gamma(16) * (1 + stretch * stretch);
+                ASSERT_LE(length(back->wi - home), bound) << name;
+                // Near grazing a reflectance changes by up to 4 / cos times what the cosine does.
+                ASSERT_NEAR(back->pdf, there->pdf, bound + gamma(16) / std::min(from.z, std::abs(home.z))) << name;
+                ASSERT_NEAR(back->eta * there->eta, 1, gamma(4)) << name;
+                for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                    ASSERT_NEAR(back->weight.*channel * back->eta * back->eta,
+                                there->weight.*channel * there->eta * there->eta, rounding)
+                        << name;
+            }
+        });
+}
+
+TYPED_TEST(MaterialLaws, NothingIsNotANumberNorOnTheWrongSide)
+{
+    constexpr float tiny = 0x1p-149f;
+    for (const Sample<TypeParam>& m : samples<TypeParam>())
+        for (const bool front : {true, false})
+            for (const float z :
+                 {1.0f, 0.999999f, 0.3f, 1e-3f, 1e-7f, 1e-20f, 1e-30f, tiny, 0.0f, -0.0f, -1e-7f, -1.0f}) {
+                const auto bsdf = m.material.at({.front = front});
+                const Vec3 wo{std::sqrt(std::max(0.0f, 1 - z * z)), 0, z};
+                for_each_extreme_number([&](float u, Vec2 v) {
+                    const auto s = bsdf.sample(wo, u, v);
+                    if (z <= 0) {
+                        ASSERT_FALSE(s) << m.name << " sampled from below";
+                        return;
+                    }
+                    if (!s) return;
+                    ASSERT_TRUE(is_finite(s->wi) && is_finite(s->weight) && std::isfinite(s->eta)) << m.name << z;
+                    ASSERT_TRUE(std::isfinite(s->pdf) && s->pdf > 0 && s->eta > 0) << m.name << z;
+                    ASSERT_TRUE(m.transmits || s->wi.z > 0) << m.name << z;
+                    ASSERT_NE(s->wi.z, 0) << m.name << z;
+                    ASSERT_TRUE(s->eta == 1 || s->wi.z < 0) << m.name << z;
+                    const BsdfValue e = bsdf.eval(wo, s->wi);
+                    ASSERT_TRUE(is_finite(e.f_cos) && std::isfinite(e.pdf) && e.pdf >= 0) << m.name << z;
+                });
+                for (const float other : {1.0f, 1e-7f, 1e-20f, tiny, 0.0f, -0.0f, -1e-20f, -1.0f}) {
+                    const Vec3 wi{0, std::sqrt(std::max(0.0f, 1 - other * other)), other};
+                    const BsdfValue e = bsdf.eval(wo, wi);
+                    ASSERT_TRUE(is_finite(e.f_cos) && std::isfinite(e.pdf) && e.pdf >= 0) << m.name << z << other;
+                    if (!m.transmits && (z <= 0 || other <= 0)) {
+                        ASSERT_TRUE(is_black(e.f_cos) && e.pdf == 0) << m.name << z << other;
+                    }
+                }
+            }
+}
+
+}  // namespace
+}  // namespace lancer
