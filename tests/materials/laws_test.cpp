@@ -210,10 +210,10 @@ TYPED_TEST(MaterialLaws, DeltaLobesAreReciprocal)
                 // u at the same place within the lobe, reflection first.
                 const auto back = other.sample(from, through ? 1 - 0x1p-24f : 0, {});
                 ASSERT_TRUE(back && back->delta) << name;
-                // The rounding of `from` grows by d(theta_out) / d(theta_in) = cos / cos times the ratio of the
-                // indices.
-                const float stretch = std::max(1.0f, from.z / home.z * (home.z < 0 ? -1 : 1) / there->eta);
-                const float bound = gamma(16) * (1 + stretch * stretch);
+                // By Snell's law cos_t changes by cos_i / (cos_t eta^2) times what cos_i does; here the way back is
+                // looked at.
+                const float stretch = through ? from.z / std::abs(home.z) * (there->eta * there->eta) : 1;
+                const float bound = gamma(16) * (1 + stretch);
                 ASSERT_LE(length(back->wi - home), bound) << name;
                 // Near grazing a reflectance changes by up to 4 / cos times what the cosine does.
                 ASSERT_NEAR(back->pdf, there->pdf, bound + gamma(16) / std::min(from.z, std::abs(home.z))) << name;
