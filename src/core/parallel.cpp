@@ -53,10 +53,12 @@ thread_local unsigned thread_limit = 1;
 
 void with_threads(unsigned threads, const std::function<void()>& body)
 {
-    const unsigned before = thread_limit;
+    struct Restore {
+        unsigned before = thread_limit;
+        ~Restore() { thread_limit = before; }
+    } const restore;
     thread_limit = std::max(1u, threads);
     body();
-    thread_limit = before;
 }
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body)
@@ -102,7 +104,12 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body)
     tbb::parallel_for(
         size_t{0}, workers,
         [&](size_t) {
-            for (size_t i; (i = next.fetch_add(1)) < count;) body(i);
+            try {
+                for (size_t i; (i = next.fetch_add(1)) < count;) body(i);
+            } catch (...) {
+                next = count;  // nobody waits for the rest
+                throw;
+            }
         },
         tbb::simple_partitioner{});
 }

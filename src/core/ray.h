@@ -9,9 +9,11 @@
 namespace lancer {
 
 // Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
+// A ray does not hit where it starts: on a face in a coordinate plane (a floor at y = 0) the error bound is 0, so
+// offset_origin() leaves the origin exactly on it, and the face would be met at t = 0.
 struct Ray {
     Vec3 org;
-    float t_min = 0;
+    float t_min = std::numeric_limits<float>::min();
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
 };
@@ -22,7 +24,7 @@ inline bool is_traceable(const Ray& r)
     constexpr float limit = 1.8e18f;
     const auto ok = [](Vec3 v) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; };
     return ok(r.org) && ok(r.dir) && (r.dir.x != 0 || r.dir.y != 0 || r.dir.z != 0) && r.t_min >= 0 &&
-           r.t_max >= r.t_min;
+           r.t_min < std::numeric_limits<float>::infinity() && r.t_max >= r.t_min;
 }
 
 // Bound of the relative error of n roundings in float: n u / (1 - n u), u = 2^-24.

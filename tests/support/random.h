@@ -1,8 +1,9 @@
-// Random numbers for tests, independent of the sampler under test.
+// Random inputs for tests: always the same for the same seed, whatever the standard library.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 #include "core/vec.h"
@@ -13,26 +14,32 @@ class Random {
 public:
     explicit Random(uint64_t seed) : engine_(seed) {}
 
-    float get1() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }  // in [0, 1)
-    Vec2 get2()
+    uint64_t bits() { return engine_(); }
+    uint32_t below(uint32_t n) { return static_cast<uint32_t>((engine_() >> 32) * n >> 32); }
+    // In [0, 1), of 53 bits.
+    double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    double uniform(double a, double b) { return a + (b - a) * uniform(); }
+    // In [0, 1), of the 24 bits that samplers give.
+    float unit() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }
+    Vec2 unit2()
     {
-        const float x = get1();
-        return {x, get1()};
+        const float x = unit();
+        return {x, unit()};
     }
-    double uniform(double low, double high)
+    double sign() { return engine_() >> 63 ? 1 : -1; }
+    // Magnitude 10^[a, b), either sign.
+    double log_uniform(double a, double b) { return sign() * std::pow(10.0, uniform(a, b)); }
+    Vec3d point(double a, double b)
     {
-        return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-    }
-    Vec3d in_box(double half)
-    {
-        const double x = uniform(-half, half), y = uniform(-half, half);
-        return {x, y, uniform(-half, half)};
+        const double x = uniform(a, b), y = uniform(a, b);
+        return {x, y, uniform(a, b)};
     }
     Vec3d direction()
     {
-        const double z = uniform(-1, 1), phi = uniform(0, 2 * 3.14159265358979323846), r = std::sqrt(1 - z * z);
+        const double z = uniform(-1, 1), phi = uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
         return {r * std::cos(phi), r * std::sin(phi), z};
     }
+    Vec3 unit_vector() { return normalize(to_float(direction())); }
 
 private:
     std::mt19937_64 engine_;

@@ -45,43 +45,4 @@ inline MeshDescription triangle_mesh(Vec3d a, Vec3d b, Vec3d c, MaterialDescript
     return make_mesh(make_mesh_data({a, b, c}, {{0, 1, 2}}, std::move(material)));
 }
 
-inline SphereDescription sphere_of(Vec3d center, double radius, std::string material = {}, Location where = {})
-{
-    SphereDescription s;
-    s.where = std::move(where);
-    s.center = center;
-    s.radius = radius;
-    s.material = std::move(material);
-    return s;
-}
-inline PlaneDescription plane_of(Vec3d point, Vec3d normal, std::string material = {}, Location where = {})
-{
-    PlaneDescription p;
-    p.where = std::move(where);
-    p.point = point;
-    p.normal = normal;
-    p.material = std::move(material);
-    return p;
-}
-inline LightDescription light_of(LightType type, Color power, Vec3d position = {}, double radius = 1,
-                                 Location where = {})
-{
-    LightDescription l;
-    l.where = std::move(where);
-    l.type = type;
-    l.position = position;
-    l.radius = radius;
-    l.power = power;
-    return l;
-}
-inline LightDescription sky_of(Color radiance) { return light_of(LightType::environment, radiance); }
-inline InstanceDescription instance_of(std::string mesh, TransformDescription transform, Location where = {})
-{
-    InstanceDescription i;
-    i.where = std::move(where);
-    i.mesh = std::move(mesh);
-    i.transform = transform;
-    return i;
-}
-
 }  // namespace lancer

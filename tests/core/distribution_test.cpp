@@ -1,0 +1,68 @@
+#include "core/distribution.h"
+
+#include <gtest/gtest.h>
+
+#include "support/chi_square.h"
+#include "support/random.h"
+
+namespace lancer {
+namespace {
+
+TEST(Discrete, DrawsInProportionToTheWeights)
+{
+    const std::vector<double> weights{3, 0, 1, 0.5, 10, 0, 0, 1e-3, 7, 0};
+    const Discrete d(weights);
+    ASSERT_EQ(d.size(), weights.size());
+    constexpr int n = 1000000;
+    std::vector<uint64_t> observed(weights.size());
+    std::vector<double> expected;
+    Random random(50);
+    for (int i = 0; i < n; ++i) ++observed[d.sample(random.unit())];
+    for (uint32_t i = 0; i < weights.size(); ++i) {
+        expected.push_back(n * weights[i] / 21.501);
+        EXPECT_FLOAT_EQ(d.probability(i), static_cast<float>(weights[i] / 21.501));
+        EXPECT_EQ(observed[i] == 0, weights[i] == 0) << i;
+    }
+    EXPECT_GT(chi_square_test(observed, expected).p, 0.01);
+}
+
+TEST(Discrete, NeverDrawsAnIndexWithoutWeightAtEitherEnd)
+{
+    constexpr float last = 1 - 0x1p-24f;
+    const Discrete d({0, 0, 0.1, 0, 0.7, 0, 0});
+    EXPECT_EQ(d.sample(0), 2u);
+    EXPECT_EQ(d.sample(last), 4u);
+    const Discrete one({0, 1e-300, 0});
+    for (const float u : {0.0f, 0.5f, last}) EXPECT_EQ(one.sample(u), 1u);
+    Random random(51);
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<double> w(1 + random.below(20));
+        for (double& x : w) x = random.below(2) ? std::pow(10.0, random.uniform(-18, 18)) : 0;
+        const Discrete r(w);
+        if (r.empty()) continue;
+        for (const float u : {0.0f, 0x1p-24f, random.unit(), random.unit(), last}) ASSERT_GT(w[r.sample(u)], 0);
+    }
+}
+
+TEST(Discrete, WithoutWeightIsEmpty)
+{
+    EXPECT_TRUE(Discrete().empty());
+    EXPECT_TRUE(Discrete(std::vector<double>{}).empty());
+    EXPECT_TRUE(Discrete({0, 0, 0}).empty());
+    EXPECT_FALSE(Discrete({0, 1e-300}).empty());
+}
+
+// A sum in float stalls at 2^24 and would leave the upper half without a chance.
+TEST(Discrete, TheSumOf2To25EqualWeightsIsExact)
+{
+    constexpr uint32_t n = 1u << 25;
+    const Discrete d(std::vector<double>(n, 0.1f));
+    for (const uint32_t i : {0u, 1u, n / 2, n - 1}) EXPECT_EQ(d.probability(i), 0x1p-25f);
+    EXPECT_EQ(d.sample(0), 0u);
+    EXPECT_EQ(d.sample(0.5f), n / 2);
+    EXPECT_EQ(d.sample(0.75f), n / 4 * 3);
+    EXPECT_EQ(d.sample(1 - 0x1p-24f), n - 2);
+}
+
+}  // namespace
+}  // namespace lancer
