@@ -73,6 +73,13 @@ TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mes
     return {s.p, s.p_error, s.n, static_cast<float>(0.5 * s.double_area)};
 }
 
+Vec3 sphere_point_error(const Sphere& s, Vec3 p)
+{
+    // The centre of a wall sphere is so far away that its rounding counts even in double.
+    const Vec3d from_center = abs(s.center) + Vec3d{s.radius, s.radius, s.radius};
+    return scaled(abs(p), gamma(4)) + to_float(from_center * 0x1p-50);
+}
+
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
 {
     Surface s;
@@ -85,7 +92,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
             const Vec3d n = normalize(along() - sphere.center);
             s.p = to_float(sphere.center + n * sphere.radius);
-            s.p_error = scaled(abs(s.p), gamma(4));
+            s.p_error = sphere_point_error(sphere, s.p);
             s.n = s.ns = to_float(n);
             s.material = scene.sphere_material[hit.primitive];
             s.light = scene.sphere_light[hit.primitive];

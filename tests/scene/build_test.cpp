@@ -169,13 +169,13 @@ TEST(Build, InstancedMeshIsDrawnOnlyThroughItsInstances)
     SceneDescription d = lit_sphere();
     d.meshes.push_back(make_mesh(make_cube(), {{10, 0, 0}, {}, {1, 1, 1}}));
     d.meshes.back().name = "cube";
-    EXPECT_TRUE(Stage(d).look({4, 0, 0}, {1, 0, 0})) << "not instanced: as it stands";
+    const Stage before(d);
+    EXPECT_TRUE(before.look(before.to_scene({4, 0, 0}), {1, 0, 0})) << "not instanced: as it stands";
     d.instances.push_back(instance_of("cube", {{0, 0, 20}, {}, {1, 1, 1}}));
     const Stage stage(d);
-    const auto to_scene = [&](Vec3d p) { return to_float(stage.scene.normalisation.to_scene(p)); };
-    EXPECT_FALSE(stage.look(to_scene({4, 0, 0}), {1, 0, 0}));
+    EXPECT_FALSE(stage.look(stage.to_scene({4, 0, 0}), {1, 0, 0}));
     // The mesh's own transform first, then the instance's.
-    const auto there = stage.look(to_scene({10, 0, 0}), {0, 0, 1});
+    const auto there = stage.look(stage.to_scene({10, 0, 0}), {0, 0, 1});
     ASSERT_TRUE(there);
     const Vec3d p = stage.scene.normalisation.to_file(to_double(there->p));
     EXPECT_NEAR(p.x, 10, 1e-5);
@@ -200,8 +200,8 @@ TEST(Build, EveryInstanceOfAnEmitterIsALightOfItsOwn)
     }
     EXPECT_NEAR(total, 1, 1e-6f);
     // What is hit knows which of them it is.
-    const auto to_scene = [&](Vec3d p) { return to_float(stage.scene.normalisation.to_scene(p)); };
-    const auto one = stage.look(to_scene({0.2, 1, 0}), {0, -1, 0}), two = stage.look(to_scene({5.2, 1, 0}), {0, -1, 0});
+    const auto one = stage.look(stage.to_scene({0.2, 1, 0}), {0, -1, 0}),
+               two = stage.look(stage.to_scene({5.2, 1, 0}), {0, -1, 0});
     ASSERT_TRUE(one && two);
     EXPECT_EQ(std::get<TriangleLight>(stage.scene.lights.lights[one->light]).instance, 0u);
     EXPECT_EQ(std::get<TriangleLight>(stage.scene.lights.lights[two->light]).instance, 1u);
@@ -221,7 +221,7 @@ TEST(Build, EmittingFacesKeepTheirNumbers)
     d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(data)));
     const Stage stage(d);
     for (uint32_t i = 0; i < 4; ++i) {
-        const auto s = stage.look(to_float(stage.scene.normalisation.to_scene({2.0 * i + 0.2, 1, 0.2})), {0, -1, 0});
+        const auto s = stage.look(stage.to_scene({2.0 * i + 0.2, 1, 0.2}), {0, -1, 0});
         ASSERT_TRUE(s);
         if (i % 2 == 0) {
             EXPECT_EQ(s->light, Scene::none);

@@ -122,7 +122,7 @@ TEST(Mirrored, KeepsItsFront)
                 d.meshes[0].transform = t;
             }
             const Stage stage(d);
-            const Vec3 center = to_float(stage.scene.normalisation.to_scene({0.1, 0.2, 0.3}));
+            const Vec3 center = stage.to_scene({0.1, 0.2, 0.3});
             for (const Vec3 w : {Vec3{1, 0.1f, 0.2f}, Vec3{-0.3f, 1, 0}, Vec3{0.2f, 0.3f, -1}}) {
                 const auto outside = stage.look(center - w * 9.0f, w), inside = stage.look(center, w);
                 ASSERT_TRUE(outside && inside);

@@ -18,6 +18,8 @@ struct Stage {
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
+    Vec3 to_scene(Vec3d file) const { return lancer::to_float(scene.normalisation.to_scene(file)); }
+    // Where the ray ends, by the list.
     std::optional<Surface> look(Vec3 org, Vec3 dir) const
     {
         const Ray ray{.org = org, .dir = normalize(dir)};
