@@ -50,13 +50,14 @@ void add_environment(const V& view, const State& s, DirectLight how, Steps& step
     steps.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
-// From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by the
-// rounding of a point along so long a ray.
+// From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by that of
+// the distance at which an accelerator finds the light's own triangle: two dot products with a cross product and a
+// quotient, all in float.
 inline Ray shadow_ray(const Surface& from, const LightSample& light)
 {
     const Vec3 org = offset_origin(from.p, from.p_error, from.n, light.wi);
     if (light.infinite) return {.org = org, .dir = light.wi};
-    const float reach = length(light.point - org) * gamma(4);
+    const float reach = length(light.point - org) * gamma(16);
     const Vec3 end = offset_origin(light.point, light.p_error + Vec3{reach, reach, reach}, light.n, -light.wi);
     const Vec3 d = end - org;
     const float distance = length(d);

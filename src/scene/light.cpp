@@ -13,19 +13,20 @@ const Emission& emission_of(const Scene& scene, const TriangleLight& l)
     return scene.emission[scene.shading[l.mesh].material_of(l.triangle)];
 }
 
-std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface& from, Vec2)
+// Each samples as seen from `org`, where the shadow ray will start.
+std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface&, Vec3 org, Vec2)
 {
-    const Vec3 d = light.position - from.p;
+    const Vec3 d = light.position - org;
     const float d2 = dot(d, d);
     if (!(d2 > 0)) return {};
     return LightSample{
         .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
 }
 
-std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface& from, Vec2 u)
+std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const TrianglePoint q = triangle_point(scene, light.instance, light.mesh, light.triangle, square_to_triangle(u));
-    const Vec3 d = q.p - from.p;
+    const Vec3 d = q.p - org;
     const float d2 = dot(d, d);
     if (!(d2 > 0)) return {};
     const Vec3 wi = d / std::sqrt(d2);
@@ -42,17 +43,17 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
 
 // Uniform in the cone under which the sphere is seen (Physically Based Rendering, 4th ed., section 6.2.4), in double
 // and with 1 - cos free of cancellation, so that it holds for any distance; from inside, uniform over the area.
-std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface& from, Vec2 u)
+std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Emission& emission = scene.emission[scene.sphere_material[light.sphere]];
-    const Vec3d p = to_double(from.p), to_center = s.center - p;
+    const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
         const Vec3 point = to_float(s.center + n * s.radius);
         return LightSample{.wi = wi,
                            .point = point,
-                           .p_error = abs(point) * gamma(4),
+                           .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
                            .radiance = emission.radiance,
                            .pdf = pdf};
@@ -77,7 +78,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
 }
 
 // A constant sky: by the cosine at the surface, which is all that varies.
-std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec2 u)
+std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
     const Vec3 local = square_to_cosine_hemisphere(u);
     const float pdf = pdf_cosine_hemisphere(local.z);
@@ -93,7 +94,10 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     const LightTable& table = scene.lights;
     if (table.pick.empty()) return {};
     const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(pick);
-    auto s = std::visit([&](const auto& light) { return sample(scene, light, from, u); }, table.lights[id]);
+    // Where every ray on this side starts: the density that pdf_light() finds for such a ray is then the same. From
+    // from.p itself the two could disagree even on which side of a sphere they are.
+    const Vec3 org = offset_origin(from.p, from.p_error, from.n, from.n);
+    auto s = std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
     if (s) s->pdf *= table.pick.probability(id);
     return s;
 }

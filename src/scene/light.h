@@ -43,14 +43,15 @@ struct LightSample {
     bool delta = false;  // no BSDF sample can meet it
 };
 
-// A light chosen by power and a point on it, as seen from the surface. Nothing if it cannot send light there.
+// A light chosen by power and a point on it, as seen from where rays leave the surface on the side of from.n. Nothing
+// if it cannot send light there.
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
 
 // Density, per solid angle at `from`, with which sample_light() would have found the emitter at `at`, hit along wi
-// (unit) at distance t; 0 if it is in no list of lights. normal: the shading normal at `from`.
+// (unit); 0 if it is in no list of lights. from: the origin of the ray that hit it.
 float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at);
 
-// The same for a ray that left the scene.
+// The same for a ray that left the scene. normal: the shading normal where it started.
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi);
 
 }  // namespace lancer

@@ -113,13 +113,16 @@ private:
         for (const auto& m : d_.materials) by_name_.emplace(m.name, add_material(m));
         used_.resize(d_.materials.size());
     }
-    // The id of a named material; an empty name is the default grey.
+    uint32_t default_material()
+    {
+        if (default_material_ == Scene::none) default_material_ = add_material({.name = "default", .where = {}});
+        return default_material_;
+    }
+    // The id of a named material; an empty name is the default grey, as is an unknown one, so that building goes on to
+    // find what else is wrong.
     uint32_t material(const std::string& name, const Location& where)
     {
-        if (name.empty()) {
-            if (default_material_ == Scene::none) default_material_ = add_material({.name = "default", .where = {}});
-            return default_material_;
-        }
+        if (name.empty()) return default_material();
         if (const auto it = by_name_.find(name); it != by_name_.end()) {
             if (it->second < used_.size()) used_[it->second] = true;
             return it->second;
@@ -127,7 +130,7 @@ private:
         std::vector<std::string> known;
         for (const auto& m : d_.materials) known.push_back(m.name);
         diagnostics_.error(where, "unknown material '" + name + "'" + suggestion(name, known));
-        return 0;
+        return default_material();
     }
 
     void check_near(Vec3d p, const Location& where, const char* what)

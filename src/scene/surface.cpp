@@ -85,6 +85,11 @@ TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mes
     return {s.p, s.p_error, s.n, static_cast<float>(0.5 * s.double_area)};
 }
 
+Vec3 sphere_point_error(const Sphere& s, Vec3 p)
+{
+    return scaled(abs(p), gamma(4)) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
+}
+
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
 {
     Surface s;
@@ -97,8 +102,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
             const Vec3d n = normalize(along() - sphere.center);
             s.p = to_float(sphere.center + n * sphere.radius);
-            s.p_error = scaled(abs(s.p), gamma(4)) +
-                        rounding_in_double(static_cast<float>(max_component(abs(sphere.center)) + sphere.radius));
+            s.p_error = sphere_point_error(sphere, s.p);
             s.n = s.ns = to_float(n);
             s.material = scene.sphere_material[hit.primitive];
             s.light = scene.sphere_light[hit.primitive];

@@ -21,6 +21,9 @@ struct Surface {
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
 
+// Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
+Vec3 sphere_point_error(const Sphere& sphere, Vec3 p);
+
 // A point of a triangle and what light sampling needs to know there.
 struct TrianglePoint {
     Vec3 p, p_error, n;  // n: geometric, unit, on the front side

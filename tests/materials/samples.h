@@ -40,7 +40,7 @@ inline std::vector<Sample<Glass>> samples<Glass>()
             {"nothing", {white, 1}, true, true},
             {"almost nothing", {white, 1.0001f}, true, true},
             {"diamond", {white, 2.42f}, true, true},
-            {"heavy", {white, 1000}, true, true},
+            {"germanium", {white, 4}, true, true},
             {"green", {{0.2f, 0.9f, 0.4f}, 1.6f}, false, true}};
 }
 

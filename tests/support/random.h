@@ -1,16 +1,9 @@
-<<<<<<< HEAD
-// Random numbers for tests, independent of the sampler under test.
-=======
 // Random inputs for tests: always the same for the same seed, whatever the standard library.
->>>>>>> w-unit
 #pragma once
 
 #include <cmath>
 #include <cstdint>
-<<<<<<< HEAD
-=======
 #include <numbers>
->>>>>>> w-unit
 #include <random>
 
 #include "core/vec.h"
@@ -21,28 +14,6 @@ class Random {
 public:
     explicit Random(uint64_t seed) : engine_(seed) {}
 
-<<<<<<< HEAD
-    float get1() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }  // in [0, 1)
-    Vec2 get2()
-    {
-        const float x = get1();
-        return {x, get1()};
-    }
-    double uniform(double low, double high)
-    {
-        return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-    }
-    Vec3d in_box(double half)
-    {
-        const double x = uniform(-half, half), y = uniform(-half, half);
-        return {x, y, uniform(-half, half)};
-    }
-    Vec3d direction()
-    {
-        const double z = uniform(-1, 1), phi = uniform(0, 2 * 3.14159265358979323846), r = std::sqrt(1 - z * z);
-        return {r * std::cos(phi), r * std::sin(phi), z};
-    }
-=======
     uint64_t bits() { return engine_(); }
     uint32_t below(uint32_t n) { return static_cast<uint32_t>((engine_() >> 32) * n >> 32); }
     // In [0, 1), of 53 bits.
@@ -69,7 +40,6 @@ public:
         return {r * std::cos(phi), r * std::sin(phi), z};
     }
     Vec3 unit_vector() { return normalize(to_float(direction())); }
->>>>>>> w-unit
 
 private:
     std::mt19937_64 engine_;

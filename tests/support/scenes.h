@@ -99,6 +99,46 @@ inline CameraDescription make_camera(Vec3d position, Vec3d target, double fov_de
     return c;
 }
 
+// Built field by field: g++ 12 takes the strings of aggregates in temporaries for uninitialised.
+inline SphereDescription sphere_of(Vec3d center, double radius, std::string material = {}, Location where = {})
+{
+    SphereDescription s;
+    s.where = std::move(where);
+    s.center = center;
+    s.radius = radius;
+    s.material = std::move(material);
+    return s;
+}
+inline PlaneDescription plane_of(Vec3d point, Vec3d normal, std::string material = {}, Location where = {})
+{
+    PlaneDescription p;
+    p.where = std::move(where);
+    p.point = point;
+    p.normal = normal;
+    p.material = std::move(material);
+    return p;
+}
+inline LightDescription light_of(LightType type, Color power, Vec3d position = {}, double radius = 1,
+                                 Location where = {})
+{
+    LightDescription l;
+    l.where = std::move(where);
+    l.type = type;
+    l.position = position;
+    l.radius = radius;
+    l.power = power;
+    return l;
+}
+inline LightDescription sky_of(Color radiance) { return light_of(LightType::environment, radiance); }
+inline InstanceDescription instance_of(std::string mesh, TransformDescription transform, Location where = {})
+{
+    InstanceDescription i;
+    i.where = std::move(where);
+    i.mesh = std::move(mesh);
+    i.transform = transform;
+    return i;
+}
+
 // A box open to the front with coloured walls, two blocks and a quad light of two triangles: meshes only, all diffuse.
 inline SceneDescription cornell_scene()
 {
@@ -132,13 +172,12 @@ inline SceneDescription spheres_scene()
                    make_lambert("red", {0.7f, 0.2f, 0.1f}),
                    {.name = "mirror", .where = {}, .type = MaterialType::mirror, .base_color = {0.9f, 0.9f, 0.9f}},
                    {.name = "glass", .where = {}, .type = MaterialType::glass, .base_color = {1, 1, 1}, .ior = 1.5f}};
-    d.planes.push_back({.where = {}, .point = {0, -0.5, 0}, .normal = {0, 1, 0}, .material = "floor"});
-    d.spheres.push_back({.where = {}, .center = {-1.05, 0, 0}, .radius = 0.5, .material = "mirror"});
-    d.spheres.push_back({.where = {}, .center = {0, 0, 0.2}, .radius = 0.5, .material = "glass"});
-    d.spheres.push_back({.where = {}, .center = {1.05, 0, -0.1}, .radius = 0.5, .material = "red"});
-    d.lights.push_back(
-        {.where = {}, .type = LightType::sphere, .position = {-0.5, 2.5, 1.5}, .radius = 0.4, .power = {9, 9, 8}});
-    d.lights.push_back({.where = {}, .type = LightType::environment, .power = {0.2f, 0.25f, 0.3f}});
+    d.planes.push_back(plane_of({0, -0.5, 0}, {0, 1, 0}, "floor"));
+    d.spheres.push_back(sphere_of({-1.05, 0, 0}, 0.5, "mirror"));
+    d.spheres.push_back(sphere_of({0, 0, 0.2}, 0.5, "glass"));
+    d.spheres.push_back(sphere_of({1.05, 0, -0.1}, 0.5, "red"));
+    d.lights.push_back(light_of(LightType::sphere, {9, 9, 8}, {-0.5, 2.5, 1.5}, 0.4));
+    d.lights.push_back(sky_of({0.2f, 0.25f, 0.3f}));
     d.camera = make_camera({0.3, 0.8, 4}, {0, 0, 0}, 40);
     d.camera->type = CameraType::thin_lens;
     d.camera->aperture = 0.04;
@@ -155,10 +194,9 @@ inline SceneDescription lights_scene()
                                  {{0, 0, 0}, {30, 0, 0}, {0.7, 0.7, 0.7}}));
     d.meshes.push_back(make_mesh(
         make_quad({1.2, 0, -0.3}, {1.2, 0, 0.3}, {1.2, 0.6, 0.3}, {1.2, 0.6, -0.3}, make_emitter("panel", {4, 2, 1}))));
-    d.lights.push_back({.where = {}, .type = LightType::point, .position = {-1.5, 2, 1.5}, .power = {6, 6, 6}});
-    d.lights.push_back(
-        {.where = {}, .type = LightType::sphere, .position = {1.5, 2, 1}, .radius = 0.2, .power = {10, 12, 14}});
-    d.lights.push_back({.where = {}, .type = LightType::environment, .power = {0.1f, 0.1f, 0.15f}});
+    d.lights.push_back(light_of(LightType::point, {6, 6, 6}, {-1.5, 2, 1.5}));
+    d.lights.push_back(light_of(LightType::sphere, {10, 12, 14}, {1.5, 2, 1}, 0.2));
+    d.lights.push_back(sky_of({0.1f, 0.1f, 0.15f}));
     d.camera = make_camera({0, 1, 4}, {0, -0.1, 0}, 40);
     return d;
 }
@@ -168,7 +206,7 @@ inline SceneDescription instances_scene()
 {
     SceneDescription d;
     d.materials = {make_lambert("floor", {0.5f, 0.5f, 0.5f})};
-    d.planes.push_back({.where = {}, .point = {0, -0.6, 0}, .normal = {0, 1, 0}, .material = "floor"});
+    d.planes.push_back(plane_of({0, -0.6, 0}, {0, 1, 0}, "floor"));
     MeshDescription bumpy = make_mesh(make_uv_sphere(12, 24, 0.1, make_lambert("bumpy", {0.7f, 0.6f, 0.3f})));
     bumpy.name = "bumpy";
     d.meshes.push_back(std::move(bumpy));
@@ -177,7 +215,7 @@ inline SceneDescription instances_scene()
     lamp.name = "lamp";
     d.meshes.push_back(std::move(lamp));
     const auto place = [&](const char* mesh, Vec3d translate, Vec3d rotate_deg, Vec3d scale) {
-        d.instances.push_back({.where = {}, .mesh = mesh, .transform = {translate, rotate_deg, scale}});
+        d.instances.push_back(instance_of(mesh, {translate, rotate_deg, scale}));
     };
     place("bumpy", {-1.2, 0, 0}, {0, 0, 0}, {0.4, 0.4, 0.4});
     place("bumpy", {-0.4, 0, 0.3}, {30, 45, 60}, {0.3, 0.5, 0.2});

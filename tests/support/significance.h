@@ -1,42 +1,19 @@
-// When is a statistical test red: p-values, and Sidak's correction for the many tests of one family.
-// Formulas: Abramowitz and Stegun, "Handbook of Mathematical Functions", sections 6.5 and 26.5.
+// When are means different, and when is a family of many statistical tests red.
+// Formulas: Abramowitz and Stegun, "Handbook of Mathematical Functions", section 26.5.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
-#include <vector>
+
+#include "support/chi_square.h"
 
 namespace lancer::stats {
 
 // Two-sided, of a standard normal variable.
 inline double normal_p(double z) { return std::erfc(std::abs(z) * std::sqrt(0.5)); }
-
-// Q(a, x) = Gamma(a, x) / Gamma(a).
-inline double upper_gamma(double a, double x)
-{
-    if (x <= 0) return 1;
-    const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
-    if (x < a + 1) {
-        double term = 1 / a, sum = term;
-        for (double n = a + 1; term > sum * 1e-16; ++n) sum += term *= x / n;
-        return 1 - front * sum;
-    }
-    // Continued fraction by Lentz' method.
-    double b = x + 1 - a, c = 1e300, d = 1 / b, h = d;
-    for (int i = 1; i < 10000; ++i) {
-        const double an = -i * (i - a);
-        b += 2;
-        d = 1 / (an * d + b);
-        c = b + an / c;
-        h *= c * d;
-        if (std::abs(c * d - 1) < 1e-15) break;
-    }
-    return front * h;
-}
 
 // Regularised incomplete beta function, by its continued fraction.
 inline double incomplete_beta(double a, double b, double x)
@@ -61,31 +38,6 @@ inline double incomplete_beta(double a, double b, double x)
 inline double student_p(double t, double freedom)
 {
     return incomplete_beta(freedom / 2, 0.5, freedom / (freedom + t * t));
-}
-
-// Pearson's test. Cells that expect less than 5 are pooled; what cannot happen must not.
-inline double chi_square_p(std::span<const double> observed, std::span<const double> expected)
-{
-    double statistic = 0, pool_observed = 0, pool_expected = 0;
-    int cells = 0;
-    const auto cell = [&](double o, double e) {
-        statistic += (o - e) * (o - e) / e;
-        ++cells;
-    };
-    for (size_t i = 0; i < observed.size(); ++i) {
-        if (expected[i] < 1e-9 && observed[i] > 0) return 0;
-        if (expected[i] < 5) {
-            pool_observed += observed[i];
-            pool_expected += expected[i];
-        } else {
-            cell(observed[i], expected[i]);
-        }
-    }
-    if (pool_expected >= 5) cell(pool_observed, pool_expected);
-    // Too little to be a cell: the count is nearly Poisson.
-    else if (pool_observed > pool_expected + 10 + 5 * std::sqrt(pool_expected))
-        return 0;
-    return cells < 2 ? (statistic < 1 ? 1 : 0) : upper_gamma(0.5 * (cells - 1), 0.5 * statistic);
 }
 
 // Mean and variance of numbers as they come (Welford).
@@ -134,7 +86,7 @@ public:
     ~Family()
     {
         EXPECT_GT(count_, 0u) << "nothing was tested";
-        const double threshold = -std::expm1(std::log1p(-alpha_) / std::max<double>(1, static_cast<double>(count_)));
+        const double threshold = sidak(alpha_, std::max<size_t>(1, count_));
         EXPECT_GE(least_, threshold) << what_ << ", the least of " << count_;
     }
     Family(const Family&) = delete;

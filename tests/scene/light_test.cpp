@@ -1,0 +1,244 @@
+// What lights send to a place, against closed forms; and that nothing but other things stands between.
+#include <gtest/gtest.h>
+
+#include "integrators/transport.h"
+#include "support/random.h"
+#include "support/significance.h"
+#include "support/stage.h"
+
+namespace lancer {
+namespace {
+
+// Irradiance at a place by light sampling, without occlusion: the mean over a jittered grid.
+stats::Tally irradiance(const Scene& scene, const Surface& from, int side, Random& random)
+{
+    stats::Tally sum;
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j) {
+            const auto jitter = [&](int k) {
+                return std::min(1 - 0x1p-24f, (static_cast<float>(k) + random.unit()) / static_cast<float>(side));
+            };
+            const float u = jitter(i);
+            const auto s = sample_light(scene, from, random.unit(), {u, jitter(j)});
+            sum.add(s ? static_cast<double>(s->radiance.r * std::max(0.0f, dot(s->wi, from.n)) / s->pdf) : 0);
+        }
+    return sum;
+}
+
+Scene sphere_at(double distance, double radius)
+{
+    SceneDescription d;
+    d.lights.push_back(light_of(LightType::sphere, {2, 2, 2}, {0, distance, 0}, radius));
+    d.spheres.push_back(sphere_of({0, 0, 0}, distance / 1024));  // keeps the origin in the scene's frame
+    return build_scene(d);
+}
+
+// E = pi L (r / d)^2 for a place that faces the centre, from all but touching to a speck.
+TEST(SphereLight, IrradianceIsThatOfItsSolidAngle)
+{
+    for (const double ratio : {1.0001, 1.1, 2.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6}) {
+        const Scene scene = sphere_at(ratio, 1);
+        const Surface from = receiver(to_float(scene.normalisation.to_scene({0, 0, 0})), {0, 1, 0});
+        Random random(1);
+        const stats::Tally e = irradiance(scene, from, 512, random);
+        const double expected = std::numbers::pi * 2 / (ratio * ratio);
+        EXPECT_NEAR(e.mean / expected, 1, std::max(1e-5, 4 * e.error() / expected)) << ratio;
+        EXPECT_LE(e.error() / expected, 2e-3) << ratio << ": too noisy to tell";
+    }
+}
+
+// All of the sampled points are on the near side, where nothing of the sphere itself is in the way.
+TEST(SphereLight, SampledPointsAreSeen)
+{
+    for (const double ratio : {1.0001, 1.1, 2.0, 10.0, 1e2, 1e4, 1e6}) {
+        SceneDescription d;
+        const Vec3d w = normalize(Vec3d{0.3, 0.9, -0.4});
+        d.lights.push_back(light_of(LightType::sphere, {2, 2, 2}, w * ratio, 1));
+        d.meshes.push_back(triangle_mesh(w * 1e-3, w * 1e-3 + Vec3d{1e-3, 0, 0}, w * 1e-3 + Vec3d{0, 0, 1e-3}, {}));
+        d.meshes[0].data = triangle_mesh({0, -1, 0}, {1e-3, -1, 0}, {0, -1, 1e-3}, {}).data;
+        const Stage stage(d);
+        const Surface from = receiver(stage.to_scene({0, 0, 0}), to_float(w));
+        const Vec3d center = stage.scene.geometry.spheres[0].center;
+        Random random(2);
+        int hidden = 0, far_side = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const float u = i % 100 ? random.unit() : 1 - 0x1p-24f;  // the very rim, too
+            const auto s = sample_light(stage.scene, from, 0, {u, random.unit()});
+            ASSERT_TRUE(s) << ratio;
+            ASSERT_TRUE(std::isfinite(s->pdf) && s->pdf > 0) << ratio;
+            ASSERT_NEAR(length(to_double(s->point) - center) / stage.scene.geometry.spheres[0].radius, 1,
+                        2e-7 * std::max(1.0, ratio));
+            // The near side is where the normal points this way; a point has the rounding of its coordinates.
+            far_side += dot(to_double(s->n), normalize(to_double(s->point) - to_double(from.p))) > 1e-6 * ratio;
+            if (dot(s->wi, from.n) <= 0) continue;
+            const Ray shadow = shadow_ray(from, *s);
+            ASSERT_TRUE(is_traceable(shadow)) << ratio;
+            hidden += stage.list.any(shadow) + stage.embree->any(shadow);
+        }
+        EXPECT_EQ(hidden, 0) << ratio;
+        EXPECT_EQ(far_side, 0) << ratio;
+    }
+}
+
+TEST(SphereLight, IsDarkInside)
+{
+    SceneDescription d;
+    d.lights.push_back(light_of(LightType::sphere, {2, 2, 2}, {0, 0, 0}, 1));
+    const Stage stage(d);
+    const Surface from = receiver({0.1f, 0.2f, 0}, {0, 1, 0});
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(sample_light(stage.scene, from, 0, {static_cast<float>(i) / 100, 0.3f}));
+    EXPECT_TRUE(is_black(stage.scene.emission[stage.scene.sphere_material[0]].towards(false)));
+}
+
+// Lambert's formula: E = L / 2 times the sum over the edges of their angle seen from the place, times the cosine
+// between the normal and that of the plane through the edge.
+double lambert(Vec3d p, Vec3d n, std::array<Vec3d, 3> corner)
+{
+    double sum = 0;
+    for (Vec3d& c : corner) c = normalize(c - p);
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3d a = corner[i], b = corner[(i + 1) % 3], x = cross(a, b);
+        sum += std::atan2(length(x), dot(a, b)) * dot(normalize(x), n);
+    }
+    return 0.5 * std::abs(sum);
+}
+
+TEST(TriangleLight, IrradianceIsLambertsFormula)
+{
+    stats::Family family;
+    Random random(3);
+    for (int i = 0; i < 40; ++i) {
+        // Above the horizon of the place; from near to far, turned any way, slivers too.
+        const double height = i % 4 == 0 ? 0.05 : i % 4 == 1 ? 1 : i % 4 == 2 ? 5 : 100;
+        std::array<Vec3d, 3> corner;
+        for (Vec3d& c : corner) c = Vec3d{0, height * 1.5, 0} + random.point(-1, 1) * std::min(1.0, height);
+        if (i % 5 == 0) corner[2] = corner[0] * 0.501 + corner[1] * 0.499 + Vec3d{0, 1e-3 * height, 0};
+        MaterialDescription lamp = make_emitter("lamp", {2, 2, 2});
+        lamp.emission_both_sides = true;
+        SceneDescription d;
+        d.meshes.push_back(triangle_mesh(corner[0], corner[1], corner[2], lamp));
+        if (i % 2) {
+            d.meshes[0].name = "t";
+            d.instances.push_back(instance_of("t", {{0.1, 0.2, 0.3}, {0, 0, 0}, {1, 1, 1}}));
+            for (Vec3d& c : corner) c += Vec3d{0.1, 0.2, 0.3};
+        }
+        d.spheres.push_back(sphere_of({0, 0, 0}, 0.01 * height));
+        const Scene scene = build_scene(d);
+        const Surface from = receiver(to_float(scene.normalisation.to_scene({0, 0, 0})), {0, 1, 0});
+        const stats::Tally e = irradiance(scene, from, 128, random);
+        // A triangle's corners are stored in float: what that does to its area.
+        family.add(stats::mean_p(e, 2 * lambert({0, 0, 0}, {0, 1, 0}, corner), i % 5 == 0 ? 1e-3 : 1e-5),
+                   "triangle " + std::to_string(i));
+    }
+}
+
+TEST(TriangleLight, SampledPointsAreSeen)
+{
+    for (const double distance : {1e-3, 0.1, 1.0, 100.0, 1e5})
+        for (const bool instanced : {false, true}) {
+            MaterialDescription lamp = make_emitter("lamp", {2, 2, 2});
+            lamp.emission_both_sides = true;
+            SceneDescription d;
+            d.meshes.push_back(triangle_mesh({-0.5, 0.1, -0.3}, {0.6, 0, -0.4}, {0.1, 0.05, 0.7}, lamp));
+            if (instanced) {
+                d.meshes[0].name = "t";
+                d.instances.push_back(instance_of("t", {{0.2, 0.1, 0.3}, {20, 30, 40}, {2, -0.7, 0.5}}));
+            }
+            const Stage stage(d);
+            Random random(4);
+            int hidden = 0, tried = 0;
+            for (int i = 0; i < 50000; ++i) {
+                const Vec3d at = random.direction() * (1 + distance);
+                const Vec3 p = stage.to_scene(instanced ? at + Vec3d{0.2, 0.1, 0.3} : at);
+                const Surface from = receiver(p, -to_float(normalize(at)));
+                const auto s = sample_light(stage.scene, from, random.unit(), random.unit2());
+                if (!s || dot(s->wi, from.n) <= 0) continue;
+                // A point whose own rounding is larger than its distance from the plane of the triangle is in it.
+                if (std::abs(dot(s->wi, s->n)) < 1e-3f) continue;
+                ++tried;
+                const Ray shadow = shadow_ray(from, *s);
+                hidden += stage.list.any(shadow) + stage.embree->any(shadow);
+            }
+            EXPECT_EQ(hidden, 0) << distance << instanced << ", of " << tried;
+            EXPECT_GT(tried, 20000) << distance;
+        }
+}
+
+TEST(TriangleLight, EmitsFromItsFrontOrFromBothSides)
+{
+    for (const bool both : {false, true}) {
+        MaterialDescription lamp = make_emitter("lamp", {2, 2, 2});
+        lamp.emission_both_sides = both;
+        SceneDescription d;
+        d.meshes.push_back(triangle_mesh({0, 0, 1}, {1, 0, -1}, {-1, 0, -1}, lamp));
+        const Scene scene = build_scene(d);
+        const Vec2 u{0.3f, 0.4f};
+        const auto front = sample_light(scene, receiver({0, 1, 0}, {0, -1, 0}), 0, u);
+        ASSERT_TRUE(front);
+        EXPECT_EQ(front->radiance, (Color{2, 2, 2}));
+        EXPECT_EQ(sample_light(scene, receiver({0, -1, 0}, {0, 1, 0}), 0, u).has_value(), both);
+        // In its own plane it is not seen at all.
+        EXPECT_FALSE(sample_light(scene, receiver({5, 0, 0}, {-1, 0, 0}), 0, u));
+    }
+}
+
+TEST(PointLight, IntensityOverDistanceSquared)
+{
+    SceneDescription d;
+    d.spheres.push_back(sphere_of({0, 0, 0}, 3));
+    d.lights.push_back(light_of(LightType::point, {1, 10, 100}, {0, 20, 0}));
+    const Scene scene = build_scene(d);
+    const auto s =
+        sample_light(scene, receiver(to_float(scene.normalisation.to_scene({0, 4, 0})), {0, 1, 0}), 0.7f, {});
+    ASSERT_TRUE(s);
+    EXPECT_TRUE(s->delta);
+    EXPECT_EQ(s->pdf, 1);
+    EXPECT_LE(length(s->wi - Vec3{0, 1, 0}), 1e-6f);
+    EXPECT_NEAR(s->radiance.r, 1 / 256.0, 1e-6 / 256);
+    EXPECT_NEAR(s->radiance.b, 100 / 256.0, 1e-4 / 256);
+}
+
+// How often each light is chosen is its share of the power, and what sample_light() divides by.
+TEST(Lights, AreChosenByPower)
+{
+    SceneDescription d;
+    d.lights = {light_of(LightType::point, {1, 1, 1}, {0, 3, 0}),
+                light_of(LightType::sphere, {0.5f, 0.5f, 0.5f}, {2, 0, 0}, 0.5),
+                light_of(LightType::point, {1e-3f, 1e-3f, 1e-3f}, {0, -3, 0})};
+    MaterialDescription lamp = make_emitter("lamp", {0.3f, 0.3f, 0.3f});
+    d.meshes.push_back(triangle_mesh({0, 0, -2}, {2, 0, -2}, {0, 2, -2}, lamp));
+    lamp.emission_both_sides = true;
+    d.meshes.push_back(triangle_mesh({0, 0, 2}, {2, 0, 2}, {0, 2, 2}, lamp));
+    const Scene scene = build_scene(d);
+    ASSERT_EQ(scene.lights.lights.size(), 5u);
+    // Powers in file units: point 4 pi I, sphere 4 pi r^2 pi L, triangle A pi L.
+    const double pi_d = std::numbers::pi;
+    double total = 0;
+    std::vector<double> power;
+    for (const Light& l : scene.lights.lights) {
+        if (const auto* p = std::get_if<PointLight>(&l)) {
+            power.push_back(4 * pi_d * (p->position.y > 0 ? 1 : 1e-3));
+        } else if (std::holds_alternative<SphereLight>(l)) {
+            power.push_back(4 * pi_d * 0.25 * pi_d * 0.5);
+        } else {
+            power.push_back(2 * pi_d * 0.3 * (std::get<TriangleLight>(l).mesh == 1 ? 2 : 1));
+        }
+        total += power.back();
+    }
+    std::vector<uint64_t> count(5);
+    std::vector<double> expected;
+    for (uint32_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(scene.lights.pick.probability(i), power[i] / total, 1e-6);
+        expected.push_back(1e6 * power[i] / total);
+    }
+    Random random(5);
+    for (int i = 0; i < 1000000; ++i) ++count[scene.lights.pick.sample(random.unit())];
+    EXPECT_GT(chi_square_test(count, expected).p, 0.01);
+    // The choice is in the density.
+    const auto s = sample_light(scene, receiver({0, 0, 0}, {0, 1, 0}), 0, {});
+    ASSERT_TRUE(s && s->delta);
+    EXPECT_EQ(s->pdf, scene.lights.pick.probability(0));
+}
+
+}  // namespace
+}  // namespace lancer
