@@ -13,7 +13,7 @@ constexpr double settling = 2;  // seconds before the time left is more than a g
 
 std::string to_clock(double seconds)
 {
-    const auto s = static_cast<uint64_t>(seconds + 0.5);
+    const auto s = std::llround(seconds);
     if (s < 3600) return format_text("%d:%02d", static_cast<int>(s / 60), static_cast<int>(s % 60));
     return format_text("%d:%02d:%02d", static_cast<int>(s / 3600), static_cast<int>(s / 60 % 60),
                        static_cast<int>(s % 60));
