@@ -59,7 +59,7 @@ std::optional<std::string> nearest(std::string_view wrong, const Names& known)
 // A name from a file as a message can show it: one line, no longer than a line, and no commands to the terminal.
 inline std::string on_one_line(std::string_view name)
 {
-    constexpr size_t longest = 80;
+    constexpr size_t longest = 200;  // room for a path
     std::string text(name.substr(0, longest));
     for (char& c : text) c = std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
     return name.size() > longest ? text + "..." : text;

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace lancer {
+
+// How the numbers of an integer picture are meant: colours for the eye, or plain data (roughness, bump, normals).
+enum class Encoding { srgb, linear };
 
 inline double linear_from_srgb(double encoded)
 {
@@ -12,6 +17,17 @@ inline double linear_from_srgb(double encoded)
 inline double srgb_from_linear(double linear)
 {
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+// The linear value of each of `steps` integers, 0 to 1; 256 or 65536 are the common numbers.
+inline std::vector<float> make_linear_table(Encoding encoding, size_t steps)
+{
+    std::vector<float> table(steps);
+    for (size_t i = 0; i < steps; ++i) {
+        const double v = static_cast<double>(i) / static_cast<double>(steps - 1);
+        table[i] = static_cast<float>(encoding == Encoding::srgb ? linear_from_srgb(v) : v);
+    }
+    return table;
 }
 
 }  // namespace lancer

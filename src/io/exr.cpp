@@ -168,7 +168,7 @@ Image read_part(const InputFile& file, Imf::MultiPartInputFile& parts)
 
 void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, const ExrOptions& options)
 {
-    if (image.data.empty() || image.display.empty()) {
+    if (image.data.empty() || image.display.empty() || image.pixels.size() != image.data.area()) {
         throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
     }
     const bool as_half = options.half && fits_half(image);

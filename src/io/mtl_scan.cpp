@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/names.h"
 #include "io/text_file.h"
 
 namespace lancer {
@@ -140,8 +141,8 @@ MtlScan scan_mtl(std::string_view text, const std::string& file, Diagnostics& di
         const Location where{file, lines.number(), 0};
         if (key.empty() || key[0] == '#') continue;
         if (key == "newmtl") {
+            scan.materials.push_back({std::string(name_argument(arguments)), lines.number(), scan.text.size()});
             scan.text += "newmtl " + std::to_string(scan.materials.size()) + '\n';
-            scan.materials.push_back({std::string(name_argument(arguments)), lines.number()});
         } else if (scan.materials.empty()) {
             if (strays++ == 0) first_stray = lines.number();
         } else if (key == "Kd" || key == "Ke") {

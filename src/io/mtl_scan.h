@@ -15,6 +15,7 @@ namespace lancer {
 struct MtlEntry {
     std::string name;
     uint32_t line = 0;
+    size_t begin = 0;                   // of its part of MtlScan::text
     uint32_t kd_line = 0, ke_line = 0;  // 0: not given, or not usable and warned about
 };
 

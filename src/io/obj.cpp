@@ -9,6 +9,8 @@
 #include <limits>
 #include <sstream>
 
+#include "core/hash.h"
+#include "core/names.h"
 #include "io/mtl_scan.h"
 #include "io/obj_scan.h"
 #include "io/triangulate.h"
@@ -59,19 +61,18 @@ public:
     void add_file(const std::string& path, std::string_view text, Diagnostics& diagnostics)
     {
         const MtlScan scan = scan_mtl(text, path, diagnostics);
-        if (scan.materials.empty()) return;
-        std::map<std::string, int> index;
-        std::vector<tinyobj::material_t> values;
-        std::istringstream stream(scan.text);
-        std::string warnings, errors;
-        tinyobj::LoadMtl(&index, &values, &stream, &warnings, &errors);
-        for (size_t i = 0; i < std::min(values.size(), scan.materials.size()); ++i) {
-            const MtlEntry& entry = scan.materials[i];
-            if (!index_.try_emplace(entry.name, static_cast<uint32_t>(materials_.size())).second) {
-                diagnostics.warning({path, entry.line, 0}, "material of this name exists already; the first is used");
-                continue;
+        constexpr size_t at_once = 1000;  // the parser's materials take kilobytes each
+        for (size_t begin = 0; begin < scan.materials.size(); begin += at_once) {
+            const size_t end = std::min(begin + at_once, scan.materials.size());
+            const std::vector<tinyobj::material_t> values = parse(scan, begin, end);
+            for (size_t i = 0; i < std::min(values.size(), end - begin); ++i) {
+                const MtlEntry& entry = scan.materials[begin + i];
+                if (index_.try_emplace(entry.name, static_cast<uint32_t>(materials_.size())).second)
+                    materials_.push_back(describe_material(entry, values[i], path, diagnostics));
+                else
+                    diagnostics.warning({path, entry.line, 0},
+                                        "material of this name exists already; the first is used");
             }
-            materials_.push_back(describe_material(entry, values[i], path, diagnostics));
         }
     }
     const MaterialDescription* find(const std::string& name) const
@@ -81,6 +82,18 @@ public:
     }
 
 private:
+    static std::vector<tinyobj::material_t> parse(const MtlScan& scan, size_t begin, size_t end)
+    {
+        const size_t from = scan.materials[begin].begin;
+        const size_t to = end == scan.materials.size() ? scan.text.size() : scan.materials[end].begin;
+        std::istringstream stream(scan.text.substr(from, to - from));
+        std::map<std::string, int> index;
+        std::vector<tinyobj::material_t> values;
+        std::string warnings, errors;
+        tinyobj::LoadMtl(&index, &values, &stream, &warnings, &errors);
+        return values;
+    }
+
     std::map<std::string, uint32_t, std::less<>> index_;
     std::vector<MaterialDescription> materials_;
 };
@@ -327,7 +340,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
 
     auto mesh = std::make_shared<MeshData>();
     mesh->file = path;
-    mesh->content_hash = hash_content(content.bytes, 0);
+    mesh->content_hash = hash_bytes(content.bytes, 0);
     MaterialLibrary library;
     for (const std::string& file : find_material_files(path, summary->libraries, diagnostics)) {
         const FileContent material_file = read_file(file);
@@ -336,7 +349,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
                                                                                            : material_file.problem));
             continue;
         }
-        mesh->content_hash = hash_content(material_file.bytes, mesh->content_hash);
+        mesh->content_hash = hash_bytes(material_file.bytes, mesh->content_hash);
         library.add_file(file, material_file.text(), diagnostics);
     }
     MeshBuilder builder(*summary, resolve_materials(*summary, library, path, diagnostics), *mesh);

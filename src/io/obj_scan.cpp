@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/names.h"
+
 namespace lancer {
 namespace {
 

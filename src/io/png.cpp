@@ -13,7 +13,6 @@
 #include <exception>
 #include <limits>
 
-#include "core/srgb.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
 
@@ -172,21 +171,9 @@ std::vector<png_bytep> row_pointers(std::vector<Byte>& bytes, size_t row_bytes, 
 }
 
 template <class T>
-std::vector<float> decoding_table(Encoding encoding)
-{
-    std::vector<float> table(size_t{std::numeric_limits<T>::max()} + 1);
-    const double last = static_cast<double>(table.size() - 1);
-    for (size_t i = 0; i < table.size(); ++i) {
-        const double v = static_cast<double>(i) / last;
-        table[i] = static_cast<float>(encoding == Encoding::srgb ? linear_from_srgb(v) : v);
-    }
-    return table;
-}
-
-template <class T>
 void to_pixels(const std::vector<uint8_t>& bytes, Encoding encoding, std::vector<Color>& pixels)
 {
-    const std::vector<float> table = decoding_table<T>(encoding);
+    const std::vector<float> table = make_linear_table(encoding, size_t{std::numeric_limits<T>::max()} + 1);
     T v[3];
     for (size_t i = 0; i < pixels.size(); ++i) {
         std::memcpy(v, bytes.data() + i * sizeof v, sizeof v);
@@ -198,7 +185,8 @@ void to_pixels(const std::vector<uint8_t>& bytes, Encoding encoding, std::vector
 
 void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, const PngOptions& options)
 {
-    if (image.data.empty()) throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
+    if (image.data.empty() || image.pixels.size() != image.data.area())
+        throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
     std::vector<std::pair<std::string, std::string>> pairs = {{"Software", "lancer"}};
     for (const auto& [name, value] : metadata) pairs.emplace_back("lancer:" + name, to_string(value));
     std::vector<png_text> texts(pairs.size());

@@ -4,14 +4,12 @@
 #include <string>
 
 #include "core/image.h"
+#include "core/srgb.h"
 #include "io/metadata.h"
 
 namespace lancer {
 
 class AtomicFile;
-
-// How the numbers of an 8- or 16-bit file are meant: colours for the eye, or plain data (roughness, bump, normals).
-enum class Encoding { srgb, linear };
 
 struct PngOptions {
     float exposure_stops = 0;  // pixels are scaled by 2^stops

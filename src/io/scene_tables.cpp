@@ -155,7 +155,9 @@ void SceneReader::read_material(const std::string& name, const TomlTable& table)
         material.type = std::array{MaterialType::lambert, MaterialType::mirror, MaterialType::glass}[*type];
         reject_keys_of_other_types(table, types[*type], {{"ior", {"glass"}}});
     }
-    material.base_color = table.color("base_color", reflectance).value_or(material.base_color);
+    // A mirror or glass that nobody tinted loses no light.
+    const Color untold = material.type == MaterialType::lambert ? material.base_color : Color{1, 1, 1};
+    material.base_color = table.color("base_color", reflectance).value_or(untold);
     material.ior = static_cast<float>(table.number("ior", index_of_refraction).value_or(material.ior));
     material.emission = table.color("emission", brightness).value_or(material.emission);
     material.emission_both_sides = table.choice("emission_sides", {"front", "both"}, 0).value_or(0) == 1;

@@ -83,21 +83,6 @@ FileContent read_file(const std::string& path)
     return content;
 }
 
-uint64_t hash_content(std::string_view bytes, uint64_t hash)
-{
-    constexpr uint64_t prime = 0x9E3779B185EBCA87u;
-    hash = (hash ^ bytes.size()) * prime;
-    while (!bytes.empty()) {
-        uint64_t word = 0;
-        const size_t n = bytes.size() < sizeof word ? bytes.size() : sizeof word;
-        std::memcpy(&word, bytes.data(), n);
-        hash = (hash ^ word) * prime;
-        hash ^= hash >> 32;
-        bytes.remove_prefix(n);
-    }
-    return hash;
-}
-
 TextLines::TextLines(std::string_view text)
     : position_(text.data()), end_(text.data() + text.size()), newline_(find_byte(position_, end_, '\n'))
 {
@@ -176,15 +161,6 @@ NumberKind classify_number(std::string_view word)
     while (p != end && is_digit(*p)) ++p;
     if (p != end) return not_a_number;
     return classify_range(word, {exponent, static_cast<size_t>(end - exponent)});
-}
-
-std::string in_quotes(std::string_view word)
-{
-    constexpr size_t longest = 40;
-    std::string s = "'";
-    for (const char c : word.substr(0, longest)) s += c >= ' ' && c <= '~' ? c : '?';
-    if (word.size() > longest) s += "...";
-    return s + "'";
 }
 
 }  // namespace lancer

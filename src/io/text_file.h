@@ -19,9 +19,6 @@ struct FileContent {
 // Reads a regular file at once; anything else (a folder, a device) is a problem.
 FileContent read_file(const std::string& path);
 
-// Not cryptographic: tells whether inputs changed. Chain files by passing the hash so far.
-uint64_t hash_content(std::string_view bytes, uint64_t hash);
-
 // Walks over lines that end in LF, CR LF or CR. A backslash at the end of a line joins it with the next one, except
 // in a line that is a comment. Lines are given without white space at both ends.
 class TextLines {
@@ -64,8 +61,5 @@ enum class NumberKind { finite, not_finite, not_a_number };
 // Which of these a word is: a decimal number like -1, .5, 2. or 3e-7; a number or name beyond the range of double
 // ("1e400", "inf", "nan"); or something else. Numbers too small for double are finite: zero.
 NumberKind classify_number(std::string_view word);
-
-// For messages: in quotes, cut when long, with '?' for what a terminal should not get.
-std::string in_quotes(std::string_view word);
 
 }  // namespace lancer

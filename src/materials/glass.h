@@ -16,7 +16,7 @@ struct GlassBsdf {
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2) const
     {
         if (wo.z <= 0) return {};
-        const auto [reflectance, cos_t] = fresnel_dielectric(std::min(1.0f, wo.z), eta);
+        const auto [reflectance, cos_t] = fresnel_dielectric(wo, eta);
         if (u < reflectance)
             return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = tint, .pdf = reflectance, .delta = true};
         const float scale = 1 / eta;

@@ -72,7 +72,7 @@ TEST(InQuotes, StaysOnOneShortLine)
 {
     EXPECT_EQ(in_quotes("a"), "'a'");
     EXPECT_EQ(in_quotes("a\n\x1b[31mb"), "'a??[31mb'");
-    EXPECT_EQ(in_quotes(std::string(100, 'a')), "'" + std::string(80, 'a') + "...'");
+    EXPECT_EQ(in_quotes(std::string(300, 'a')), "'" + std::string(200, 'a') + "...'");
 }
 
 }  // namespace

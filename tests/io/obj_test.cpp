@@ -121,6 +121,16 @@ TEST_F(Obj, EveryFormOfCornerIsRead)
     }
 }
 
+TEST_F(Obj, AnIndexLeftOutIsNotThatOfTheNextCorner)
+{
+    const auto m = load(square + "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1// 2// 3//\nf 1//1 2// 3//2\n");
+    ASSERT_TRUE(m) << errors();
+    constexpr uint32_t no = MeshData::no_normal;
+    EXPECT_THAT(m->normal_triangles, ElementsAre(Triangle{0, 0, 0}, Triangle{no, no, no}, Triangle{no, no, no}));
+    EXPECT_THAT(warnings(),
+                ElementsAre("a.obj:10: warning: face with normals at some corners only: they are ignored there"));
+}
+
 TEST_F(Obj, LineEndsByteOrderMarkAndContinuations)
 {
     const std::vector<std::string> texts{
@@ -201,7 +211,7 @@ TEST_F(Obj, NumbersAreChecked)
     };
     for (const auto& [line, message] : cases) EXPECT_EQ(error_of(line + ("\n" + corners) + "f 1 2 3\n"), message);
     EXPECT_EQ(error_of("v " + std::string(400, '9') + " 0 0\nf 1 1 1"),
-              "a.obj:1: error: '" + std::string(40, '9') + "...' is not a finite number");
+              "a.obj:1: error: '" + std::string(200, '9') + "...' is not a finite number");
 
     const auto m = load("v 1e-400 -1e-99999999999 1e300\nv +1 2.e1 -.5E+1\nv 0." + std::string(400, '1') +
                         " 1 0 nan nan nan\nv 3 0 0\nf 1 2 3\nf 2 3 4\n");
@@ -368,6 +378,23 @@ TEST_F(Obj, UnknownAndRepeatedMaterialsAreCounted)
     EXPECT_EQ(warnings().back(), "a.obj:24: warning: unknown material; the default grey is used (20 times)");
 }
 
+TEST_F(Obj, ManyMaterialsKeepTheirOwnValues)
+{
+    std::string mtl, uses;
+    for (int i = 0; i < 2500; ++i) {
+        mtl += "newmtl m" + std::to_string(i) + "\nKd " + std::to_string(i / 2500.0) + " 0 0\n";
+        uses += "usemtl m" + std::to_string(2499 - i) + "\nf 1 2 3\n";
+    }
+    const auto m = load_with(mtl, uses);
+    ASSERT_TRUE(m) << errors();
+    ASSERT_EQ(m->materials.size(), 2500u);
+    for (const size_t i : {0u, 1499u, 1500u, 2499u}) {
+        EXPECT_EQ(m->face_material[i], i);
+        EXPECT_NEAR(m->materials[i].base_color.r, static_cast<double>(2499 - i) / 2500.0, 1e-6);
+        EXPECT_EQ(m->materials[i].where.line, 2 * (2499 - i) + 1);
+    }
+}
+
 TEST_F(Obj, MaterialFilesAreFoundByManyNames)
 {
     write("one.mtl", "newmtl one\nKd 1 0 0\n");
@@ -378,9 +405,7 @@ TEST_F(Obj, MaterialFilesAreFoundByManyNames)
     const std::string uses = corners +
                              "usemtl one\nf 1 2 3\nusemtl spaced\nf 1 2 3\nusemtl upper\nf 1 2 3\n"
                              "usemtl deep\nf 1 2 3\n";
-    const std::string other_case =
-        ":"
-        " warning: material file 'upper.mtl' not found; 'Upper.MTL' is used";
+    const std::string other_case = ": warning: material file 'upper.mtl' not found; 'Upper.MTL' is used";
     for (const std::string& libraries :
          {std::string("mtllib my file.mtl\nmtllib upper.mtl\nmtllib sub\\deep.mtl\nmtllib one.mtl # c\n"),
           std::string("mtllib upper.mtl my file.mtl sub/deep.mtl one.mtl one.mtl\n")}) {
@@ -513,6 +538,15 @@ TEST_F(Polygon, HugeAndSelfCrossingPolygonsEnd)
     const Result r = polygon(big);
     EXPECT_EQ(r.triangles, big.size() - 2);
     EXPECT_NEAR(r.area, shoelace(big), 1e-6);
+    std::vector<Vec3d> teeth{{0, 0, 0}, {0, -25'000, 0}};
+    for (int i = 24'999; i > 0; --i) {
+        teeth.push_back({100, -i - 0.5, 0});
+        teeth.push_back({1, -i * 1.0, 0});
+    }
+    std::reverse(teeth.begin(), teeth.end());
+    const Result comb = polygon(teeth);
+    EXPECT_EQ(comb.triangles, teeth.size() - 2);
+    EXPECT_NEAR(comb.area / shoelace(teeth), 1, 1e-9);
     std::vector<Vec3d> pentagram, tangle;
     for (int i = 0; i < 5; ++i) pentagram.push_back(star(5, 1)[static_cast<size_t>(2 * i % 5)]);
     EXPECT_LE(polygon(pentagram).triangles, 3u);
@@ -566,6 +600,19 @@ TEST(ObjFiles, BrokenFilesGiveAMeshOrAnError)
         const auto m = load_obj(i->path().string(), diagnostics);
         EXPECT_EQ(m == nullptr, diagnostics.has_errors()) << i->path();
         if (m) expect_valid(*m);
+    }
+}
+
+TEST_F(Obj, BrokenMaterialFilesGiveAMesh)
+{
+    std::error_code error;
+    for (fs::recursive_directory_iterator i(shared_folder() / "malformed", error), end; i != end; ++i) {
+        const std::string extension = i->path().extension().string();
+        if (!i->is_regular_file() || (extension != ".obj" && extension != ".mtl")) continue;
+        const auto m = load("mtllib " + i->path().string() + "\n" + corners + "usemtl a\nf 1 2 3\n");
+        ASSERT_TRUE(m) << i->path() << errors();
+        expect_valid(*m);
+        for (const std::string& w : warnings()) EXPECT_THAT(w, testing::Not(HasSubstr("not found"))) << w;
     }
 }
 

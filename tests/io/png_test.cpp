@@ -152,11 +152,11 @@ TEST(Png, MissingTruncatedAndChangedFiles)
         image.pixels[i] = {static_cast<float>(i % 7) / 7, 0.1f, static_cast<float>(i) / 400};
     write_png(path, image);
     const std::string whole = read_bytes(path);
-    for (size_t size = 0; size < whole.size(); size += 3) {
+    for (size_t size = 0; size < whole.size(); size += size < 100 ? 1 : 31) {
         write_bytes(path, whole.substr(0, size));
         expect_error(ErrorKind::invalid_input, path, "", [&] { read_png(path); });
     }
-    for (size_t i = 0; i < whole.size(); ++i) {
+    for (size_t i = 0; i < whole.size(); i += i < 100 ? 1 : 7) {
         std::string changed = whole;
         changed[i] = static_cast<char>(changed[i] ^ 0x55);
         write_bytes(path, changed);

@@ -1,0 +1,114 @@
+// The module lancer_oiio: the only file that knows OpenImageIO. io/image_read.cpp opens it and says which decoder.
+#include "io/oiio_module.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <string>
+
+struct LancerOiioPicture {
+    std::unique_ptr<OIIO::ImageInput> input;
+    OIIO::ImageSpec spec;
+};
+
+namespace {
+
+void set_message(LancerOiioInfo* info, const std::string& text)
+{
+    const size_t length = std::min(text.size(), sizeof info->message - 1);
+    std::copy_n(text.data(), length, info->message);
+    info->message[length] = 0;
+}
+
+std::string error_of(OIIO::ImageInput& input)
+{
+    const std::string text = input.geterror();
+    return text.empty() ? "damaged or cut short" : text;
+}
+
+// Some decoders report success and leave only an error text behind: that of JPEG fills what a cut file lacks with grey.
+bool succeeded(bool ok, OIIO::ImageInput& input, LancerOiioInfo* info)
+{
+    if (ok && !input.has_error()) return true;
+    set_message(info, error_of(input));
+    return false;
+}
+
+LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiioInfo* info)
+{
+    // Otherwise a file that its own decoder refuses is offered to all the others.
+    OIIO::attribute("try_all_readers", 0);
+    OIIO::attribute("threads", 1);  // the caller's threads are the only ones
+    auto picture = std::make_unique<LancerOiioPicture>();
+    picture->input = OIIO::ImageInput::create(format);
+    if (!picture->input) {
+        set_message(info, std::string("this OpenImageIO has no decoder for ") + format);
+        return nullptr;
+    }
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);  // colours are not multiplied by alpha
+    OIIO::ImageSpec& spec = picture->spec;
+    if (!succeeded(picture->input->open(path, spec, config), *picture->input, info)) return nullptr;
+    if (spec.deep || spec.depth > 1 || spec.nchannels < 1) {
+        set_message(info, "not a flat picture");
+        return nullptr;
+    }
+    constexpr int max_tile = 1 << 14;  // a decoder holds whole tiles
+    if (spec.tile_width > max_tile || spec.tile_height > max_tile) {
+        set_message(info, "tiles too large");
+        return nullptr;
+    }
+    info->width = spec.width;
+    info->height = spec.height;
+    info->channels = spec.nchannels < 3 ? 1 : 3;
+    info->is_integer = spec.format.is_floating_point() ? 0 : 1;
+    info->block_rows = std::max(spec.tile_height, 1);
+    return picture.release();
+}
+
+bool read_rows(LancerOiioPicture& picture, int32_t y0, int32_t y1, float* rgb, LancerOiioInfo* info)
+{
+    OIIO::ImageInput& input = *picture.input;
+    const OIIO::ImageSpec& spec = picture.spec;
+    const int channels = spec.nchannels < 3 ? 1 : 3;
+    constexpr OIIO::stride_t pixel = 3 * sizeof(float);
+    const OIIO::stride_t row = pixel * spec.width;
+    const int begin = spec.y + y0, end = spec.y + y1;
+    const bool ok =
+        spec.tile_width > 0
+            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0, channels,
+                               OIIO::TypeDesc::FLOAT, rgb, pixel, row)
+            : input.read_scanlines(0, 0, begin, end, spec.z, 0, channels, OIIO::TypeDesc::FLOAT, rgb, pixel, row);
+    return succeeded(ok, input, info);
+}
+
+}  // namespace
+
+extern "C" {
+
+int32_t lancer_oiio_version() { return lancer_oiio_current_version; }
+
+LancerOiioPicture* lancer_oiio_open(const char* path, const char* format, LancerOiioInfo* info)
+{
+    try {
+        return open_picture(path, format, info);
+    } catch (const std::exception& e) {
+        set_message(info, e.what());
+        return nullptr;
+    }
+}
+
+int32_t lancer_oiio_read_rows(LancerOiioPicture* picture, int32_t y0, int32_t y1, float* rgb, LancerOiioInfo* info)
+{
+    try {
+        return read_rows(*picture, y0, y1, rgb, info) ? 1 : 0;
+    } catch (const std::exception& e) {
+        set_message(info, e.what());
+        return 0;
+    }
+}
+
+void lancer_oiio_close(LancerOiioPicture* picture) { delete picture; }
+}

@@ -1,0 +1,16 @@
+// Targa pictures, read here and not through OpenImageIO: the decoder of the versions that distributions ship reads
+// outside its buffers when a palette index or a length is wrong.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "core/srgb.h"
+
+namespace lancer {
+
+// Palette, true colour (15, 16, 24, 32 bits) or grey, plain or run-length encoded, any corner first. Alpha is dropped.
+// A broken or truncated file is ErrorKind::invalid_input, never a partial picture; a missing one missing_input.
+Image read_tga(const std::string& path, Encoding encoding = Encoding::srgb);
+
+}  // namespace lancer

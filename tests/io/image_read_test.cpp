@@ -1,0 +1,265 @@
+#include "io/image_read.h"
+
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <string_view>
+#include <thread>
+
+#include "io/exr.h"
+#include "io/png.h"
+#include "io/temp_folder.h"
+
+namespace lancer {
+namespace {
+
+using std::string_literals::operator""s;
+
+// Little-endian bytes of numbers of the type asked for.
+template <class T>
+std::string pack(std::initializer_list<T> values)
+{
+    std::string bytes;
+    for (const T v : values) bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+    return bytes;
+}
+
+// Each of the following is a picture of 2 x 2 steps, top row first: (255, 0, 0) (0, 255, 0) | (0, 0, 255) (188, 100,
+// 7).
+const std::string top = "\xff\0\0\0\xff\0"s, bottom = "\0\0\xff\xbc\x64\x07"s;
+
+std::string ppm() { return "P6\n2 2\n255\n" + top + bottom; }
+
+// Rows bottom up, blue first, each padded to 4 bytes.
+std::string bmp()
+{
+    return "BM" + pack<uint32_t>({70, 0, 54, 40, 2, 2}) + pack<uint16_t>({1, 24}) +
+           pack<uint32_t>({0, 16, 2835, 2835, 0, 0}) + "\xff\0\0\x07\x64\xbc\0\0"s + "\0\0\xff\0\xff\0\0\0"s;
+}
+
+// Blue first; bit 5 of the last byte of the header says that the top row comes first.
+std::string tga(bool top_first)
+{
+    const std::string first = "\0\0\xff\0\xff\0"s, second = "\xff\0\0\x07\x64\xbc"s;
+    return "\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18"s + (top_first ? "\x20" + first + second : "\0"s + second + first);
+}
+
+// One directory at 8; the pixels come behind it and the list of bits for each sample.
+std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels)
+{
+    constexpr uint16_t entries = 10;
+    constexpr uint32_t bits_at = 8 + 2 + 12 * entries + 4, pixels_at = bits_at + 6;
+    const auto entry = [](uint16_t tag, uint32_t value) {
+        return pack<uint16_t>({tag, 4}) + pack<uint32_t>({1, value});
+    };
+    const std::string sample_bits =
+        samples == 1 ? entry(258, bits) : pack<uint16_t>({258, 3}) + pack<uint32_t>({samples, bits_at});
+    return "II*\0"s + pack<uint32_t>({8}) + pack<uint16_t>({entries}) + entry(256, 2) + entry(257, 2) + sample_bits +
+           entry(259, 1) + entry(262, samples == 1 ? 1 : 2) + entry(273, pixels_at) + entry(277, samples) +
+           entry(278, 2) + entry(279, static_cast<uint32_t>(pixels.size())) + entry(339, sample_format) +
+           pack<uint32_t>({0}) + pack<uint16_t>({bits, bits, bits}) + pixels;
+}
+
+// 8 x 8 of grey 188: all quantizers 1, a DC coefficient of 8 * (188 - 128) = 480 (one code for "9 bits", then its
+// bits), then "end of block".
+std::string jpeg()
+{
+    return "\xff\xd8\xff\xdb\0\x43\0"s + std::string(64, '\1') + "\xff\xc0\0\x0b\x08\0\x08\0\x08\1\1\x11\0"s +
+           "\xff\xc4\0\x14\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x09"s +
+           "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"s + "\xff\xda\0\x08\1\1\0\0\x3f\0\x78\x1f\xff\xd9"s;
+}
+
+// (1, 2, 0.5) (0, 0, 0) | (100, 0, 0) (0.25, 0.5, 0.75), each with one exponent for its three mantissas.
+std::string hdr()
+{
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\x40\x80\x20\x82\0\0\0\0\xc8\0\0\x87\x40\x80\xc0\x80"s;
+}
+
+// Floats, rows bottom up; the negative number says little-endian.
+std::string pfm() { return "PF\n2 2\n-1.0\n" + pack<float>({100, 0, 0, 0.25f, 0.5f, 0.75f, 1, 2, 0.5f, 0, 0, 0}); }
+
+Color decoded(double r, double g, double b)
+{
+    const auto value = [](double step) { return static_cast<float>(linear_from_srgb(step / 255)); };
+    return {value(r), value(g), value(b)};
+}
+
+void expect_steps(const TempFolder& folder, const std::string& name, const std::string& bytes)
+{
+    SCOPED_TRACE(name);
+    write_bytes(folder.file(name), bytes);
+    Image image = read_image(folder.file(name));
+    EXPECT_EQ(image.display, (Window{0, 0, 2, 2}));
+    EXPECT_EQ(image.data, image.display);
+    EXPECT_EQ(image.pixels, (std::vector<Color>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, decoded(188, 100, 7)}));
+    image = read_image(folder.file(name), Encoding::linear);
+    EXPECT_EQ(image.at(1, 1), (Color{188 / 255.0f, 100 / 255.0f, 7 / 255.0f}));
+}
+
+void expect_floats(const TempFolder& folder, const std::string& name, const std::string& bytes)
+{
+    SCOPED_TRACE(name);
+    write_bytes(folder.file(name), bytes);
+    const std::vector<Color> expected = {{1, 2, 0.5f}, {0, 0, 0}, {100, 0, 0}, {0.25f, 0.5f, 0.75f}};
+    EXPECT_EQ(read_image(folder.file(name)).pixels, expected);
+    EXPECT_EQ(read_image(folder.file(name), Encoding::linear).pixels, expected);
+}
+
+TEST(ImageRead, IntegerFormatsAreDecodedFromSrgb)
+{
+    const TempFolder folder;
+    expect_steps(folder, "a.ppm", ppm());
+    expect_steps(folder, "a.bmp", bmp());
+    expect_steps(folder, "a.tga", tga(false));
+    expect_steps(folder, "b.TGA", tga(true));
+    expect_steps(folder, "a.tif", tiff(8, 3, 1, top + bottom));
+    expect_steps(folder, "a.png", [&] {
+        Image image = make_image(2, 2);
+        image.pixels = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, decoded(188, 100, 7)};
+        write_png(folder.file("b.png"), image);
+        return read_bytes(folder.file("b.png"));
+    }());
+}
+
+TEST(ImageRead, FloatFormatsAreTakenAsTheyStand)
+{
+    const TempFolder folder;
+    expect_floats(folder, "a.hdr", hdr());
+    expect_floats(folder, "a.pfm", pfm());
+    expect_floats(folder, "a.tif", tiff(32, 3, 3, pack<float>({1, 2, 0.5f, 0, 0, 0, 100, 0, 0, 0.25f, 0.5f, 0.75f})));
+    Image image = make_image(2, 2);
+    image.pixels = {{1, 2, 0.5f}, {0, 0, 0}, {100, 0, 0}, {0.25f, 0.5f, 0.75f}};
+    write_exr(folder.file("b.exr"), image);
+    expect_floats(folder, "a.exr", read_bytes(folder.file("b.exr")));
+}
+
+TEST(ImageRead, GreyBecomesRgbAndSixteenBitsCount)
+{
+    const TempFolder folder;
+    write_bytes(folder.file("a.jpg"), jpeg());
+    const Image image = read_image(folder.file("a.jpg"));
+    EXPECT_EQ(image.data, (Window{0, 0, 8, 8}));
+    for (const Color& c : image.pixels) EXPECT_EQ(c, decoded(188, 188, 188));
+    write_bytes(folder.file("a.tif"), tiff(16, 1, 1, pack<uint16_t>({0, 65535, 12345, 257 * 188})));
+    const float middle = static_cast<float>(linear_from_srgb(12345 / 65535.0));
+    EXPECT_EQ(read_image(folder.file("a.tif")).pixels,
+              (std::vector<Color>{{0, 0, 0}, {1, 1, 1}, {middle, middle, middle}, decoded(188, 188, 188)}));
+}
+
+TEST(ImageRead, TheFirstBytesDecideNotTheName)
+{
+    const TempFolder folder;
+    expect_steps(folder, "really_ppm.png", ppm());
+    expect_steps(folder, "really_bmp.exr", bmp());
+    expect_steps(folder, "really_tiff.tga", tiff(8, 3, 1, top + bottom));
+    expect_floats(folder, "no_extension", hdr());
+    const std::string path = folder.file("tga.jpg");
+    write_bytes(path, tga(true));
+    expect_error(ErrorKind::invalid_input, path, "not a picture of a known format", [&] { read_image(path); });
+}
+
+TEST(ImageRead, OtherFilesAreRefused)
+{
+    const TempFolder folder;
+    const std::string missing = folder.file("none.jpg"), path = folder.file("a.jpg");
+    expect_error(ErrorKind::missing_input, missing, "No such file", [&] { read_image(missing); });
+    expect_error(ErrorKind::invalid_input, folder.path(), "not a regular file", [&] { read_image(folder.path()); });
+    for (const std::string& bytes : {""s, "P"s, "P7\n2 2\n"s, "GIF89a\1\0\1\0"s, "a scene, not a picture"s}) {
+        write_bytes(path, bytes);
+        expect_error(ErrorKind::invalid_input, path, "not a picture of a known format", [&] { read_image(path); });
+    }
+    write_bytes(path, "\xff\xd8\xff\xe0 nothing but a beginning \xff\xd9");
+    expect_error(ErrorKind::invalid_input, path, "not a valid jpeg file", [&] { read_image(path); });
+}
+
+TEST(ImageRead, AbsurdSizesAreRefusedBeforeAllocation)
+{
+    const TempFolder folder;
+    const auto expect_refused = [&](const std::string& name, const std::string& bytes) {
+        SCOPED_TRACE(name);
+        write_bytes(folder.file(name), bytes);
+        expect_error(ErrorKind::invalid_input, folder.file(name), "", [&] { read_image(folder.file(name)); });
+    };
+    expect_refused("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n\1\1\1\1"s);
+    expect_refused("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16000 +X 16000\n\1\1\1\1"s);
+    expect_refused("a.ppm", "P6\n1000000000 1000000000\n255\n123"s);
+    expect_refused("b.ppm", "P6\n16000 16000\n255\n123"s);
+    expect_refused("c.ppm", "P6\n3 -5\n255\n123"s);
+    expect_refused("a.pfm", "PF\n16000 16000\n-1.0\n1234"s);
+    expect_refused("a.bmp", bmp().replace(18, 8, pack<int32_t>({2000000000, -2000000000})));
+    expect_refused("b.bmp", bmp().replace(30, 1, "\1"));
+    expect_refused("a.tga", tga(true).replace(12, 4, pack<uint16_t>({65535, 65535})));
+}
+
+// Cut anywhere, a picture is refused, not filled up with grey.
+TEST(ImageRead, TruncatedFilesAreRefused)
+{
+    const TempFolder folder;
+    const std::pair<const char*, std::string> files[] = {
+        {"a.ppm", ppm()},  {"a.bmp", bmp()}, {"a.tga", tga(true)}, {"a.tif", tiff(8, 3, 1, top + bottom)},
+        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()}};
+    for (const auto& [name, whole] : files) {
+        SCOPED_TRACE(name);
+        for (size_t size = 0; size < whole.size(); ++size) {
+            SCOPED_TRACE(size);
+            write_bytes(folder.file(name), whole.substr(0, size));
+            expect_error(ErrorKind::invalid_input, folder.file(name), "", [&] { read_image(folder.file(name)); });
+        }
+    }
+}
+
+TEST(ImageRead, ChangedBytesNeverCrash)
+{
+    const TempFolder folder;
+    const std::pair<const char*, std::string> files[] = {
+        {"a.ppm", ppm()},  {"a.bmp", bmp()}, {"a.tga", tga(true)}, {"a.tif", tiff(8, 3, 1, top + bottom)},
+        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()}};
+    for (const auto& [name, whole] : files) {
+        for (size_t i = 0; i < whole.size(); ++i) {
+            for (const char value : {'\x7f', '\xff'}) {
+                std::string changed = whole;
+                changed[i] = value;
+                write_bytes(folder.file(name), changed);
+                expect_read_or_refused(folder.file(name), [](const std::string& p) { return read_image(p); });
+            }
+        }
+    }
+}
+
+TEST(ImageRead, SeveralThreadsMayRead)
+{
+    const TempFolder folder;
+    write_bytes(folder.file("a.ppm"), ppm());
+    std::vector<std::thread> threads;
+    std::vector<Image> images(4);
+    for (Image& image : images) threads.emplace_back([&] { image = read_image(folder.file("a.ppm")); });
+    for (std::thread& t : threads) t.join();
+    for (const Image& image : images) EXPECT_EQ(image.at(1, 1), decoded(188, 100, 7));
+}
+
+// Run by the next test in a copy of this program that has no module beside it.
+TEST(ImageRead, DISABLED_InAFolderWithoutTheModule)
+{
+    const TempFolder folder;
+    write_bytes(folder.file("a.ppm"), ppm());
+    write_png(folder.file("a.png"), make_image(2, 2));
+    EXPECT_NO_THROW(read_image(folder.file("a.png")));
+    expect_error(ErrorKind::failed, "lancer_oiio.so", "libopenimageio-dev", [&] { read_image(folder.file("a.ppm")); });
+}
+
+TEST(ImageRead, AMissingModuleIsNamedWithItsRemedy)
+{
+    const TempFolder folder;
+    std::filesystem::create_directory(folder.file("bin"));
+    const std::string program = folder.file("bin/io_tests");
+    std::filesystem::copy_file("/proc/self/exe", program);
+    const std::string command =
+        program +
+        " --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_InAFolderWithoutTheModule' --gtest_brief=1 >" +
+        folder.file("log") + " 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << read_bytes(folder.file("log"));
+    EXPECT_NE(read_bytes(folder.file("log")).find("1 test"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lancer
