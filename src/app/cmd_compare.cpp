@@ -1,29 +1,15 @@
 // lancer compare: how far a picture is from one reference, or from two independent ones.
-#include <algorithm>
 #include <array>
 #include <string>
 
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/options.h"
-#include "io/exr.h"
-#include "io/input_file.h"
-#include "io/png.h"
+#include "io/image_read.h"
 #include "report/metrics.h"
 
 namespace lancer {
 namespace {
-
-// By what is in the file, not by its name.
-Image read_picture(const std::string& path)
-{
-    std::array<unsigned char, 4> magic{};
-    InputFile file(path);
-    file.read(magic.data(), magic.size());
-    if (magic == std::array<unsigned char, 4>{0x76, 0x2f, 0x31, 0x01}) return read_exr(path);
-    if (magic == std::array<unsigned char, 4>{0x89, 'P', 'N', 'G'}) return read_png(path);
-    throw file.invalid("neither an OpenEXR nor a PNG picture");
-}
 
 void print_value(const char* name, double value) { print_result(format_text("%-20s %.9g", name, value)); }
 void print_colour(const char* name, const std::array<double, 3>& c)
@@ -52,13 +38,13 @@ int run_compare(int argc, char** argv)
 {
     const auto options = parse_compare(argc, argv);
     if (!options) return exit_done;
-    const Image picture = read_picture(options->picture), reference = read_picture(options->reference);
+    const Image picture = read_image(options->picture), reference = read_image(options->reference);
     const Metrics metrics = compare(picture, reference);
     print_metrics(metrics, picture.pixels.size());
     double error = options->metric == Metric::rmse ? metrics.rmse : metrics.relmse;
     const char* name = options->metric == Metric::rmse ? "rmse" : "relmse";
     if (!options->reference2.empty()) {
-        const double unbiased = unbiased_squared_error(picture, reference, read_picture(options->reference2));
+        const double unbiased = unbiased_squared_error(picture, reference, read_image(options->reference2));
         print_value("relmse_unbiased", unbiased);
         if (options->metric == Metric::relmse) error = unbiased, name = "relmse_unbiased";
     }

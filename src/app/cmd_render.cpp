@@ -123,10 +123,11 @@ void Run::add_pass(const Film& film, const PassResult& result, SampleRange range
     stats_.counters += result.counters;
     stats_.render_s = wall_seconds() - since;
     stats_.estimated_error = std::sqrt(estimate_rel_mse(film));
-    stats_.partial = !result.complete || range.end < settings_.spp;
     if (result.complete) stats_.passes.push_back({range.end, stats_.render_s, stats_.estimated_error});
     stats_.samples = 0;
     for (const Pixel& p : film.pixels) stats_.samples += p.n;
+    // Counted, not asked of the pass: an interrupt may come after its last tile.
+    stats_.partial = stats_.samples + stats_.counters.dropped < uint64_t{settings_.spp} * film.pixels.size();
 }
 
 void Run::render(const Renderer& renderer)
@@ -194,7 +195,7 @@ void Run::say_dropped() const
                           format_text(" %u %u %u ", first->x, first->y, first->sample) + reproducing_options(settings_);
     if (!options_.picture.asset_root.empty())
         command += " --asset-root " + in_shell_quotes(options_.picture.asset_root);
-    print_problem(format_text("warning: %zu samples were not finite and are left out; to see the first one:\n  ",
+    print_problem(format_text("warning: dropped samples, as they were not finite: %zu; to see the first one:\n  ",
                               stats_.counters.dropped) +
                   command);
 }

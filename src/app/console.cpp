@@ -87,7 +87,7 @@ void print_problem(const std::string& lines)
         const size_t end = rest.find('\n');
         std::string line(rest.substr(0, end));
         rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
-        if (line.starts_with("error: ") || line.starts_with("warning: ")) line = "lancer: " + line;
+        if (line.starts_with("error: ") || line.starts_with("warning: ")) line.insert(0, "lancer: ");
         text += (colour ? coloured(line) : line) + '\n';
     }
     print_raw(text);

@@ -13,6 +13,6 @@ SceneDescription load_scene(const std::string& path, const std::string& asset_ro
 
 // Gives a scene without camera one that sees all of it, and a bare mesh on which nothing emits a white sky.
 // aspect: width over height. Returns what was added, as text to paste into a scene file; empty if nothing was.
-std::string complete_scene(SceneDescription& description, double aspect);
+std::string complete_scene(SceneDescription& scene, double aspect);
 
 }  // namespace lancer

@@ -322,7 +322,7 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
         "compare", "Print how far a picture is from a reference.",
         "Exit codes: 0 done, or within the limit; 1 beyond it; 2 wrong usage; 65 unreadable or not of the same size;\n"
         "66 missing.\n\nExample:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n");
-    p.argument("PICTURE", "Picture, EXR or PNG", [&](const std::string& t) { o.picture = t; });
+    p.argument("PICTURE", "Picture: EXR, PNG, HDR, JPEG, TIFF, ...", [&](const std::string& t) { o.picture = t; });
     p.argument("REFERENCE", "What it should be", [&](const std::string& t) { o.reference = t; });
     const auto second = [&](const std::string& t) { o.reference2 = t; };
     p.argument("REFERENCE2", "The same as --reference2", second, false);

@@ -13,7 +13,7 @@ constexpr double settling = 2;  // seconds before the time left is more than a g
 
 std::string to_clock(double seconds)
 {
-    const auto s = static_cast<uint64_t>(seconds + 0.5);
+    const auto s = std::llround(seconds);
     if (s < 3600) return format_text("%d:%02d", static_cast<int>(s / 60), static_cast<int>(s % 60));
     return format_text("%d:%02d:%02d", static_cast<int>(s / 3600), static_cast<int>(s / 60 % 60),
                        static_cast<int>(s % 60));
@@ -91,8 +91,9 @@ void Progress::print(double now)
     if (style_ == Style::json) {
         print_raw(
             format_text("{\"t\":%.3f,\"phase\":\"render\",\"fraction\":%.5f,\"spp\":%u,\"samples_per_s\":%.0f,"
-                        "\"rays_per_s\":%.0f,\"eta_s\":%.1f,\"error\":%.6g}\n",
-                        elapsed, done, pass_.begin, rate, rate * rays_per_sample_, left, error_));
+                        "\"rays_per_s\":%.0f,\"eta_s\":%.1f,\"error\":%s}\n",
+                        elapsed, done, pass_.begin, rate, rate * rays_per_sample_, left,
+                        error_ > 0 ? format_text("%.6g", error_).c_str() : "null"));
         return;
     }
     std::string text = format_text("render %3.0f%% | %u/%u spp | ", std::floor(100 * done), pass_.begin, spp_);

@@ -1,9 +1,9 @@
 #include "app/signals.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 
 #include "app/commands.h"
 

@@ -1,0 +1,175 @@
+// What the program says when something is wrong, its exit code, and what it leaves behind.
+#include <gtest/gtest.h>
+
+#include "app/run_program.h"
+
+namespace lancer {
+namespace {
+
+class Wrong : public AppTest {
+protected:
+    // The run fails with this code and these words, and writes nothing.
+    void expect_fault(const std::vector<std::string>& arguments, int code, const std::string& words) const
+    {
+        const std::vector<std::string> before = folder_.names();
+        const Said said = run(arguments);
+        EXPECT_EQ(said.code, code) << said.err;
+        expect_words(said.err, words);
+        EXPECT_EQ(said.out, "");
+        EXPECT_EQ(folder_.names(), before);
+    }
+    void expect_usage(std::vector<std::string> arguments, const std::string& words) const
+    {
+        arguments.insert(arguments.begin(), {"render", "scene.toml"});
+        expect_fault(arguments, 2, words);
+    }
+};
+
+TEST_F(Wrong, Commands)
+{
+    expect_fault({}, 2, "lancer: error: nothing to do; see lancer --help");
+    expect_fault({"rendr", "scene.toml"}, 2, "unknown command 'rendr'; did you mean 'render'?");
+    expect_fault({"render"}, 2, "SCENE is required");
+    expect_fault({"render", "scene.toml", "more"}, 2, "unexpected argument 'more'");
+}
+
+TEST_F(Wrong, Options)
+{
+    expect_usage({"--sppp", "3"}, "unknown option '--sppp'; did you mean '--spp'?");
+    expect_usage({"--thread=3"}, "unknown option '--thread'; did you mean '--threads'?");
+    expect_usage({"--integrator", "pth"}, "--integrator: unknown name 'pth'; did you mean 'path'? known: path, direct");
+    expect_usage({"--filter", "gausian"}, "did you mean 'gaussian'?");
+    expect_usage({"--sampler", "sobel"}, "did you mean 'sobol'?");
+    expect_usage({"--accel", "embre"}, "did you mean 'embree'?");
+    expect_usage({"--isa", "avx3"}, "did you mean 'avx'?");
+    expect_usage({"--set", "nne=false"}, "did you mean 'nee'?");
+    expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
+    expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
+    expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr or .png");
+    expect_usage({"-o", "a.exr", "-o", "./a.exr"}, "is named twice");
+}
+
+TEST_F(Wrong, Numbers)
+{
+    for (const char* spp : {"0", "-1", "1099511627776", "4x", "", "1e3", "nan"}) {
+        expect_usage({"--spp", spp}, "--spp: '" + std::string(spp) + "' is not a whole number from 1 to 2147483647");
+    }
+    expect_usage({"--threads", "0"}, "--threads: '0' is not a whole number from 1 to");
+    expect_usage({"--size", "0x5"}, "--size: '0' is not a whole number from 1 to 65536");
+    expect_usage({"--size", "640"}, "--size: '640' is not WIDTHxHEIGHT");
+    expect_usage({"--size", "65536x65536"}, "too large");
+    expect_usage({"--seed", "-3"}, "--seed: '-3'");
+    expect_usage({"--exposure", "nan"}, "--exposure: 'nan'");
+    expect_usage({"--tile", "0"}, "--tile: '0'");
+    expect_usage({"--batch", "0"}, "--batch: '0'");
+    expect_usage({"--max-depth", "-1"}, "--max-depth: '-1'");
+}
+
+TEST_F(Wrong, Crops)
+{
+    expect_usage({"--crop", "0,0,4"}, "is not x0,y0,x1,y1");
+    expect_usage({"--crop", "4,0,4,2"}, "is empty");
+    expect_usage({"--crop", "0,0,4,-2"}, "--crop: '-2'");
+    expect_usage({"--size", "8x8", "--crop", "0,0,9,8"}, "reaches beyond the picture of 8x8");
+}
+
+TEST_F(Wrong, InputsThatAreMissing)
+{
+    expect_fault({"none.toml"}, 66, "none.toml: error: ");
+    expect_fault({"none.obj"}, 66, "none.obj: error: ");
+    write("hole.toml", "version = 1\n[[mesh]]\nfile = \"none.obj\"\n");
+    expect_fault({"hole.toml"}, 66, "hole.toml:3:8: error: mesh file 'none.obj' does not exist");
+    expect_fault({"compare", "none.exr", "none.exr"}, 66, "none.exr: error: ");
+}
+
+TEST_F(Wrong, ScenesAndMeshes)
+{
+    write("typo.toml", "version = 1\n[camera]\npositon = [0, 0, 1]\n");
+    expect_fault({"typo.toml"}, 65,
+                 "typo.toml:3:1: error: unknown key 'positon' in [camera]; did you mean 'position'?");
+    write("name.toml", "version = 1\n[render]\nintegrator = \"pth\"\nfilter = \"bx\"\n[[sphere]]\nradius = 1\n");
+    expect_fault({"name.toml"}, 65, "name.toml:2:1: error: unknown integrator 'pth' in [render]; did you mean 'path'?");
+    expect_fault({"name.toml"}, 65, "unknown filter 'bx' in [render]");
+    write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    expect_fault({"index.obj"}, 65, "index.obj:4");
+    write("scene.txt", "version = 1\n");
+    expect_fault({"render", "scene.txt"}, 65, "must end in .toml or .obj");
+}
+
+TEST_F(Wrong, WarningsFailOnlyIfStrict)
+{
+    write("unused.toml", std::string(small_scene) + "[material.unused]\ntype = \"mirror\"\n");
+    expect_fault({"unused.toml", "--strict"}, 65, "unused.toml: error: 1 warnings, and --strict allows none");
+    const Said said = run({"unused.toml", "-o", "a.exr", "--size", "8x8", "-s", "1", "-q"});
+    EXPECT_EQ(said.code, 0);
+    expect_words(said.err, "warning: material 'unused' is not used");
+    EXPECT_EQ(run({"scene.toml", "-o", "a.exr", "--size", "8x8", "-s", "1", "--strict"}).code, 0);
+}
+
+TEST_F(Wrong, OutputsThatCannotBeWritten)
+{
+    expect_usage({"-o", "a.jpg"}, "must end in");
+    expect_fault({"scene.toml", "-o", "none/a.exr"}, 1, "none/a.exr: error: cannot write: No such file or directory");
+    expect_fault({"scene.toml", "-o", "quad.obj/a.png"}, 1, "quad.obj/a.png: error: cannot write: Not a directory");
+    expect_fault({"scene.toml", "--stats", "none/s.json"}, 1, "none/s.json: error: cannot write");
+    std::filesystem::create_directory(file("folder.exr"));
+    expect_fault({"scene.toml", "-o", "folder.exr"}, 1, "folder.exr: error: cannot write: Is a directory");
+}
+
+// Found before any time is spent on rendering: with these samples the test would not end.
+TEST_F(Wrong, OutputsAreTriedFirst)
+{
+    expect_fault({"scene.toml", "-s", "2147483647", "-o", "none/a.exr"}, 1, "none/a.exr: error: cannot write");
+}
+
+TEST_F(Wrong, AFullDeviceIsAFailure)
+{
+    std::filesystem::create_symlink("/dev/full", file("full.exr"));
+    expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-o", "full.exr", "--progress", "none"}, 1,
+                 "full.exr: error: cannot write: No space left on device");
+}
+
+TEST_F(Wrong, AnOldFileSurvivesEveryFailure)
+{
+    write("old.exr", "precious");
+    write("typo.toml", "version = 1\ntypo = 1\n");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"typo.toml"},
+                                               {"none.toml"},
+                                               {"scene.toml", "--spp", "0"},
+                                               {"scene.toml", "--crop", "0,0,5000,1"},
+                                               {"scene.toml", "-o", "none/b.exr"},
+                                               {"scene.toml", "--stats", "none/b.json"}}) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.end(), {"-o", "old.exr"});
+        const Said said = run(all);
+        EXPECT_NE(said.code, 0);
+        EXPECT_EQ(read_bytes(file("old.exr")), "precious") << said.err;
+    }
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"old.exr", "quad.obj", "scene.toml", "typo.toml"}));
+}
+
+TEST_F(Wrong, SamplesThatAreNotFiniteAreCountedWithTheCommandToSeeOne)
+{
+    write("hot.toml",
+          "version = 1\n[camera]\nposition = [0, 1, 4]\n[[plane]]\n[[light]]\ntype = \"point\"\n"
+          "position = [0, 0.001, 0]\nintensity = [3e38, 3e38, 3e38]\n");
+    const Said said = run({"hot.toml", "--size", "32x32", "-s", "4", "-o", "a.exr", "--seed", "2"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    expect_words(said.err, "warning: dropped samples");
+    EXPECT_NE(metadata("a.exr", "dropped_samples"), "0");
+    EXPECT_EQ(metadata("a.exr", "bias"), "dropped=" + metadata("a.exr", "dropped_samples"));
+    for (const Color& c : image("a.exr").pixels) EXPECT_TRUE(is_finite(c));
+
+    const size_t begin = said.err.find("lancer pixel ");
+    ASSERT_NE(begin, std::string::npos) << said.err;
+    std::istringstream words(said.err.substr(begin, said.err.find('\n', begin) - begin));
+    std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
+    command.erase(command.begin());
+    const Said replayed = run(command);
+    EXPECT_EQ(replayed.code, 0) << replayed.err;
+    expect_words(replayed.out, "not finite");
+}
+
+}  // namespace
+}  // namespace lancer
