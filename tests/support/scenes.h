@@ -90,6 +90,28 @@ inline MeshDescription make_mesh(std::shared_ptr<const MeshData> data, Transform
 {
     return {.name = {}, .where = {}, .data = std::move(data), .material = {}, .transform = transform};
 }
+inline SphereDescription make_sphere(Vec3d center, double radius, std::string material)
+{
+    SphereDescription s;
+    s.center = center, s.radius = radius;
+    s.material = std::move(material);
+    return s;
+}
+// Horizontal.
+inline PlaneDescription make_floor(double y, std::string material)
+{
+    PlaneDescription p;
+    p.point = {0, y, 0};
+    p.material = std::move(material);
+    return p;
+}
+inline InstanceDescription make_placement(std::string mesh, Vec3d translate, Vec3d rotate_deg, Vec3d scale)
+{
+    InstanceDescription i;
+    i.mesh = std::move(mesh);
+    i.transform = {translate, rotate_deg, scale};
+    return i;
+}
 inline CameraDescription make_camera(Vec3d position, Vec3d target, double fov_deg)
 {
     CameraDescription c;
@@ -132,10 +154,10 @@ inline SceneDescription spheres_scene()
                    make_lambert("red", {0.7f, 0.2f, 0.1f}),
                    {.name = "mirror", .where = {}, .type = MaterialType::mirror, .base_color = {0.9f, 0.9f, 0.9f}},
                    {.name = "glass", .where = {}, .type = MaterialType::glass, .base_color = {1, 1, 1}, .ior = 1.5f}};
-    d.planes.push_back({.where = {}, .point = {0, -0.5, 0}, .normal = {0, 1, 0}, .material = "floor"});
-    d.spheres.push_back({.where = {}, .center = {-1.05, 0, 0}, .radius = 0.5, .material = "mirror"});
-    d.spheres.push_back({.where = {}, .center = {0, 0, 0.2}, .radius = 0.5, .material = "glass"});
-    d.spheres.push_back({.where = {}, .center = {1.05, 0, -0.1}, .radius = 0.5, .material = "red"});
+    d.planes.push_back(make_floor(-0.5, "floor"));
+    d.spheres.push_back(make_sphere({-1.05, 0, 0}, 0.5, "mirror"));
+    d.spheres.push_back(make_sphere({0, 0, 0.2}, 0.5, "glass"));
+    d.spheres.push_back(make_sphere({1.05, 0, -0.1}, 0.5, "red"));
     d.lights.push_back(
         {.where = {}, .type = LightType::sphere, .position = {-0.5, 2.5, 1.5}, .radius = 0.4, .power = {9, 9, 8}});
     d.lights.push_back({.where = {}, .type = LightType::environment, .power = {0.2f, 0.25f, 0.3f}});
@@ -168,7 +190,7 @@ inline SceneDescription instances_scene()
 {
     SceneDescription d;
     d.materials = {make_lambert("floor", {0.5f, 0.5f, 0.5f})};
-    d.planes.push_back({.where = {}, .point = {0, -0.6, 0}, .normal = {0, 1, 0}, .material = "floor"});
+    d.planes.push_back(make_floor(-0.6, "floor"));
     MeshDescription bumpy = make_mesh(make_uv_sphere(12, 24, 0.1, make_lambert("bumpy", {0.7f, 0.6f, 0.3f})));
     bumpy.name = "bumpy";
     d.meshes.push_back(std::move(bumpy));
@@ -176,15 +198,12 @@ inline SceneDescription instances_scene()
         make_mesh(make_quad({-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, make_emitter("lamp", {8, 8, 8})));
     lamp.name = "lamp";
     d.meshes.push_back(std::move(lamp));
-    const auto place = [&](const char* mesh, Vec3d translate, Vec3d rotate_deg, Vec3d scale) {
-        d.instances.push_back({.where = {}, .mesh = mesh, .transform = {translate, rotate_deg, scale}});
-    };
-    place("bumpy", {-1.2, 0, 0}, {0, 0, 0}, {0.4, 0.4, 0.4});
-    place("bumpy", {-0.4, 0, 0.3}, {30, 45, 60}, {0.3, 0.5, 0.2});
-    place("bumpy", {0.4, 0, 0}, {90, 0, 0}, {-0.4, 0.3, 0.4});
-    place("bumpy", {1.2, 0, 0.2}, {0, 90, 15}, {0.2, 0.6, 0.4});
-    place("bumpy", {0, 0.2, -0.9}, {10, 20, 200}, {0.7, 0.4, 0.3});
-    place("lamp", {0, 2, 0.5}, {10, 0, 5}, {0.5, 1, 0.4});
+    d.instances.push_back(make_placement("bumpy", {-1.2, 0, 0}, {0, 0, 0}, {0.4, 0.4, 0.4}));
+    d.instances.push_back(make_placement("bumpy", {-0.4, 0, 0.3}, {30, 45, 60}, {0.3, 0.5, 0.2}));
+    d.instances.push_back(make_placement("bumpy", {0.4, 0, 0}, {90, 0, 0}, {-0.4, 0.3, 0.4}));
+    d.instances.push_back(make_placement("bumpy", {1.2, 0, 0.2}, {0, 90, 15}, {0.2, 0.6, 0.4}));
+    d.instances.push_back(make_placement("bumpy", {0, 0.2, -0.9}, {10, 20, 200}, {0.7, 0.4, 0.3}));
+    d.instances.push_back(make_placement("lamp", {0, 2, 0.5}, {10, 0, 5}, {0.5, 1, 0.4}));
     d.camera = make_camera({0, 1, 3.5}, {0, 0, 0}, 45);
     return d;
 }
