@@ -91,14 +91,15 @@ std::string complete_scene(SceneDescription& scene, double aspect)
         added += "[camera]\nposition = " + to_toml(scene.camera->position) +
                  "\ntarget = " + to_toml(scene.camera->target) + "\nfov = " + shortest(scene.camera->fov_deg) + "\n";
     }
-    if (is_bare && !emits(*scene.meshes[0].data)) {
-        LightDescription sky;
-        sky.where = {scene.file};
-        sky.type = LightType::environment;
-        sky.power = {1, 1, 1};
-        scene.lights.push_back(sky);
-        added += "[[light]]\ntype = \"environment\"\nradiance = [1, 1, 1]\n";
-    }
+    if (is_bare && !emits(*scene.meshes[0].data))
+        for (LightDescription& light : default_lights(subject_bounds(scene))) {
+            light.where = {scene.file, 0, 0};
+            const bool sun = light.type == LightType::sphere;
+            added += std::string("[[light]]\ntype = \"") + (sun ? "sphere" : "environment") + "\"\n";
+            if (sun) added += "center = " + to_toml(light.position) + "\nradius = " + shortest(light.radius) + "\n";
+            added += "radiance = " + to_toml({light.power.r, light.power.g, light.power.b}) + "\n";
+            scene.lights.push_back(std::move(light));
+        }
     return added;
 }
 

@@ -25,13 +25,17 @@ Filter::Filter(FilterKind kind)
         const double x = radius * (2 * (static_cast<double>(i) + 0.5) / fine - 1);
         cumulative[i + 1] = cumulative[i] + value(kind, x);
     }
-    table_.resize(entries + 1);
-    size_t k = 0;
+    const auto inverse = [&](double u) {
+        const double want = cumulative[fine] * u;
+        const auto above = std::lower_bound(cumulative.begin() + 1, cumulative.end(), want);
+        const double f = (want - *(above - 1)) / (*above - *(above - 1));
+        const auto k = static_cast<double>(above - 1 - cumulative.begin());
+        return static_cast<float>(radius * (2 * (k + f) / fine - 1));
+    };
     for (size_t i = 0; i <= entries; ++i) {
-        const double want = cumulative[fine] * static_cast<double>(i) / entries;
-        while (k + 1 < fine && cumulative[k + 1] < want) ++k;
-        const double f = (want - cumulative[k]) / (cumulative[k + 1] - cumulative[k]);
-        table_[i] = static_cast<float>(radius * (2 * (static_cast<double>(k) + f) / fine - 1));
+        const double x = static_cast<double>(i) / entries;
+        body_.push_back(inverse(0.5 * x));
+        tail_.push_back(inverse(static_cast<double>(tail) * x));
     }
 }
 

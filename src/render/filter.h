@@ -2,6 +2,7 @@
 // weight 1 and belongs to one pixel. Ernst, Stamminger, Greiner, "Filter Importance Sampling", 2006.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,23 @@ public:
 private:
     float inverse(float u) const
     {
-        if (table_.empty()) return u - 0.5f;
-        const float x = u * static_cast<float>(table_.size() - 1);
-        const auto i = static_cast<size_t>(x);
-        const float f = x - static_cast<float>(i);
-        return table_[i] * (1 - f) + table_[i + 1] * f;
+        if (body_.empty()) return u - 0.5f;
+        const float half = std::min(u, 1 - u);
+        const float x = half < tail ? look_up(tail_, half / tail) : look_up(body_, half * 2);
+        return u < 0.5f ? x : -x;
+    }
+    // x in [0, 1]
+    static float look_up(const std::vector<float>& table, float x)
+    {
+        const float at = x * static_cast<float>(table.size() - 1);
+        const auto i = std::min(static_cast<size_t>(at), table.size() - 2);
+        const float f = at - static_cast<float>(i);
+        return table[i] * (1 - f) + table[i + 1] * f;
     }
 
-    std::vector<float> table_;  // inverse of the cumulative filter; empty for the box
+    // Inverse of the cumulative filter over [0, 1/2], and finer where it is steep, over [0, tail]; empty for the box.
+    static constexpr float tail = 0x1p-6f;
+    std::vector<float> body_, tail_;
 };
 
 }  // namespace lancer

@@ -20,8 +20,12 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
                           const std::stop_token& stop, const std::function<void()>& tile_done) const
 {
     PassResult result;
+    std::atomic<bool> skipped{false};
     parallel_for(tiles.size(), [&](size_t i) {
-        if (stop.stop_requested()) return;
+        if (stop.stop_requested()) {
+            skipped = true;
+            return;
+        }
         std::unique_ptr<Workspace> w;
         {
             std::lock_guard lock(mutex_);
@@ -40,7 +44,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (tile_done) tile_done();
     });
-    result.complete = !stop.stop_requested();
+    result.complete = !skipped;
     return result;
 }
 
@@ -52,6 +56,7 @@ Color Renderer::replay(const Camera& camera, uint32_t width, const SampleId& id,
 std::vector<Tile> make_tiles(const Tile& crop, uint32_t size)
 {
     std::vector<Tile> tiles;
+    if (crop.x0 >= crop.x1) return tiles;
     for (uint32_t y = crop.y0 / size * size; y < crop.y1; y += size)
         for (uint32_t x = crop.x0 / size * size; x < crop.x1; x += size)
             tiles.push_back(

@@ -21,7 +21,7 @@ struct RenderSettings {
     KernelSettings kernel;
 };
 
-// What a pass did. Incomplete if it was stopped: some tiles then lack its samples.
+// What a pass did. Incomplete if it was stopped before its last tile: some tiles then lack its samples.
 struct PassResult {
     Counters counters;
     bool complete = true;

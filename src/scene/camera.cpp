@@ -37,15 +37,36 @@ Ray Camera::ray(Vec2 film, Vec2 lens) const
 
 CameraDescription fit_camera(const Bounds& subject, double aspect)
 {
+    constexpr double margin = 0.9;  // of the picture that the subject may fill
     CameraDescription c;
-    const double radius = subject.radius() > 0 ? subject.radius() : 1;
-    const Vec3d center = subject.empty() ? Vec3d{} : subject.center();
-    // The bounding sphere touches the narrower side of the picture.
-    const double half = std::tan(0.5 * c.fov_deg * to_rad) * std::min(1.0, aspect);
-    const double distance = radius / std::sin(std::atan(half));
-    c.target = center;
-    c.position = center + normalize(Vec3d{0.35, 0.3, 1}) * distance;
+    const Bounds b = subject.extent() > 0 ? subject : Bounds{{-1, -1, -1}, {1, 1, 1}};
+    const Vec3d back = normalize(Vec3d{0.35, 0.3, 1}), right = normalize(cross(c.up, back)), up = cross(back, right);
+    const double tan_y = std::tan(0.5 * c.fov_deg * to_rad) * margin, tan_x = tan_y * aspect;
+    // Far enough back for each corner of the box.
+    double distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3d p = Vec3d{corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y,
+                              corner & 4 ? b.upper.z : b.lower.z} -
+                        b.center();
+        const double across = std::max(std::abs(dot(p, right)) / tan_x, std::abs(dot(p, up)) / tan_y);
+        distance = std::max(distance, dot(p, back) + across);
+    }
+    c.target = subject.empty() ? Vec3d{} : subject.center();
+    c.position = c.target + back * distance;
     return c;
+}
+
+std::vector<LightDescription> default_lights(const Bounds& subject)
+{
+    const double r = subject.radius() > 0 ? subject.radius() : 1;
+    LightDescription sky, sun;
+    sky.type = LightType::environment;
+    sky.power = {0.4f, 0.46f, 0.55f};
+    sun.type = LightType::sphere;
+    sun.position = (subject.empty() ? Vec3d{} : subject.center()) + normalize(Vec3d{-0.55, 1, 0.75}) * (10 * r);
+    sun.radius = r;  // seen as 11 degrees across: soft shadows, little noise
+    sun.power = {62, 57, 48};
+    return {sky, sun};
 }
 
 }  // namespace lancer

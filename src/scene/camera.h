@@ -27,4 +27,7 @@ private:
 // Looks at the whole of the subject from the front, a little from above. aspect: width over height.
 CameraDescription fit_camera(const Bounds& subject, double aspect);
 
+// A sky and a sun from the upper left, for a subject that brings no light; it is as bright as its albedo, or so.
+std::vector<LightDescription> default_lights(const Bounds& subject);
+
 }  // namespace lancer
