@@ -58,6 +58,12 @@ std::string shortest(double x)
     return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
+std::string shortest(float x)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
 std::string in_shell_quotes(const std::string& word)
 {
     const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {

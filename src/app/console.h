@@ -10,6 +10,7 @@ namespace lancer {
 
 // The fewest digits that give the number back.
 std::string shortest(double x);
+std::string shortest(float x);
 
 // A word as a shell reads it back.
 std::string in_shell_quotes(const std::string& word);

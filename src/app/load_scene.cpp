@@ -48,7 +48,13 @@ bool emits(const MeshData& mesh)
     return std::any_of(mesh.face_material.begin(), mesh.face_material.end(), shines);
 }
 
-std::string to_toml(Vec3d v) { return "[" + shortest(v.x) + ", " + shortest(v.y) + ", " + shortest(v.z) + "]"; }
+template <class Number>
+std::string to_toml(Number x, Number y, Number z)
+{
+    return "[" + shortest(x) + ", " + shortest(y) + ", " + shortest(z) + "]";
+}
+std::string to_toml(Vec3d v) { return to_toml(v.x, v.y, v.z); }
+std::string to_toml(Color c) { return to_toml(c.r, c.g, c.b); }
 
 std::string to_toml_string(const std::string& text)
 {
@@ -97,7 +103,7 @@ std::string complete_scene(SceneDescription& scene, double aspect)
             const bool sun = light.type == LightType::sphere;
             added += std::string("[[light]]\ntype = \"") + (sun ? "sphere" : "environment") + "\"\n";
             if (sun) added += "center = " + to_toml(light.position) + "\nradius = " + shortest(light.radius) + "\n";
-            added += "radiance = " + to_toml({light.power.r, light.power.g, light.power.b}) + "\n";
+            added += "radiance = " + to_toml(light.power) + "\n";
             scene.lights.push_back(std::move(light));
         }
     return added;

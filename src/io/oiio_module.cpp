@@ -38,9 +38,16 @@ bool succeeded(bool ok, OIIO::ImageInput& input, LancerOiioInfo* info)
 
 LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiioInfo* info)
 {
-    // Otherwise a file that its own decoder refuses is offered to all the others.
-    OIIO::attribute("try_all_readers", 0);
-    OIIO::attribute("threads", 1);  // the caller's threads are the only ones
+    // Once: setting the number of threads while another thread reads ends in an assertion.
+    static const bool configured = [] {
+        // Otherwise a file that its own decoder refuses is offered to all the others.
+        return OIIO::attribute("try_all_readers", 0) &&
+               OIIO::attribute("threads", 1);  // the caller's threads are the only ones
+    }();
+    if (!configured) {
+        set_message(info, "this OpenImageIO does not know the settings it needs");
+        return nullptr;
+    }
     auto picture = std::make_unique<LancerOiioPicture>();
     picture->input = OIIO::ImageInput::create(format);
     if (!picture->input) {
