@@ -99,6 +99,21 @@ TEST(Agreement, EmittersLightEachOther)
     expect_all_ways_agree(d, "emitters", 16);
 }
 
+// Normals that are not those of the faces, coarse enough to differ much: what is sampled about the one and seen from
+// the other.
+TEST(Agreement, ShadingNormals)
+{
+    SceneDescription d;
+    MeshData smooth = *make_uv_sphere(5, 8, 0, make_lambert("smooth", {0.8f, 0.6f, 0.5f}));
+    for (const Vec3d& p : smooth.positions) smooth.normals.push_back(to_float(normalize(p + Vec3d{0, 0.4, 0})));
+    smooth.normal_triangles = smooth.triangles;
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
+    d.meshes.push_back(make_mesh(make_quad({-3, -1, 3}, {3, -1, 3}, {3, -1, -3}, {-3, -1, -3})));
+    d.lights = {sky_of({0.5f, 0.6f, 0.8f}), light_of(LightType::sphere, {3, 3, 2}, {2, 2, 1}, 0.9)};
+    d.camera = make_camera({0.5, 0.8, 3.5}, {0, -0.1, 0}, 42);
+    expect_all_ways_agree(d, "shading normals", 16);
+}
+
 TEST(Agreement, RouletteFromTheFirstVertexAndNever)
 {
     const SceneDescription d = spheres_scene();
