@@ -1,0 +1,157 @@
+// Different ways to estimate the same thing agree: light sampling, BSDF sampling and both weighted, either sampler,
+// with and without roulette. Welch's test over 8 x 8 pixels of pictures with seeds of their own, Sidak over all of
+// them.
+#include <gtest/gtest.h>
+
+#include "support/shoot.h"
+
+namespace lancer {
+namespace {
+
+// Every pair of ways in every tile; and, as a family of their own, the pictures as wholes, where a small bias
+// everywhere would show.
+void expect_agreement(const std::vector<std::vector<stats::Tally>>& ways, const std::vector<std::string>& names,
+                      const std::string& scene)
+{
+    stats::Family tiles, wholes;
+    for (size_t a = 0; a < ways.size(); ++a)
+        for (size_t b = a + 1; b < ways.size(); ++b) {
+            const std::string what = scene + ": " + names[a] + " against " + names[b];
+            const size_t whole = ways[a].size() - 1;
+            for (size_t tile = 0; tile < whole; ++tile)
+                tiles.add(stats::welch_p(ways[a][tile], ways[b][tile]), what + ", tile " + std::to_string(tile));
+            wholes.add(stats::welch_p(ways[a][whole], ways[b][whole]), what);
+        }
+}
+
+void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, uint32_t spp)
+{
+    std::vector<std::vector<stats::Tally>> tiles;
+    std::vector<std::string> names;
+    uint64_t seed = 0;
+    for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent})
+        for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}}) {
+            Shot shot{.integrator = Path{.max_depth = 6, .roulette_depth = 3, .direct = how},
+                      .spp = how.nee ? spp : 2 * spp,
+                      .sampler = sampler};
+            shot.seed = ++seed;
+            tiles.push_back(tiles_over_seeds(d, shot, 16));
+            names.push_back(std::string(!how.nee  ? "bsdf"
+                                        : how.mis ? "nee and mis"
+                                                  : "nee") +
+                            (sampler == SamplerKind::sobol ? ", sobol" : ", independent"));
+        }
+    // With roulette the paths of more than six vertices are the same too.
+    Shot never{.integrator = Path{.max_depth = 6, .roulette_depth = no_roulette}, .spp = spp};
+    never.seed = ++seed;
+    tiles.push_back(tiles_over_seeds(d, never, 16));
+    names.emplace_back("no roulette");
+    expect_agreement(tiles, names, scene);
+
+    // The accelerator only says what is hit: the same bits.
+    Shot few{.width = 24, .height = 16, .spp = 2};
+    const Film embree = shoot(d, few);
+    few.accel = AccelKind::list;
+    EXPECT_TRUE(same_bits(embree, shoot(d, few))) << scene << ": embree and list";
+}
+
+TEST(Agreement, Cornell) { expect_all_ways_agree(cornell_scene(), "cornell", 16); }
+
+TEST(Agreement, SpheresOfGlassAndMirror) { expect_all_ways_agree(spheres_scene(), "spheres", 16); }
+
+TEST(Agreement, SkyPanelAndSphereLight)
+{
+    SceneDescription d = lights_scene();
+    std::erase_if(d.lights, [](const auto& l) { return l.type == LightType::point; });  // no BSDF finds a point
+    d.meshes[1].data = make_uv_sphere(10, 20, 0.08, make_lambert("bumpy", {0.3f, 0.5f, 0.7f}));
+    // Larger, so that the BSDF alone finds them often enough for a normal distribution of means.
+    for (auto& l : d.lights) l.radius = 0.8;
+    d.meshes[2].transform = {{-1.2, -0.4, 0}, {}, {2, 2, 2}};
+    expect_all_ways_agree(d, "lights", 16);
+}
+
+TEST(Agreement, InstancedEmitters)
+{
+    SceneDescription d = instances_scene();
+    d.planes.clear();
+    d.meshes.push_back(make_mesh(make_quad({-2, -0.6, 2}, {2, -0.6, 2}, {2, -0.6, -2}, {-2, -0.6, -2})));
+    d.instances.back().transform.scale = {1.2, 1, 1};
+    d.instances.push_back(instance_of("lamp", {{-2, 0.7, 0}, {0, 0, -60}, {-0.8, 1, 1.2}}));
+    d.camera = make_camera({0, 1.5, 3}, {0, -0.3, 0}, 40);
+    expect_all_ways_agree(d, "instances", 16);
+}
+
+// An emitting mesh that reflects, in a corner of an emitting sphere's inside: light sampling from emitters to
+// themselves.
+TEST(Agreement, EmittersLightEachOther)
+{
+    SceneDescription d;
+    MaterialDescription dome = make_lambert("dome", {0.6f, 0.5f, 0.4f});
+    dome.emission = {0.2f, 0.2f, 0.3f};
+    dome.emission_both_sides = true;
+    MaterialDescription glow = make_lambert("glow", {0.7f, 0.7f, 0.7f});
+    glow.emission = {1, 0.5f, 0.2f};
+    d.materials = {dome, glow};
+    d.spheres.push_back(sphere_of({0, 0, 0}, 2, "dome"));
+    d.spheres.push_back(sphere_of({0.5, -0.4, -0.3}, 0.4, "glow"));
+    d.meshes.push_back(make_mesh(make_cube(glow), {{-0.5, -0.3, -0.2}, {10, 20, 30}, {0.3, 0.4, 0.3}}));
+    d.camera = make_camera({0, 0.2, 1.6}, {0, -0.2, -0.3}, 60);
+    expect_all_ways_agree(d, "emitters", 16);
+}
+
+// Normals that are not those of the faces, coarse enough to differ much: what is sampled about the one and seen from
+// the other.
+TEST(Agreement, ShadingNormals)
+{
+    SceneDescription d;
+    MeshData smooth = *make_uv_sphere(5, 8, 0, make_lambert("smooth", {0.8f, 0.6f, 0.5f}));
+    for (const Vec3d& p : smooth.positions) smooth.normals.push_back(to_float(normalize(p + Vec3d{0, 0.4, 0})));
+    smooth.normal_triangles = smooth.triangles;
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
+    d.meshes.push_back(make_mesh(make_quad({-3, -1, 3}, {3, -1, 3}, {3, -1, -3}, {-3, -1, -3})));
+    d.lights = {sky_of({0.5f, 0.6f, 0.8f}), light_of(LightType::sphere, {3, 3, 2}, {2, 2, 1}, 0.9)};
+    d.camera = make_camera({0.5, 0.8, 3.5}, {0, -0.1, 0}, 42);
+    expect_all_ways_agree(d, "shading normals", 16);
+}
+
+TEST(Agreement, RouletteFromTheFirstVertexAndNever)
+{
+    const SceneDescription d = spheres_scene();
+    std::vector<std::vector<stats::Tally>> tiles;
+    for (const uint32_t first : {1u, no_roulette})
+        tiles.push_back(tiles_over_seeds(
+            d, {.integrator = Path{.max_depth = 40, .roulette_depth = first}, .spp = 16, .seed = first}, 24));
+    expect_agreement(tiles, {"from the first", "never"}, "spheres");
+}
+
+// A pane of index 1 before the camera: other random numbers, the same picture.
+TEST(Agreement, PaneOfIndexOne)
+{
+    const SceneDescription bare = cornell_scene();
+    SceneDescription pane = bare;
+    MaterialDescription nothing = make_lambert("nothing", {1, 1, 1});
+    nothing.type = MaterialType::glass;
+    nothing.ior = 1;
+    pane.meshes.push_back(make_mesh(make_cube(nothing), {{0, 0, 2}, {0, 0, 0}, {2, 2, 0.1}}));
+    std::vector<std::vector<stats::Tally>> tiles;
+    tiles.push_back(tiles_over_seeds(bare, {.integrator = Path{.max_depth = 2}, .spp = 16}, 16));
+    tiles.push_back(tiles_over_seeds(pane, {.integrator = Path{.max_depth = 4}, .spp = 16, .seed = 1}, 16));
+    // The pane takes two of the vertices on the way in; light that leaves the box through it would need two more, but
+    // there is nothing outside to come back from.
+    expect_agreement(tiles, {"bare", "pane"}, "cornell");
+}
+
+// On diffuse surfaces direct light is the path tracer of one vertex, to the bit.
+TEST(Agreement, DirectIsPathOfOneVertex)
+{
+    for (const auto& [name, d] : all_test_scenes()) {
+        if (std::string(name) == "spheres") continue;  // mirror and glass: direct light follows them
+        for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}})
+            EXPECT_TRUE(same_bits(shoot(d, {.integrator = Direct{.direct = how}}),
+                                  shoot(d, {.integrator = Path{.max_depth = 1, .direct = how}})))
+                << name;
+    }
+}
+
+}  // namespace
+}  // namespace lancer
