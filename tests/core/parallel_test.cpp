@@ -110,17 +110,15 @@ TEST(ParallelFor, ExceptionsReachTheCallerAndEndTheLoop)
 
 TEST(WithThreads, AnExceptionLeavesTheOuterLimitInPlace)
 {
-    std::set<std::thread::id> used;
-    std::mutex mutex;
-    with_threads(1, [&] {
-        EXPECT_THROW(with_threads(4, [] { throw std::runtime_error("no"); }), std::runtime_error);
-        parallel_for(100, [&](size_t) {
-            std::this_thread::sleep_for(std::chrono::microseconds(50));
-            const std::lock_guard lock(mutex);
-            used.insert(std::this_thread::get_id());
+    Rendezvous rendezvous(3);
+    std::atomic<bool> met{true};
+    with_threads(3, [&] {
+        EXPECT_THROW(with_threads(1, [] { throw std::runtime_error("no"); }), std::runtime_error);
+        parallel_for(3, [&](size_t) {
+            if (!rendezvous.wait()) met = false;
         });
     });
-    EXPECT_EQ(used.size(), 1u);
+    EXPECT_TRUE(met);
 }
 
 TEST(ParallelFor, Nests)

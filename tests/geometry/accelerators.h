@@ -63,8 +63,8 @@ inline Geometry random_geometry(uint64_t seed)
     for (uint32_t i = 0; i < 5; ++i) {
         Vec3d scale = random.point(0.1, 0.8);
         if (i % 2) scale.y = -scale.y;
-        g.instances.push_back(
-            make_instance(2 + i % 2, make_transform(random.point(-2, 2), random.point(-180, 180), scale)));
+        const Vec3d move = random.point(-2, 2), turn_deg = random.point(-180, 180);
+        g.instances.push_back(make_instance(2 + i % 2, make_transform(move, turn_deg, scale)));
     }
     for (int i = 0; i < 8; ++i) g.spheres.push_back({random.point(-2, 2), random.uniform(0.05, 0.8)});
     g.planes.push_back({{0, 1, 0}, -2});

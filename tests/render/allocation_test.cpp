@@ -12,14 +12,15 @@ namespace {
 
 std::atomic<uint64_t> allocations{0};
 
-void* counted(std::size_t size, std::size_t alignment)
+void* counted_or_null(std::size_t size, std::size_t alignment) noexcept
 {
     ++allocations;
-    if (alignment <= alignof(std::max_align_t)) {
-        if (void* p = std::malloc(size ? size : 1)) return p;
-    } else if (void* p = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)) {
-        return p;
-    }
+    if (alignment <= alignof(std::max_align_t)) return std::malloc(size ? size : 1);
+    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+void* counted(std::size_t size, std::size_t alignment)
+{
+    if (void* p = counted_or_null(size, alignment)) return p;
     throw std::bad_alloc();
 }
 
@@ -29,10 +30,14 @@ void* operator new(std::size_t size) { return counted(size, 1); }
 void* operator new[](std::size_t size) { return counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t a) { return counted(size, static_cast<std::size_t>(a)); }
 void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, static_cast<std::size_t>(a)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size, 1); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size, 1); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
+void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
 void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }

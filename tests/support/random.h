@@ -1,4 +1,5 @@
-// Random inputs for tests: always the same for the same seed, whatever the standard library.
+// Random inputs for tests: always the same for the same seed, whatever the standard library and compiler. Never draw
+// twice among the arguments of one call: their order is the compiler's.
 #pragma once
 
 #include <cmath>
@@ -28,7 +29,11 @@ public:
     }
     double sign() { return engine_() >> 63 ? 1 : -1; }
     // Magnitude 10^[a, b), either sign.
-    double log_uniform(double a, double b) { return sign() * std::pow(10.0, uniform(a, b)); }
+    double log_uniform(double a, double b)
+    {
+        const double magnitude = std::pow(10.0, uniform(a, b));
+        return sign() * magnitude;
+    }
     Vec3d point(double a, double b)
     {
         const double x = uniform(a, b), y = uniform(a, b);
