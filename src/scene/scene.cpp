@@ -8,6 +8,14 @@
 namespace lancer {
 namespace {
 
+constexpr double pi_d = 3.14159265358979323846;
+
+// What lights are weighed by: luminance in double, which no radiance overflows.
+double power_of(Color c)
+{
+    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) + 0.0722 * static_cast<double>(c.b);
+}
+
 constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyond 1.8e18, and squares must stay finite
 
 double power_of_two_scale(double extent) { return extent > 0 ? std::ldexp(1.0, -std::ilogb(extent)) : 1; }
@@ -261,8 +269,7 @@ private:
             if (s.emitter_rank[i] == Scene::none) continue;
             const Emission& e = scene_.emission[s.material_of(i)];
             const double area = static_cast<double>(triangle_point(scene_, instance, mesh, i, {}).area);
-            add_light(TriangleLight{instance, mesh, i},
-                      area * static_cast<double>(luminance(e.radiance) * pi) * (e.both_sides ? 2 : 1));
+            add_light(TriangleLight{instance, mesh, i}, area * pi_d * power_of(e.radiance) * (e.both_sides ? 2 : 1));
         }
         return first;
     }
@@ -274,7 +281,7 @@ private:
                 const Vec3d p = scene_.normalisation.to_scene(l.position);
                 check_near(p, l.where, "this light");
                 const Color intensity = l.power * static_cast<float>(s2);
-                add_light(PointLight{to_float(p), intensity}, static_cast<double>(luminance(intensity) * 4 * pi));
+                add_light(PointLight{to_float(p), intensity}, 4 * pi_d * power_of(intensity));
             }
             if (l.type == LightType::environment) scene_.environment += l.power;
         }
@@ -284,8 +291,7 @@ private:
                                                                : static_cast<uint32_t>(scene_.lights.lights.size()));
             if (is_black(e.radiance)) continue;
             const double r = scene_.geometry.spheres[i].radius;
-            add_light(SphereLight{i},
-                      r * r * static_cast<double>(luminance(e.radiance) * 4 * pi * pi) * (e.both_sides ? 2 : 1));
+            add_light(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(e.radiance) * (e.both_sides ? 2 : 1));
         }
         const auto meshes = static_cast<uint32_t>(scene_.geometry.meshes.size());
         scene_.mesh_first_light.resize(meshes, Scene::none);
@@ -299,7 +305,7 @@ private:
         if (!is_black(scene_.environment)) {
             scene_.environment_light = static_cast<uint32_t>(scene_.lights.lights.size());
             const double r = std::max(scene_.bounds.radius(), 1.0);
-            add_light(EnvironmentLight{}, r * r * static_cast<double>(luminance(scene_.environment) * 4 * pi * pi));
+            add_light(EnvironmentLight{}, r * r * 4 * pi_d * pi_d * power_of(scene_.environment));
         }
         scene_.lights.pick = Discrete(powers_);
     }
