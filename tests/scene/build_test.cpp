@@ -171,15 +171,15 @@ TEST(Build, InstancedMeshIsDrawnOnlyThroughItsInstances)
     d.meshes.back().name = "cube";
     const Stage before(d);
     EXPECT_TRUE(before.look(before.to_scene({4, 0, 0}), {1, 0, 0})) << "not instanced: as it stands";
-    d.instances.push_back(instance_of("cube", {{0, 0, 20}, {}, {1, 1, 1}}));
+    d.instances.push_back(instance_of("cube", {{0, 0, 20}, {0, 90, 0}, {1, 1, 1}}));
     const Stage stage(d);
     EXPECT_FALSE(stage.look(stage.to_scene({4, 0, 0}), {1, 0, 0}));
-    // The mesh's own transform first, then the instance's.
-    const auto there = stage.look(stage.to_scene({10, 0, 0}), {0, 0, 1});
+    // The mesh's own transform first, to x = 10; then the instance's, which turns that to z = -10 and moves it.
+    const auto there = stage.look(stage.to_scene({0, 0, 2}), {0, 0, 1});
     ASSERT_TRUE(there);
     const Vec3d p = stage.scene.normalisation.to_file(to_double(there->p));
-    EXPECT_NEAR(p.x, 10, 1e-5);
-    EXPECT_NEAR(p.z, 19, 1e-5);
+    EXPECT_NEAR(p.x, 0, 1e-5);
+    EXPECT_NEAR(p.z, 9, 1e-5);
 }
 
 TEST(Build, EveryInstanceOfAnEmitterIsALightOfItsOwn)
