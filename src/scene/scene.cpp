@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/names.h"
+#include "scene/placement.h"
 #include "scene/surface.h"
 
 namespace lancer {
@@ -18,53 +19,6 @@ double power_of(Color c)
 
 constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyond 1.8e18, and squares must stay finite
 
-double power_of_two_scale(double extent) { return extent > 0 ? std::ldexp(1.0, -std::ilogb(extent)) : 1; }
-
-// The bounds of a point set, moved to the origin only if they lie far from it: a translation costs a rounding.
-Normalisation normalise(const Bounds& b)
-{
-    if (b.empty()) return {};
-    const bool far = max_component(abs(b.center())) > 8 * b.extent();
-    return {far ? b.center() : Vec3d{},
-            power_of_two_scale(b.extent() > 0 ? b.extent() : max_component(abs(b.center())))};
-}
-
-Transform as_transform(const Normalisation& n)
-{
-    return {{n.scale, 0, 0}, {0, n.scale, 0}, {0, 0, n.scale}, -n.center * n.scale};
-}
-
-Bounds bounds_of(const MeshData& data)
-{
-    Bounds b;
-    for (const Vec3d& p : data.positions) b.grow(p);
-    return b;
-}
-
-Bounds transformed(const Bounds& b, const Transform& m)
-{
-    Bounds out;
-    if (b.empty()) return out;
-    for (int corner = 0; corner < 8; ++corner)
-        out.grow(m.point({corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y,
-                          corner & 4 ? b.upper.z : b.lower.z}));
-    return out;
-}
-
-// Where each mesh of the description is drawn.
-struct Placement {
-    std::map<std::string, uint32_t> by_name;
-    std::vector<bool> instanced;
-
-    explicit Placement(const SceneDescription& d) : instanced(d.meshes.size())
-    {
-        for (uint32_t i = 0; i < d.meshes.size(); ++i)
-            if (!d.meshes[i].name.empty()) by_name.emplace(d.meshes[i].name, i);
-        for (const auto& instance : d.instances)
-            if (const auto it = by_name.find(instance.mesh); it != by_name.end()) instanced[it->second] = true;
-    }
-};
-
 class Builder {
 public:
     Builder(const SceneDescription& d, Diagnostics& diagnostics) : d_(d), diagnostics_(diagnostics), placement_(d) {}
@@ -77,7 +31,7 @@ public:
         add_planes();
         for (uint32_t i = 0; i < d_.meshes.size(); ++i) add_mesh(i);
         add_instances();
-        scene_.bounds = transformed(subject_bounds(d_), as_transform(scene_.normalisation));
+        scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_lights();
         warn();
         diagnostics_.throw_if_errors();
@@ -183,7 +137,7 @@ private:
         // An instanced mesh is kept in a frame of its own, as near to 1 as the scene is.
         const Normalisation own = instanced ? normalise(bounds_of(data)) : Normalisation{};
         const Transform place =
-            instanced ? as_transform(own) : compose(as_transform(scene_.normalisation), to_transform(m.transform));
+            instanced ? to_transform(own) : compose(to_transform(scene_.normalisation), to_transform(m.transform));
         own_.push_back(own);
 
         Mesh mesh;
@@ -235,7 +189,7 @@ private:
             }
             const Transform to_file = compose(to_transform(i.transform), to_transform(d_.meshes[it->second].transform));
             const Transform to_world =
-                compose(compose(as_transform(scene_.normalisation), to_file), inverse(as_transform(own_[it->second])));
+                compose(compose(to_transform(scene_.normalisation), to_file), inverse(to_transform(own_[it->second])));
             check_near(to_world.translation, i.where, "this instance");
             scene_.geometry.instances.push_back({it->second, to_world, inverse(to_world)});
         }
@@ -332,37 +286,6 @@ private:
 };
 
 }  // namespace
-
-Transform to_transform(const TransformDescription& t) { return make_transform(t.translate, t.rotate_deg, t.scale); }
-
-Bounds subject_bounds(const SceneDescription& d)
-{
-    Bounds b;
-    const Placement placement(d);
-    for (size_t i = 0; i < d.meshes.size(); ++i)
-        if (!placement.instanced[i]) {
-            const Transform m = to_transform(d.meshes[i].transform);
-            for (const Vec3d& p : d.meshes[i].data->positions) b.grow(m.point(p));
-        }
-    for (const auto& i : d.instances)
-        if (const auto it = placement.by_name.find(i.mesh); it != placement.by_name.end()) {
-            const MeshDescription& mesh = d.meshes[it->second];
-            b.grow(
-                transformed(bounds_of(*mesh.data), compose(to_transform(i.transform), to_transform(mesh.transform))));
-        }
-    // Spheres from small to large; one that dwarfs all before it is a wall or a sky, not part of the subject.
-    std::vector<Sphere> spheres;
-    for (const auto& s : d.spheres) spheres.push_back({s.center, s.radius});
-    for (const auto& l : d.lights)
-        if (l.type == LightType::sphere) spheres.push_back({l.position, l.radius});
-    std::stable_sort(spheres.begin(), spheres.end(),
-                     [](const Sphere& x, const Sphere& y) { return x.radius < y.radius; });
-    for (const Sphere& s : spheres) {
-        if (b.extent() > 0 && s.radius > 32 * b.extent()) break;
-        b.grow(bounds(s));
-    }
-    return b;
-}
 
 Scene Scene::build(const SceneDescription& description, Diagnostics& diagnostics)
 {

@@ -11,18 +11,9 @@
 #include "materials/material.h"
 #include "scene/description.h"
 #include "scene/light.h"
+#include "scene/placement.h"
 
 namespace lancer {
-
-// From file units to scene units: x -> (x - center) * scale. scale is a power of two, so that a scene scaled by 2^k
-// has the very same numbers inside; center is 0 unless the scene lies more than 8 extents from the origin.
-struct Normalisation {
-    Vec3d center{};
-    double scale = 1;
-
-    Vec3d to_scene(Vec3d p) const { return (p - center) * scale; }
-    Vec3d to_file(Vec3d p) const { return p / scale + center; }
-};
 
 // What shading needs to know of a mesh, beside its geometry.
 struct MeshShading {
@@ -61,10 +52,5 @@ struct Scene {
 
     uint64_t triangle_count() const;  // instances not multiplied
 };
-
-// Bounds in file units of what a camera should see: all but planes and spheres far larger than the rest.
-Bounds subject_bounds(const SceneDescription& description);
-
-Transform to_transform(const TransformDescription& t);
 
 }  // namespace lancer

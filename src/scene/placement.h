@@ -1,0 +1,51 @@
+// Where things are: the units of a scene, and the place of each mesh in it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/transform.h"
+#include "scene/description.h"
+
+namespace lancer {
+
+// From file units to scene units: x -> (x - center) * scale. scale is a power of two, so that a scene scaled by 2^k
+// has the very same numbers inside; center is 0 unless the scene lies more than 8 extents from the origin.
+struct Normalisation {
+    Vec3d center{};
+    double scale = 1;
+
+    Vec3d to_scene(Vec3d p) const { return (p - center) * scale; }
+    Vec3d to_file(Vec3d p) const { return p / scale + center; }
+};
+
+// What brings the bounds to an extent in [1, 2). Moved to the origin only if they lie far from it: a translation costs
+// a rounding.
+Normalisation normalise(const Bounds& b);
+Transform to_transform(const Normalisation& n);
+Transform to_transform(const TransformDescription& t);
+
+Bounds bounds_of(const MeshData& data);
+// Of the transformed corners.
+Bounds transformed(const Bounds& b, const Transform& m);
+
+// Bounds in file units of what a camera should see: all but planes and spheres far larger than the rest.
+Bounds subject_bounds(const SceneDescription& description);
+
+// Where each mesh of the description is drawn.
+struct Placement {
+    std::map<std::string, uint32_t> by_name;
+    std::vector<bool> instanced;
+
+    explicit Placement(const SceneDescription& d) : instanced(d.meshes.size())
+    {
+        for (uint32_t i = 0; i < d.meshes.size(); ++i)
+            if (!d.meshes[i].name.empty()) by_name.emplace(d.meshes[i].name, i);
+        for (const auto& instance : d.instances)
+            if (const auto it = by_name.find(instance.mesh); it != by_name.end()) instanced[it->second] = true;
+    }
+};
+
+}  // namespace lancer
