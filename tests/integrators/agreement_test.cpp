@@ -109,6 +109,11 @@ TEST(Agreement, ShadingNormals)
     smooth.normal_triangles = smooth.triangles;
     d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
     d.meshes.push_back(make_mesh(make_quad({-3, -1, 3}, {3, -1, 3}, {3, -1, -3}, {-3, -1, -3})));
+    // An open sheet: nothing behind it stops light that its normals alone would let in from below.
+    MeshData sheet = *make_quad({-1.9, -0.5, 1}, {-0.9, -0.5, 1.5}, {-0.9, 0.9, 1.5}, {-1.9, 0.9, 1});
+    sheet.normals = {normalize(Vec3{1, 0.3f, 0.3f}), normalize(Vec3{-1, 0.3f, 0.3f})};
+    sheet.normal_triangles = {{0, 0, 1}, {0, 1, 1}};
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(sheet)));
     d.lights = {sky_of({0.5f, 0.6f, 0.8f}), light_of(LightType::sphere, {3, 3, 2}, {2, 2, 1}, 0.9)};
     d.camera = make_camera({0.5, 0.8, 3.5}, {0, -0.1, 0}, 42);
     expect_all_ways_agree(d, "shading normals", 16);
