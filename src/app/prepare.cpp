@@ -39,6 +39,7 @@ void build_prepared(Prepared& p, const PictureOptions& options, Diagnostics& dia
         print_warnings(diagnostics);
         throw;
     }
+    p.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
     if (options.strict && !p.warnings.empty())

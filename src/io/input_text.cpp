@@ -1,15 +1,12 @@
 #include "io/input_text.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <utility>
+
+#include "io/text_file.h"
 
 namespace lancer {
 namespace {
-
-constexpr size_t max_bytes = size_t{256} << 20;  // also ends the reading of an endless device
 
 // The first place behind the quoted text that starts at `i`. Ends early at the end of the line or of the text, where
 // the parser will complain.
@@ -63,27 +60,10 @@ uint32_t line_of_too_deep_key(std::string_view text)
 
 std::string read_input_text(const std::string& path)
 {
-    std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-    if (status.type() == std::filesystem::file_type::not_found) {
-        throw Error(ErrorKind::missing_input, {path}, "no such file");
-    }
-    if (std::filesystem::is_directory(status)) throw Error(ErrorKind::invalid_input, {path}, "is a folder, not a file");
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw Error(ErrorKind::missing_input, {path}, "cannot be opened: " + std::generic_category().message(errno));
-    }
-    std::string text;
-    std::string chunk(1 << 16, '\0');
-    while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
-        text.append(chunk, 0, static_cast<size_t>(file.gcount()));
-        if (text.size() > max_bytes) throw Error(ErrorKind::invalid_input, {path}, "is larger than 256 MiB");
-    }
-    if (file.bad()) {
-        throw Error(ErrorKind::failed, {path}, "cannot be read: " + std::generic_category().message(errno));
-    }
-    return text;
+    FileContent content = read_file(path);
+    if (!content.problem.empty())
+        throw Error(content.missing ? ErrorKind::missing_input : ErrorKind::invalid_input, {path}, content.problem);
+    return std::move(content.bytes);
 }
 
 bool check_toml_text(std::string_view text, const std::string& path, Diagnostics& diagnostics)

@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-// All bytes of the file. Throws Error if it is missing, a folder, unreadable or larger than any scene can be.
+// All bytes of the file. Throws Error if it is missing, a folder or unreadable.
 std::string read_input_text(const std::string& path);
 
 // Reports a text that is empty, binary, or has keys of so many parts that toml++ would exhaust the stack on them.

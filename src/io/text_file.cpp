@@ -66,7 +66,7 @@ FileContent read_file(const std::string& path)
         return content;
     }
     if (!std::filesystem::is_regular_file(status)) {
-        content.problem = "not a regular file";
+        content.problem = std::filesystem::is_directory(status) ? "is a folder, not a file" : "not a regular file";
         return content;
     }
     const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
