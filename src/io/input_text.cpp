@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-constexpr size_t max_bytes = size_t{256} << 20;  // also ends the reading of an endless device
+constexpr size_t max_bytes = size_t{256} << 20;
 
 // The first place behind the quoted text that starts at `i`. Ends early at the end of the line or of the text, where
 // the parser will complain.
@@ -69,6 +69,9 @@ std::string read_input_text(const std::string& path)
         throw Error(ErrorKind::missing_input, {path}, "no such file");
     }
     if (std::filesystem::is_directory(status)) throw Error(ErrorKind::invalid_input, {path}, "is a folder, not a file");
+    // A pipe that nobody writes to would be read for ever. What cannot be asked, the opening reports.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw Error(ErrorKind::invalid_input, {path}, "not a regular file");
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) {
