@@ -65,6 +65,7 @@ void Run::load()
 {
     Diagnostics diagnostics;
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics, options_.quiet); });
+    spare_inputs(options_, prepared_.description);
     settings_ = prepared_.settings;
     settings_.spp = options_.spp.value_or(settings_.spp);
     if (options_.crop) {

@@ -1,6 +1,8 @@
 // The program: finds the command, catches what it throws, turns that into an exit code.
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -79,11 +81,35 @@ int exit_code(ErrorKind kind)
     return exit_failed;
 }
 
+// TBB and Embree throw where nobody can catch it, above all if the system grants no more threads.
+[[noreturn]] void end_with_message()
+{
+    std::string reason = "a library gave up";
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& e) {
+        reason = e.what();
+    } catch (...) {
+    }
+    print_problem("error: " + reason + "; fewer --threads need less of memory and processes");
+    std::_Exit(exit_failed);
+}
+
+// A reader that goes away and a limit on the size of files are errors of writing, reported as such; the signals would
+// end the program without a word and leave temporary files.
+void take_signals_of_writing_as_errors()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 }  // namespace
 
 int run(int argc, char** argv)
 {
     set_flush_denormals();
+    std::set_terminate(end_with_message);
+    take_signals_of_writing_as_errors();
     try {
         const int code = dispatch(argc, argv);
         flush_results();

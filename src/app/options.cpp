@@ -174,6 +174,7 @@ private:
         for (const CLI::Option* option : app_.get_options())
             for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
         for (const std::string& extra : app_.remaining()) {
+            if (extra == "--") continue;  // what follows it are arguments, also with a '-' in front
             if (!extra.starts_with('-')) fail("unexpected argument " + in_quotes(extra));
             const std::string name = extra.substr(0, extra.find('='));
             const auto meant = nearest(name, known);
@@ -271,6 +272,15 @@ void add_render_options(Parser& p, RenderOptions& o)
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
 }
 
+// With links followed as far as there are files: two names of one file are equal. Absolute first: of a relative path
+// that does not exist, weakly_canonical would leave a relative one.
+std::filesystem::path place_of(const std::string& path)
+{
+    std::error_code problem;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
+    return problem ? std::filesystem::path(path).lexically_normal() : place;
+}
+
 }  // namespace
 
 std::optional<RenderOptions> parse_render(int argc, char** argv)
@@ -289,9 +299,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     if (!o.stats.empty()) files.push_back(o.stats);
     for (size_t i = 0; i < files.size(); ++i)
         for (size_t j = 0; j < i; ++j)
-            if (std::filesystem::path(files[i]).lexically_normal() ==
-                std::filesystem::path(files[j]).lexically_normal())
-                fail("--output: " + in_quotes(files[i]) + " is named twice");
+            if (place_of(files[i]) == place_of(files[j])) fail("--output: " + in_quotes(files[i]) + " is named twice");
     o.command_line = "lancer render";
     for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
     return o;

@@ -1,6 +1,9 @@
 #include "app/outputs.h"
 
+#include <filesystem>
+
 #include "app/paths.h"
+#include "core/names.h"
 #include "io/atomic_file.h"
 #include "io/exr.h"
 #include "io/png.h"
@@ -24,6 +27,25 @@ void probe_outputs(const RenderOptions& options)
 {
     for (const std::string& path : options.outputs) const AtomicFile probe(path);
     if (!options.stats.empty()) const AtomicFile probe(options.stats);
+}
+
+void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
+{
+    std::vector<std::string> inputs{scene.file};
+    for (const MeshDescription& mesh : scene.meshes) {
+        if (!mesh.data) continue;
+        inputs.push_back(mesh.data->file);
+        inputs.insert(inputs.end(), mesh.data->material_files.begin(), mesh.data->material_files.end());
+    }
+    const auto check = [&](const std::string& option, const std::string& path) {
+        std::error_code absent;
+        for (const std::string& input : inputs)
+            if (std::filesystem::equivalent(path, input, absent))
+                throw Error(ErrorKind::usage, {},
+                            option + ": " + in_quotes(path) + " would overwrite the input " + in_quotes(input));
+    };
+    for (const std::string& path : options.outputs) check("--output", path);
+    if (!options.stats.empty()) check("--stats", options.stats);
 }
 
 Image to_image(const Film& film)

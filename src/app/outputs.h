@@ -5,11 +5,15 @@
 #include "core/image.h"
 #include "io/metadata.h"
 #include "report/stats_json.h"
+#include "scene/description.h"
 
 namespace lancer {
 
 // Throws Error (failed) if a file could not be written now; nothing is changed.
 void probe_outputs(const RenderOptions& options);
+
+// Throws Error (usage) if an output, be it through a link, is a file that the scene was read from.
+void spare_inputs(const RenderOptions& options, const SceneDescription& scene);
 
 // Each pixel is the mean of its own samples; one without any is black.
 Image to_image(const Film& film);

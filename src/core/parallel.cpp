@@ -15,6 +15,7 @@
 #ifdef LANCER_STD_THREADS
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <vector>
 #else
 #include <tbb/global_control.h>
@@ -80,7 +81,13 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body)
         }
     };
     std::vector<std::thread> threads;
-    for (size_t i = 1; i < std::min<size_t>(thread_limit, count); ++i) threads.emplace_back(work);
+    for (size_t i = 1; i < std::min<size_t>(thread_limit, count); ++i) {
+        try {
+            threads.emplace_back(work);
+        } catch (const std::system_error&) {
+            break;  // the system grants no more: those there are do it all
+        }
+    }
     work();
     for (auto& t : threads) t.join();
     if (failure) std::rethrow_exception(failure);

@@ -349,6 +349,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
                                                                                            : material_file.problem));
             continue;
         }
+        mesh->material_files.push_back(file);
         mesh->content_hash = hash_bytes(material_file.bytes, mesh->content_hash);
         library.add_file(file, material_file.text(), diagnostics);
     }

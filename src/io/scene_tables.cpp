@@ -87,7 +87,7 @@ void SceneReader::read_render(const TomlTable& table)
     render.filter = table.text("filter");
     render.sampler = table.text("sampler");
     render.spp = table.integer("spp", 1, max_int);
-    render.max_depth = table.integer("max_depth", 0, max_int + 1);
+    render.max_depth = table.integer("max_depth", 0, max_int);
     render.seed = table.integer("seed", 0, INT64_MAX);
     render.size = table.size("size");
 }

@@ -167,7 +167,7 @@ std::optional<Color> TomlTable::color(std::string_view key, const NumberRule& ru
 
 std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) const
 {
-    constexpr int64_t max_side = 65535, max_pixels = int64_t{1} << 31;
+    constexpr int64_t max_side = 65536, max_pixels = int64_t{1} << 28;
     const TomlValue* value = find(key);
     if (!value) return {};
     const TomlValue::Array* array = as_array(*value);
@@ -179,7 +179,7 @@ std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) con
     const std::optional<int64_t> height = integer((*array)[1], key, 1, max_side);
     if (!width || !height) return {};
     if (*width * *height > max_pixels) {
-        error(key, " must make at most 2147483648 pixels, not " + std::to_string(*width * *height));
+        error(key, " must make at most 268435456 pixels, not " + std::to_string(*width * *height));
         return {};
     }
     return std::array{static_cast<uint32_t>(*width), static_cast<uint32_t>(*height)};

@@ -30,6 +30,7 @@ struct MaterialDescription {
 // One mesh file after loading: validated, triangulated, still in double and in the file's units.
 struct MeshData {
     std::string file;
+    std::vector<std::string> material_files;         // as found and read
     std::vector<Vec3d> positions;                    // finite
     std::vector<std::array<uint32_t, 3>> triangles;  // indices into positions, in range
     std::vector<Vec3> normals;                       // finite, unit; empty if the file has none

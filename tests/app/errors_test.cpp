@@ -1,6 +1,11 @@
 // What the program says when something is wrong, its exit code, and what it leaves behind.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdlib>
+
 #include "app/run_program.h"
 
 namespace lancer {
@@ -46,7 +51,7 @@ TEST_F(Wrong, Options)
     expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
     expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
     expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr or .png");
-    expect_usage({"-o", "a.exr", "-o", "./a.exr"}, "is named twice");
+    expect_usage({"--size", "8x8", "-o", "a.exr", "-o", "./a.exr"}, "is named twice");
 }
 
 TEST_F(Wrong, Numbers)
@@ -92,6 +97,8 @@ TEST_F(Wrong, ScenesAndMeshes)
     expect_fault({"name.toml"}, 65, "unknown filter 'bx' in [render]");
     write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     expect_fault({"index.obj"}, 65, "index.obj:4");
+    ASSERT_EQ(mkfifo(file("pipe.toml").c_str(), 0600), 0);
+    expect_fault({"pipe.toml"}, 65, "pipe.toml: error: not a regular file");
     write("scene.txt", "version = 1\n");
     expect_fault({"render", "scene.txt"}, 65, "must end in .toml or .obj");
 }
@@ -127,6 +134,66 @@ TEST_F(Wrong, AFullDeviceIsAFailure)
     std::filesystem::create_symlink("/dev/full", file("full.exr"));
     expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-o", "full.exr", "--progress", "none"}, 1,
                  "full.exr: error: cannot write: No space left on device");
+}
+
+TEST_F(Wrong, AnOutputThatIsAnInput)
+{
+    write("lit.obj", "mtllib lit.mtl\n" + std::string(quad));
+    write("lit.mtl", "newmtl a\nKe 1 1 1\n");
+    write("mesh.toml", "[[mesh]]\nfile = \"lit.obj\"\n");
+    std::filesystem::create_symlink("mesh.toml", file("link.exr"));
+    const std::vector<std::string> small{"mesh.toml", "--size", "8x8", "-s", "1", "-q"};
+    for (const auto& [option, output, input] :
+         {std::array{"-o", "link.exr", "mesh.toml"}, std::array{"--stats", "./mesh.toml", "mesh.toml"},
+          std::array{"--stats", "lit.obj", "lit.obj"}, std::array{"--stats", "lit.mtl", "lit.mtl"}}) {
+        std::vector<std::string> arguments = small;
+        arguments.insert(arguments.end(), {option, output});
+        const std::string before = read_bytes(file(input));
+        expect_fault(arguments, 2, "'" + std::string(output) + "' would overwrite the input '" + input + "'");
+        EXPECT_EQ(read_bytes(file(input)), before);
+    }
+}
+
+TEST_F(Wrong, OneFileUnderTwoNames)
+{
+    std::filesystem::create_symlink("a.exr", file("b.exr"));
+    expect_usage({"-o", "a.exr", "-o", "./a.exr"}, "'./a.exr' is named twice");
+    write("a.exr", "precious");
+    expect_usage({"--size", "8x8", "-o", "a.exr", "-o", "b.exr"}, "'b.exr' is named twice");
+}
+
+TEST_F(Wrong, AFileLargerThanAllowed)
+{
+    write("a.exr", "precious");
+    const Limited limit(RLIMIT_FSIZE, 2048);
+    expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-q", "-o", "a.exr"}, 1,
+                 "a.exr: error: cannot write: File too large");
+    EXPECT_EQ(read_bytes(file("a.exr")), "precious");
+}
+
+TEST_F(Wrong, MoreThreadsThanTheSystemGrants)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers reserve more address space than any limit leaves";
+#endif
+    const Limited limit(RLIMIT_AS, rlim_t{300} << 20);
+    expect_fault({"scene.toml", "--size", "640x480", "-s", "1", "-q", "-o", "a.exr", "-t", "1000"}, 1,
+                 "lancer: error: ");
+}
+
+// Whoever reads the messages may leave; the picture is made all the same.
+TEST_F(Wrong, AReaderThatGoesAway)
+{
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    close(ends[0]);
+    const std::string command = std::string(LANCER_PROGRAM) + " scene.toml --size 8x8 -s 1 -v -o a.exr >/dev/null 2>&" +
+                                std::to_string(ends[1]);
+    const int status = std::system(("cd '" + folder_.path() + "' && " + command).c_str());
+    close(ends[1]);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_TRUE(exists("a.exr"));
 }
 
 TEST_F(Wrong, AnOldFileSurvivesEveryFailure)

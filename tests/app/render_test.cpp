@@ -31,6 +31,14 @@ TEST_F(Render, IsMeantWithoutAWordAndNamesItsFileItself)
     EXPECT_EQ(metadata("scene.exr", "spp"), "4");
 }
 
+TEST_F(Render, ANameBehindTwoDashesIsNoOption)
+{
+    write("-x.toml", small_scene);
+    const Said said = run({"render", "--size", "8x8", "-s", "1", "-q", "--", "-x.toml"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(said.out, "-x.exr\n");
+}
+
 TEST_F(Render, PixelsDependOnlyOnWhatDecidesThem)
 {
     ASSERT_EQ(render({"-o", "one.exr", "--threads", "1", "-s", "40"}).code, 0);

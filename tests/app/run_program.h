@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,6 +95,24 @@ private:
     TempFolder scratch_;
     std::string out_, err_;
     pid_t pid_ = 0;
+};
+
+// A limit of the system on this process and what it starts, for as long as the object lives.
+class Limited {
+public:
+    Limited(__rlimit_resource what, rlim_t most) : what_(what)
+    {
+        getrlimit(what, &before_);
+        const rlimit now{most, before_.rlim_max};
+        setrlimit(what, &now);
+    }
+    ~Limited() { setrlimit(what_, &before_); }
+    Limited(const Limited&) = delete;
+    Limited& operator=(const Limited&) = delete;
+
+private:
+    __rlimit_resource what_;
+    rlimit before_{};
 };
 
 inline Said run_program(const TempFolder& folder, const std::vector<std::string>& arguments,

@@ -20,18 +20,18 @@ integrator = "path"
 filter = "gaussian"
 sampler = "sobol"
 spp = 2147483647
-max_depth = 2147483648
+max_depth = 2147483647
 seed = 9223372036854775807
-size = [65535, 32768])")
+size = [65536, 4096])")
                                     .render;
     EXPECT_EQ(r.where.line, 2u);
     EXPECT_EQ(r.integrator, "path");
     EXPECT_EQ(r.filter, "gaussian");
     EXPECT_EQ(r.sampler, "sobol");
     EXPECT_EQ(r.spp, 2147483647u);
-    EXPECT_EQ(r.max_depth, 2147483648u);
+    EXPECT_EQ(r.max_depth, 2147483647u);
     EXPECT_EQ(r.seed, 9223372036854775807u);
-    EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65535, 32768}));
+    EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65536, 4096}));
 }
 
 TEST_F(SceneFileTest, WhatRenderDoesNotSayIsLeftOpen)
