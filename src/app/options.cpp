@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -23,6 +24,9 @@ constexpr uint32_t max_threads = 1024;
 
 [[noreturn]] void fail(const std::string& message) { throw Error(ErrorKind::usage, {}, message); }
 
+std::string to_text(double x) { return shortest(x); }
+std::string to_text(std::integral auto x) { return std::to_string(x); }
+
 template <class T>
 T to_number(const std::string& option, const std::string& text, T least, T most, const char* what)
 {
@@ -31,8 +35,7 @@ T to_number(const std::string& option, const std::string& text, T least, T most,
     const char* const begin = text.starts_with('+') ? text.data() + 1 : text.data();
     const auto [rest, problem] = std::from_chars(begin, end, value);
     if (problem != std::errc{} || rest != end || begin == end || !(value >= least && value <= most))
-        fail(option + ": " + in_quotes(text) + " is not " + what + " from " + format_text("%.10g", double(least)) +
-             " to " + format_text("%.10g", double(most)));
+        fail(option + ": " + in_quotes(text) + " is not " + what + " from " + to_text(least) + " to " + to_text(most));
     return value;
 }
 uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most = max_count)

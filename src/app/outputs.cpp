@@ -1,5 +1,6 @@
 #include "app/outputs.h"
 
+#include <deque>
 #include <filesystem>
 
 #include "app/paths.h"
@@ -88,13 +89,18 @@ Metadata make_metadata(const RunStats& s)
 
 void write_outputs(const RenderOptions& options, const Image& image, const Metadata& metadata)
 {
+    // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
+    std::deque<AtomicFile> files;
     for (const std::string& path : options.outputs) {
+        AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(path, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
+            write_png(file, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
         } else {
-            write_exr(path, image, metadata, {.half = options.half});
+            write_exr(file, image, metadata, {.half = options.half});
         }
+        file.finish();
     }
+    for (AtomicFile& file : files) file.commit();
 }
 
 }  // namespace lancer

@@ -115,15 +115,22 @@ uint64_t AtomicFile::tell()
     return static_cast<uint64_t>(position);
 }
 
-void AtomicFile::commit()
+void AtomicFile::finish()
 {
     if (reason_) fail(reason_);
+    if (!file_) return;
     if (std::fflush(file_) != 0) fail(errno);
     if (temporary_.empty()) return;
     if (fsync(fileno(file_)) != 0) fail(errno);
     std::FILE* const closing = file_;
     file_ = nullptr;
     if (std::fclose(closing) != 0) fail(errno);
+}
+
+void AtomicFile::commit()
+{
+    finish();
+    if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
     sync_folder();

@@ -23,8 +23,10 @@ public:
     void write(const void* bytes, size_t count);
     void seek(uint64_t position);
     uint64_t tell();
-    // Ends writing and puts the file under its name. Fails also if any earlier write did, even where a library in
-    // between swallowed that exception.
+    // Ends writing: all is on the disk, under the temporary name. Fails also if any earlier write did, even where a
+    // library in between swallowed that exception.
+    void finish();
+    // Puts the file under its name; finishes it first if that was not done.
     void commit();
 
     const std::string& path() const { return path_; }

@@ -23,7 +23,9 @@ InputFile::InputFile(const std::string& path) : path_(path)
         throw Error(ErrorKind::failed, {path}, std::string("cannot read: ") + std::strerror(reason));
     }
     struct stat facts = {};
-    if (fstat(descriptor, &facts) != 0 || !S_ISREG(facts.st_mode)) throw invalid("not a regular file");
+    const bool known = fstat(descriptor, &facts) == 0;
+    if (known && S_ISDIR(facts.st_mode)) throw invalid("is a folder, not a file");
+    if (!known || !S_ISREG(facts.st_mode)) throw invalid("not a regular file");
     size_ = static_cast<uint64_t>(facts.st_size);
 }
 

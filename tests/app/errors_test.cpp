@@ -136,6 +136,15 @@ TEST_F(Wrong, AFullDeviceIsAFailure)
                  "full.exr: error: cannot write: No space left on device");
 }
 
+TEST_F(Wrong, AFailureOfOneOutputLeavesAllOldOnes)
+{
+    write("old.exr", "an old picture");
+    std::filesystem::create_symlink("/dev/full", file("full.png"));
+    expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-o", "old.exr", "-o", "full.png", "--progress", "none"},
+                 1, "full.png: error: cannot write: No space left on device");
+    EXPECT_EQ(read_bytes(file("old.exr")), "an old picture");
+}
+
 TEST_F(Wrong, AnOutputThatIsAnInput)
 {
     write("lit.obj", "mtllib lit.mtl\n" + std::string(quad));

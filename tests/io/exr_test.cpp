@@ -111,7 +111,7 @@ TEST(Exr, MissingFileAndFolder)
     const TempFolder folder;
     const std::string path = folder.file("none.exr");
     expect_error(ErrorKind::missing_input, path, "No such file", [&] { read_exr(path); });
-    expect_error(ErrorKind::invalid_input, folder.path(), "not a regular file", [&] { read_exr(folder.path()); });
+    expect_error(ErrorKind::invalid_input, folder.path(), "is a folder, not a file", [&] { read_exr(folder.path()); });
 }
 
 // Every file cut short, at each byte of the header and some of the rest, is refused.
