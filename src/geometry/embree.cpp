@@ -17,6 +17,13 @@ static_assert(RTC_VERSION >= 31300, "Embree 3.13 or newer is required");
 namespace lancer {
 namespace {
 
+#ifdef LANCER_STD_THREADS
+constexpr const char* build_threads =
+    ",threads=1";  // ThreadSanitizer cannot see how TBB hands over our callbacks' data
+#else
+constexpr const char* build_threads = "";
+#endif
+
 constexpr uint32_t packet = 8;  // lanes of one call; 16 are native only with AVX-512
 
 // The differences between Embree 3 and 4, all of them: how a query is told its flags and context.
@@ -130,7 +137,7 @@ public:
     Embree(const Geometry& geometry, const std::string& isa) : g_(geometry)
     {
         const auto start = std::chrono::steady_clock::now();
-        device_ = rtcNewDevice(("isa=" + isa).c_str());
+        device_ = rtcNewDevice(("isa=" + isa + build_threads).c_str());
         if (!device_)
             throw Error(ErrorKind::failed, {},
                         "Embree did not start (isa=" + isa + "): is this instruction set supported by the CPU?");
