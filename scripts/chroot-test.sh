@@ -137,15 +137,15 @@ mount -t tmpfs -o mode=1777 tmpfs "$root/dev/shm"
 inside update-ca-certificates >/dev/null 2>&1 || true
 
 # A bundle is one file with the history: nothing of this machine needs to be visible in there.
-git -C "$repository" bundle create -q "$root/root/lancer.bundle" HEAD
-inside git -c advice.detachedHead=false clone -q /root/lancer.bundle /root/lancer
-inside git -C /root/lancer log -1 --format='Testing %h %s'
+git -C "$repository" bundle create -q "$root/srv/lancer.bundle" HEAD
+inside git -c advice.detachedHead=false clone -q /srv/lancer.bundle /srv/lancer
+inside git -C /srv/lancer log -1 --format='Testing %h %s'
 
 result=0
-timed 'scripts/install-deps.sh' inside /root/lancer/scripts/install-deps.sh || result=1
-if $demo; then timed 'scripts/demo.sh --quick' inside /root/lancer/scripts/demo.sh --quick || result=1; fi
-timed 'scripts/test.sh' inside /root/lancer/scripts/test.sh || result=1
-timed 'scripts/test.sh again' inside /root/lancer/scripts/test.sh || result=1
+timed 'scripts/install-deps.sh' inside /srv/lancer/scripts/install-deps.sh || result=1
+if $demo; then timed 'scripts/demo.sh --quick' inside /srv/lancer/scripts/demo.sh --quick || result=1; fi
+timed 'scripts/test.sh' inside /srv/lancer/scripts/test.sh || result=1
+timed 'scripts/test.sh again' inside /srv/lancer/scripts/test.sh || result=1
 
 echo
 du -sh --one-file-system "$root" | awk '{ print "Size of the system with build: " $1 }'
