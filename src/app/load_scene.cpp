@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <set>
 
 #include "app/console.h"
 #include "app/paths.h"
@@ -32,9 +32,9 @@ SceneDescription load_bare_mesh(const std::string& path, Diagnostics& diagnostic
 // Not the names but what is in the files decides; the same file twice counts once.
 void hash_meshes(SceneDescription& scene)
 {
-    std::map<const MeshData*, bool> seen;
+    std::set<const MeshData*> seen;
     for (const MeshDescription& mesh : scene.meshes)
-        if (mesh.data && seen.emplace(mesh.data.get(), true).second)
+        if (mesh.data && seen.insert(mesh.data.get()).second)
             scene.content_hash = scene.content_hash * 0x9e3779b97f4a7c15u + mesh.data->content_hash;
 }
 

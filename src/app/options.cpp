@@ -15,6 +15,7 @@
 #include "app/settings.h"
 #include "app/version.h"
 #include "core/names.h"
+#include "scene/description.h"
 
 namespace lancer {
 namespace {

@@ -37,13 +37,8 @@ Settings settings_of_scene(const RenderDescription& scene)
     take_name(scene.integrator, "integrator", integrator_names, scene.where, diagnostics, s.integrator);
     take_name(scene.sampler, "sampler", sampler_names, scene.where, diagnostics, s.sampler);
     take_name(scene.filter, "filter", filter_names, scene.where, diagnostics, s.filter);
-    if (scene.size) {
-        s.width = (*scene.size)[0], s.height = (*scene.size)[1];
-        if (s.width > max_picture_side || s.height > max_picture_side ||
-            uint64_t{s.width} * s.height > max_picture_pixels)
-            diagnostics.error(scene.where, "size in [render] is too large: at most 65536 on a side, 2^28 pixels");
-    }
     diagnostics.throw_if_errors();
+    if (scene.size) s.width = (*scene.size)[0], s.height = (*scene.size)[1];
     s.spp = scene.spp.value_or(s.spp);
     s.seed = scene.seed.value_or(s.seed);
     s.max_depth = scene.max_depth.value_or(s.max_depth);

@@ -13,10 +13,6 @@ namespace lancer {
 // Names as the command line and the scene file know them; the first is the default but for the filter and the ISA.
 extern const std::vector<std::string_view> integrator_names, sampler_names, filter_names, accel_names, isa_names;
 
-// Larger pictures are refused before anything is allocated for them; the readers of src/io have the same limits.
-constexpr uint32_t max_picture_side = 65536;
-constexpr uint64_t max_picture_pixels = uint64_t{1} << 28;
-
 struct Settings {
     uint32_t width = 1280, height = 720;
     Tile crop{};  // the part to render

@@ -25,6 +25,7 @@ constexpr Color operator/(Color a, float s) { return {a.r / s, a.g / s, a.b / s}
 
 // Rec. 709 luminance.
 constexpr float luminance(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+constexpr double luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
 constexpr float max_component(Color c) { return std::max(c.r, std::max(c.g, c.b)); }
 constexpr bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 inline bool is_finite(Color c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }

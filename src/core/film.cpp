@@ -9,7 +9,7 @@ double estimate_rel_mse(const Film& film)
     for (const Pixel& p : film.pixels) {
         if (p.n < 2) continue;
         const double n = p.n;
-        const double mean = (0.2126 * p.sum[0] + 0.7152 * p.sum[1] + 0.0722 * p.sum[2]) / n;
+        const double mean = luminance(p.sum[0], p.sum[1], p.sum[2]) / n;
         const double variance = std::max(0.0, (p.sum_sq / n - mean * mean) * n / (n - 1));
         sum += variance / n / (mean * mean + 0.01);
         ++counted;

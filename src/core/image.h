@@ -17,7 +17,6 @@ struct Window {
     constexpr int32_t height() const { return y1 - y0; }
     constexpr size_t area() const { return static_cast<size_t>(width()) * static_cast<size_t>(height()); }
     constexpr bool empty() const { return x1 <= x0 || y1 <= y0; }
-    constexpr bool contains(int32_t x, int32_t y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
     friend constexpr bool operator==(const Window&, const Window&) = default;
 };
 

@@ -42,7 +42,7 @@ inline Transform make_transform(Vec3d translate, Vec3d rotate_deg, Vec3d scale)
             s = q == 1 ? 1 : q == 3 ? -1 : 0;
             c = q == 0 ? 1 : q == 2 ? -1 : 0;
         } else {
-            const double rad = turn * (3.14159265358979323846 / 180.0);
+            const double rad = turn * (pi_d / 180.0);
             s = std::sin(rad);
             c = std::cos(rad);
         }

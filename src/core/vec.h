@@ -98,5 +98,6 @@ constexpr Vec3d to_double(Vec3 a) { return {a.x, a.y, a.z}; }
 constexpr Vec3 to_float(Vec3d a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
 
 inline constexpr float pi = 3.14159265358979323846f;
+inline constexpr double pi_d = 3.14159265358979323846;
 
 }  // namespace lancer

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene/description.h"
+
 namespace lancer {
 namespace {
 
@@ -167,7 +169,7 @@ std::optional<Color> TomlTable::color(std::string_view key, const NumberRule& ru
 
 std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) const
 {
-    constexpr int64_t max_side = 65536, max_pixels = int64_t{1} << 28;
+    constexpr int64_t max_side = max_picture_side, max_pixels = max_picture_pixels;
     const TomlValue* value = find(key);
     if (!value) return {};
     const TomlValue::Array* array = as_array(*value);

@@ -7,7 +7,6 @@ constexpr double radius = 1.5;
 
 double value(FilterKind kind, double x)
 {
-    constexpr double pi_d = 3.14159265358979323846;
     if (kind == FilterKind::gaussian) return std::exp(-x * x / (2 * 0.5 * 0.5));
     // Harris, "On the Use of Windows for Harmonic Analysis", 1978: the 4-term window of -92 dB.
     const double t = 2 * pi_d * (x / (2 * radius) + 0.5);

@@ -5,7 +5,7 @@
 namespace lancer {
 namespace {
 
-constexpr double to_rad = 3.14159265358979323846 / 180;
+constexpr double to_rad = pi_d / 180;
 
 }  // namespace
 

@@ -95,6 +95,10 @@ struct CameraDescription {
     std::optional<double> focus;  // thin lens: distance of the plane in focus; default: |target - position|
 };
 
+// Larger pictures are refused before anything is allocated for them.
+inline constexpr uint32_t max_picture_side = 65536;
+inline constexpr uint64_t max_picture_pixels = uint64_t{1} << 28;
+
 // What [render] may say; the command line overrides it. Names are validated by whoever has the list.
 struct RenderDescription {
     Location where;

@@ -63,8 +63,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
         const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
         const double l2 = dot(d, d), c = dot(d, n);
         if (!(l2 > 0) || !(c > 0)) return {};
-        return at(n, to_float(d / std::sqrt(l2)),
-                  static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * 3.14159265358979323846 * r2)));
+        return at(n, to_float(d / std::sqrt(l2)), static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2)));
     }
     const double max = one_minus_cos(r2 / d2), v = square_to_cone(u.x, max);
     const double cos_theta = 1 - v, sin2_theta = v * (2 - v), d = std::sqrt(d2);
@@ -106,11 +105,10 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
 {
     if (at.light == Scene::none) return 0;
     const float choice = scene.lights.pick.probability(at.light);
-    if (const auto* t = std::get_if<TriangleLight>(&scene.lights.lights[at.light])) {
+    if (std::holds_alternative<TriangleLight>(scene.lights.lights[at.light])) {
         const Vec3 d = at.p - from;
-        const float area = triangle_point(scene, t->instance, t->mesh, t->triangle, {}).area;
         const float c = std::abs(dot(wi, at.n));
-        return c > 0 ? choice * dot(d, d) / (c * area) : 0;
+        return c > 0 ? choice * dot(d, d) / (c * at.area) : 0;
     }
     const auto& light = std::get<SphereLight>(scene.lights.lights[at.light]);
     const Sphere& s = scene.geometry.spheres[light.sphere];
@@ -119,7 +117,7 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
     if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
     const Vec3d d = to_double(at.p) - to_double(from);
     const double c = std::abs(dot(to_double(wi), to_double(at.n)));
-    return c > 0 ? choice * static_cast<float>(dot(d, d) / (c * 4 * 3.14159265358979323846 * r2)) : 0;
+    return c > 0 ? choice * static_cast<float>(dot(d, d) / (c * 4 * pi_d * r2)) : 0;
 }
 
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)

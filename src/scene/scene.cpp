@@ -9,13 +9,8 @@
 namespace lancer {
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
-
 // What lights are weighed by: luminance in double, which no radiance overflows.
-double power_of(Color c)
-{
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) + 0.0722 * static_cast<double>(c.b);
-}
+double power_of(Color c) { return luminance(c.r, c.g, c.b); }
 
 constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyond 1.8e18, and squares must stay finite
 

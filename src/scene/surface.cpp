@@ -20,7 +20,7 @@ Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v
 
 struct Placed {
     Vec3 p, p_error, n, ns;  // n, ns on the front side
-    double double_area;      // twice the area
+    float area;              // of the whole triangle
 };
 
 Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
@@ -57,10 +57,10 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
         s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));
         n = placing.to_mesh.normal_by_inverse(n);
         ns = placing.to_mesh.normal_by_inverse(ns);
-        s.double_area = length(cross(m.vector(e1), m.vector(e2)));
+        s.area = static_cast<float>(0.5 * length(cross(m.vector(e1), m.vector(e2))));
     }
     const double ln = length(n);
-    if (instance == Hit::no_instance) s.double_area = ln;
+    if (instance == Hit::no_instance) s.area = static_cast<float>(0.5 * ln);
     s.n = s.ns = ln > 0 ? to_float(n * (1 / ln)) : Vec3{0, 0, 1};
     if (!smooth) return s;
     if (const double lns = length(ns); lns > 0) s.ns = to_float(ns * (1 / lns));
@@ -82,7 +82,7 @@ uint32_t light_of(const Scene& scene, const Hit& hit)
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
     const Placed s = place(scene, instance, mesh, triangle, uv);
-    return {s.p, s.p_error, s.n, static_cast<float>(0.5 * s.double_area)};
+    return {s.p, s.p_error, s.n, s.area};
 }
 
 Vec3 sphere_point_error(const Sphere& s, Vec3 p)
@@ -119,7 +119,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
         }
         default: {
             const Placed placed = place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
-            s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns;
+            s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
             s.light = light_of(scene, hit);
         }

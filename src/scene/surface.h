@@ -17,6 +17,7 @@ struct Surface {
     uint32_t material;
     uint32_t light;  // id of the light that this place belongs to, or Scene::none
     float t;
+    float area = 0;  // of a triangle as a whole, scene units; else 0
 };
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);

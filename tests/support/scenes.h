@@ -34,7 +34,6 @@ inline std::shared_ptr<const MeshData> make_quad(Vec3d a, Vec3d b, Vec3d c, Vec3
 inline std::shared_ptr<const MeshData> make_uv_sphere(uint32_t rows, uint32_t columns, double bump = 0,
                                                       MaterialDescription material = {})
 {
-    constexpr double pi_d = std::numbers::pi;
     std::vector<Vec3d> p{{0, 0, 1}};
     for (uint32_t r = 1; r < rows; ++r)
         for (uint32_t c = 0; c < columns; ++c) {
