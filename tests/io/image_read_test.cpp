@@ -163,7 +163,8 @@ TEST(ImageRead, OtherFilesAreRefused)
     const TempFolder folder;
     const std::string missing = folder.file("none.jpg"), path = folder.file("a.jpg");
     expect_error(ErrorKind::missing_input, missing, "No such file", [&] { read_image(missing); });
-    expect_error(ErrorKind::invalid_input, folder.path(), "is a folder, not a file", [&] { read_image(folder.path()); });
+    expect_error(ErrorKind::invalid_input, folder.path(), "is a folder, not a file",
+                 [&] { read_image(folder.path()); });
     for (const std::string& bytes : {""s, "P"s, "P7\n2 2\n"s, "GIF89a\1\0\1\0"s, "a scene, not a picture"s}) {
         write_bytes(path, bytes);
         expect_error(ErrorKind::invalid_input, path, "not a picture of a known format", [&] { read_image(path); });
