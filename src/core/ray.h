@@ -2,19 +2,21 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/vec.h"
 
 namespace lancer {
 
-// Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding. 32 bytes, ordered as Embree orders its rays.
+// Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding.
 // t_min is not 0 but far below what float can tell: a ray never hits where it starts, though the interval is closed.
 struct Ray {
     Vec3 org;
     float t_min = 0x1p-60f;
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
+    uint32_t key = 0;  // address of the random numbers that decide whether half-transparent surfaces stop it
 };
 
 // What accelerators accept: all finite but t_max, and below the magnitude that Embree takes for infinite.

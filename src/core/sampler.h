@@ -14,7 +14,7 @@ namespace lancer {
 enum class SamplerKind { sobol, independent };
 
 // Each purpose owns a group of three numbers: (u, v) from get2, w from get1.
-enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette };
+enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, hole, shadow_hole };
 
 namespace sobol {
 
@@ -95,6 +95,12 @@ public:
         if (kind_ == SamplerKind::independent)
             return to_unit(static_cast<uint32_t>(mix(~h + sample_ * 0x9e3779b97f4a7c15ull) >> 32));
         return to_unit(scrambled(sobol::third_reversed(shuffled(h)), h, 3));
+    }
+
+    // 32 bits that tell this address from all others: for numbers that need more to their address, see Ray::key.
+    uint32_t key(uint32_t bounce, Dim dim) const
+    {
+        return static_cast<uint32_t>(mix(group(bounce, dim) + sample_ * 0x9e3779b97f4a7c15ull) >> 32);
     }
 
 private:

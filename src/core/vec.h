@@ -9,7 +9,11 @@ namespace lancer {
 
 struct Vec2 {
     float x = 0, y = 0;
+    friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
 };
+constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator*(Vec2 a, float s) { return {a.x * s, a.y * s}; }
 
 template <class T>
 struct Vec3T {

@@ -8,11 +8,25 @@
 
 namespace lancer {
 
+struct Geometry;
+
+// Surfaces with holes: cut-outs and what stops only a part of the rays. Accelerators ask at every hit of a primitive
+// that is marked; a function pointer, so that nothing of shading is known here.
+struct Holes {
+    // Whether the ray goes through the surface at the hit, of which t and uv are refined. The same (ray.key, primitive)
+    // gets the same answer, however often and in whatever order it is asked. Null: nothing has holes.
+    bool (*let_pass)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
+    const void* context = nullptr;
+    std::vector<uint8_t> meshes;           // parallel to Geometry::meshes: whether any triangle is to be asked about
+    bool spheres = false, planes = false;  // whether any is
+};
+
 struct Geometry {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
+    Holes holes;
 };
 
 // t and uv of a hit from its primitive alone, in double and then rounded: the same bits whichever accelerator found

@@ -75,13 +75,23 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
     const BsdfValue f = bsdf.eval(wo, frame.to_local(light->wi));
     if (is_black(f.f_cos)) return;
     const float weight = light->delta || !how.mis ? 1 : power_heuristic(light->pdf, f.pdf);
-    steps.shadow(shadow_ray(surface, *light), s.throughput * f.f_cos * light->radiance * (weight / light->pdf));
+    Ray ray = shadow_ray(surface, *light);
+    ray.key = view.ray_key(sampler, s.depth, Dim::shadow_hole);
+    steps.shadow(ray, s.throughput * f.f_cos * light->radiance * (weight / light->pdf));
+}
+
+// The cone of light after a bounce: a delta lobe keeps its angle (mirrors that curve are taken for flat ones, which
+// only makes textures sharper); else it opens to a sixteenth of the solid angle that the sample stands for.
+inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
+{
+    const float opened = sample.delta ? 0 : 0.25f / std::sqrt(sample.pdf);
+    return {cone.width + cone.spread * t, std::min(1.0f, std::max(cone.spread, opened))};
 }
 
 // The ray that the BSDF sends on, or nothing if it absorbs.
-template <class B>
-std::optional<State> scatter(const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
-                             const Sampler& sampler)
+template <class V, class B>
+std::optional<State> scatter(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo,
+                             const B& bsdf, const Sampler& sampler)
 {
     const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
     if (!b || is_black(b->weight)) return {};
@@ -91,11 +101,13 @@ std::optional<State> scatter(const State& s, const Surface& surface, const Frame
     if ((dot(wi, surface.n) < 0) != transmitted) return {};
     State n = s;
     n.ray = {.org = offset_origin(surface.p, surface.p_error, surface.n, wi), .dir = wi};
+    n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
     n.pdf = b->pdf;
     n.normal = surface.ns;
     n.eta_scale *= b->eta * b->eta;
     n.specular = b->delta;
+    n.cone = scattered(s.cone, surface.t, *b);
     ++n.depth;
     return n;
 }
@@ -119,12 +131,11 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
 {
     add_emission(view, s, surface, how, steps);
     if (s.last) return;
-    view.with_material(surface.material, [&](const auto& material) {
-        const auto bsdf = material.at(ShadingPoint{.front = surface.front});
+    view.with_bsdf(surface, sampler, s.depth, [&](const auto& bsdf) {
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
         sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
-        auto n = scatter(s, surface, frame, wo, bsdf, sampler);
+        auto n = scatter(view, s, surface, frame, wo, bsdf, sampler);
         if (!n || !survives_roulette(*n, sampler, roulette_depth)) return;
         n->last = is_last(*n);
         steps.next(*n);

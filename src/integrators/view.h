@@ -12,15 +12,27 @@ namespace lancer {
 struct View {
     const Scene& scene;
 
-    Surface surface_at(const Ray& ray, const Hit& hit) const { return lancer::surface_at(scene, ray, hit); }
-
-    // f gets the concrete material, so that all it calls on it is inlined. The one dispatch per hit.
-    template <class F>
-    auto with_material(uint32_t id, F&& f) const
+    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone) const
     {
-        return std::visit(std::forward<F>(f), scene.materials[id]);
+        return lancer::surface_at(scene, ray, hit, cone);
     }
-    Color emission(const Surface& s) const { return scene.emission[s.material].towards(s.front); }
+
+    // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
+    // the material is a mix, a number of the sampler decides which part it is.
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
+    {
+        const ShadingPoint point = scene.shading_point(s);
+        uint32_t id = s.material;
+        if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
+            id = scene.scattering_material(id, point, sampler.get1(bounce, Dim::mix));
+        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[id]);
+    }
+    Color emission(const Surface& s) const
+    {
+        const Emission& e = scene.emission[s.material];
+        return e.is_dark() ? Color{} : e.towards(s.front, scene.shading_point(s));
+    }
     // Radiance of a ray that left the scene.
     Color environment(Vec3) const { return scene.environment; }
 
@@ -29,6 +41,11 @@ struct View {
         if (scene.lights.pick.empty()) return {};
         const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;
         return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light));
+    }
+    // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
+    uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
+    {
+        return scene.geometry.holes.let_pass ? sampler.key(bounce, dim) : 0;
     }
     float pdf_light(Vec3 from, Vec3 wi, const Surface& at) const { return lancer::pdf_light(scene, from, wi, at); }
     float pdf_environment(Vec3 normal, Vec3 wi) const { return lancer::pdf_environment(scene, normal, wi); }

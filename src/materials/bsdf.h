@@ -41,9 +41,4 @@ concept Bsdf = std::is_trivially_copyable_v<B> && requires(const B b, Vec3 wo, V
         } -> std::convertible_to<bool>;  // no smooth lobe: sampling lights is in vain
 };
 
-// What a material may know of the place: filled by the integrators' view.
-struct ShadingPoint {
-    bool front = true;  // the path arrives from the side of the geometric normal
-};
-
 }  // namespace lancer

@@ -4,6 +4,7 @@
 
 #include "materials/bsdf.h"
 #include "materials/fresnel.h"
+#include "materials/texture.h"
 
 namespace lancer {
 
@@ -29,10 +30,10 @@ static_assert(Bsdf<GlassBsdf>);
 
 struct Glass {
     static constexpr const char* name = "glass";
-    Color tint;
+    ColorParam tint;
     float ior;  // inside (behind the geometric normal) over outside
 
-    GlassBsdf at(const ShadingPoint& p) const { return {tint, p.front ? ior : 1 / ior}; }
+    GlassBsdf at(const ShadingPoint& p) const { return {p.eval(tint), p.front ? ior : 1 / ior}; }
 };
 
 }  // namespace lancer

@@ -3,6 +3,7 @@
 
 #include "core/warp.h"
 #include "materials/bsdf.h"
+#include "materials/texture.h"
 
 namespace lancer {
 
@@ -28,9 +29,9 @@ static_assert(Bsdf<LambertBsdf>);
 
 struct Lambert {
     static constexpr const char* name = "lambert";
-    Color albedo;
+    ColorParam albedo;
 
-    LambertBsdf at(const ShadingPoint&) const { return {albedo}; }
+    LambertBsdf at(const ShadingPoint& p) const { return {p.eval(albedo)}; }
 };
 
 }  // namespace lancer

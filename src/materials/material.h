@@ -14,11 +14,38 @@ using Material = std::variant<Lambert, Mirror, Glass>;
 
 // Radiance that a surface sends out by itself.
 struct Emission {
-    Color radiance;
+    ColorParam radiance;
     bool both_sides = false;  // else only from the side of the geometric normal
 
-    // Towards a point on the front or back side.
-    Color towards(bool front) const { return front || both_sides ? radiance : Color{}; }
+    bool is_dark() const { return is_black(radiance.value); }
+    // Towards a point on the front or back side. Always of the texture's finest level: whether a light sample or a ray
+    // found the place must not matter.
+    Color towards(bool front, const ShadingPoint& p = {}) const
+    {
+        if (!front && !both_sides) return {};
+        if (radiance.texture == no_texture) return radiance.value;
+        ShadingPoint finest = p;
+        finest.uv_width = 0;
+        return finest.eval(radiance);
+    }
+};
+
+// What of a material is not its BSDF: looked at where rays meet the surface, before anything scatters.
+struct MaterialTraits {
+    FloatParam opacity = 1;            // the part of the rays that the surface stops
+    uint32_t bump = no_texture;        // heights
+    uint32_t normal_map = no_texture;  // normals, tangent space, encoded in [0, 1]
+    float bump_scale = 1;              // slope of a step from black to white between neighbouring texels
+    bool reads_uv = false;             // something of the material, its BSDF included, is looked up in a texture
+
+    bool has_holes() const { return opacity.texture != no_texture || opacity.value < 1; }
+};
+
+// A material that is at each place one of two others, by chance: `second` with probability `weight`, so that the mean
+// is their mix.
+struct Mix {
+    uint32_t first = 0, second = 0;  // ids of materials
+    FloatParam weight;
 };
 
 }  // namespace lancer

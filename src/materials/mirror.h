@@ -2,6 +2,7 @@
 #pragma once
 
 #include "materials/bsdf.h"
+#include "materials/texture.h"
 
 namespace lancer {
 
@@ -20,9 +21,9 @@ static_assert(Bsdf<MirrorBsdf>);
 
 struct Mirror {
     static constexpr const char* name = "mirror";
-    Color tint;
+    ColorParam tint;
 
-    MirrorBsdf at(const ShadingPoint&) const { return {tint}; }
+    MirrorBsdf at(const ShadingPoint& p) const { return {p.eval(tint)}; }
 };
 
 }  // namespace lancer

@@ -86,6 +86,8 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         s.ray = camera.ray(
             {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
             numbers.get2(0, Dim::lens));
+        s.ray.key = view.ray_key(numbers, 0, Dim::hole);
+        s.cone = {0, camera.pixel_spread()};
         w.states.push_back(s);
     }
     counters.camera_rays += w.slots.size();
@@ -106,7 +108,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
             const Color before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
-                const Surface surface = view.surface_at(s.ray, w.hits[i]);
+                const Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
                 listener.vertex(s, surface);
                 integrator.hit(view, s, surface, sampler(s), steps);
             } else {

@@ -6,12 +6,14 @@
 
 namespace lancer {
 
-Renderer::Renderer(Scene scene, const RenderSettings& settings)
+Renderer::Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics)
     : scene_(std::move(scene)),
       settings_(settings),
-      accel_(make_accelerator(settings_.accel, scene_.geometry, settings_.isa)),
-      kernel_(make_tile_kernel(scene_, *accel_, settings_.integrator, settings_.kernel))
+      accel_(make_accelerator(settings_.accel, scene_.geometry, settings_.isa))
 {
+    Diagnostics unheard;
+    scene_.complete(diagnostics ? *diagnostics : unheard);
+    kernel_ = make_tile_kernel(scene_, *accel_, settings_.integrator, settings_.kernel);
 }
 
 Renderer::~Renderer() = default;

@@ -29,8 +29,9 @@ struct PassResult {
 
 class Renderer {
 public:
-    // Builds the accelerator; throws Error (failed). Call inside with_threads.
-    Renderer(Scene scene, const RenderSettings& settings);
+    // Builds the accelerator, then completes the scene if its pictures were still being read: problems with them go to
+    // diagnostics, if given. Throws Error (failed). Call inside with_threads.
+    Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

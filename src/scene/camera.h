@@ -16,6 +16,8 @@ public:
 
     // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
     Ray ray(Vec2 film, Vec2 lens) const;
+    // Width of a pixel at distance 1.
+    float pixel_spread() const { return length(right_); }
 
 private:
     Vec3 position_, right_, down_, forward_;  // right_, down_: one pixel at distance 1

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,19 +13,57 @@
 #include "core/color.h"
 #include "core/error.h"
 #include "core/vec.h"
+#include "materials/texture.h"
 
 namespace lancer {
 
-enum class MaterialType { lambert, mirror, glass };
+enum class TextureType { image, checker };
 
+// A texture as it is used in one place.
+struct TextureDescription {
+    Location where;
+    TextureType type = TextureType::image;
+    std::string file;            // image: path as found on disk
+    ImageUse use;                // image; scale and offset also of a checker
+    Color even{1, 1, 1}, odd{};  // checker
+};
+using TextureUse = std::optional<TextureDescription>;
+
+enum class MaterialType { lambert, mirror, metal, glass, plastic, mix };
+
+// What a material says, each parameter with its default. A texture multiplies the number it belongs to.
 struct MaterialDescription {
     std::string name;
     Location where;
     MaterialType type = MaterialType::lambert;
-    Color base_color{0.8f, 0.8f, 0.8f};  // albedo, or tint of mirror and glass; in [0, 1]
-    float ior = 1.5f;                    // glass: index of refraction inside over outside, > 0
-    Color emission{};                    // radiance
-    bool emission_both_sides = false;    // else only on the side of the normal
+    Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
+    TextureUse base_color_map{};
+    float ior = 1.5f;     // glass, plastic: index of refraction inside over outside, > 0
+    float roughness = 0;  // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
+    TextureUse roughness_map{};
+    std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
+    std::optional<float> metallic{};  // metal, plastic: part of metal in a mix of both, in [0, 1]
+    TextureUse metallic_map{};
+    Color specular{1, 1, 1};  // plastic: tint of the coat's reflection; in [0, 1]
+    float opacity = 1;        // part of the rays that are stopped, in [0, 1]
+    TextureUse opacity_map{};
+    TextureUse bump_map{};    // heights
+    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels
+    TextureUse normal_map{};  // tangent space, y along +v
+    Color emission{};         // radiance
+    TextureUse emission_map{};
+    bool emission_both_sides = false;  // else only on the side of the normal
+    std::string first{}, second{};     // mix: names of [material.NAME]
+    float weight = 0.5f;               // mix: of the second
+    TextureUse weight_map{};
+};
+
+// [[material_override]]: the materials of mesh files whose name matches get what is said here.
+struct MaterialOverride {
+    Location where;
+    std::string match;     // shell pattern: *, ?, [...]
+    std::string material;  // if not empty: a [material.NAME] that takes their place
+    std::function<MaterialDescription(const MaterialDescription&)> change;  // else: the changed description
 };
 
 // One mesh file after loading: validated, triangulated, still in double and in the file's units.
@@ -35,11 +74,13 @@ struct MeshData {
     std::vector<std::array<uint32_t, 3>> triangles;  // indices into positions, in range
     std::vector<Vec3> normals;                       // finite, unit; empty if the file has none
     std::vector<std::array<uint32_t, 3>>
-        normal_triangles;                 // parallel to triangles, no_normal where a face has none; empty if normals is
-    std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
+        normal_triangles;   // parallel to triangles, no_normal where a face has none; empty if normals is
+    std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
+    std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
+    std::vector<uint32_t> face_material;         // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one
     uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
-    static constexpr uint32_t no_normal = UINT32_MAX;
+    static constexpr uint32_t no_normal = UINT32_MAX, no_uv = UINT32_MAX;
 };
 
 // Scale first, then rotation about x, then y, then z (degrees), then translation.
@@ -74,19 +115,24 @@ struct PlaneDescription {
     std::string material;
 };
 
-enum class LightType { point, sphere, environment };
+enum class LightType { point, directional, sphere, environment };
 
 struct LightDescription {
     Location where;
     LightType type = LightType::point;
-    Vec3d position{};   // point; center of sphere
-    double radius = 1;  // sphere
-    Color power{};      // intensity (point), radiance (sphere, environment); finite, >= 0
+    Vec3d position{};           // point; center of sphere
+    Vec3d direction{0, -1, 0};  // directional: the way that the light goes; finite, not zero, need not be unit
+    double radius = 1;          // sphere
+    Color power{};              // intensity (point), irradiance on a surface that faces it (directional), radiance
+                                // (sphere, environment; with a file its factor); finite, >= 0
+    std::string file{};         // environment: latitude-longitude picture; empty: constant
+    Vec3d rotate_deg{0, 0, 0};  // environment with a file: about x, then y, then z
 };
 
 enum class CameraType { pinhole, thin_lens };
 
 struct CameraDescription {
+    std::string name;  // empty: the [camera] itself
     Location where;
     CameraType type = CameraType::pinhole;
     Vec3d position{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
@@ -105,19 +151,22 @@ struct RenderDescription {
     std::optional<std::string> integrator, filter, sampler;
     std::optional<uint32_t> spp, max_depth;
     std::optional<uint64_t> seed;
-    std::optional<std::array<uint32_t, 2>> size;  // width, height
+    std::optional<std::array<uint32_t, 2>> size;   // width, height
+    std::optional<bool> multiscatter, terminator;  // see Settings
 };
 
 struct SceneDescription {
     std::string file;
     RenderDescription render;
-    std::optional<CameraDescription> camera;  // absent: fitted to the bounds
+    std::optional<CameraDescription> camera;  // the one to render; absent: fitted to the bounds
+    std::vector<CameraDescription> cameras;   // the named ones
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     std::vector<SphereDescription> spheres;
     std::vector<PlaneDescription> planes;
     std::vector<LightDescription> lights;
     std::vector<MaterialDescription> materials;  // [material.NAME], names unique
+    std::vector<MaterialOverride> overrides;     // in order; the first that matches counts
     uint64_t content_hash = 0;                   // of the bytes of every file read
 };
 

@@ -12,6 +12,7 @@ const Emission& emission_of(const Scene& scene, const TriangleLight& l)
 {
     return scene.emission[scene.shading[l.mesh].material_of(l.triangle)];
 }
+ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
 
 // Each samples as seen from `org`, where the shadow ray will start.
 std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface&, Vec3 org, Vec2)
@@ -31,7 +32,7 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     if (!(d2 > 0)) return {};
     const Vec3 wi = d / std::sqrt(d2);
     const float c = -dot(wi, q.n);
-    const Color radiance = emission_of(scene, light).towards(c > 0);
+    const Color radiance = emission_of(scene, light).towards(c > 0, point_at(scene, q.uv));
     if (c == 0 || is_black(radiance)) return {};
     return LightSample{.wi = wi,
                        .point = q.p,
@@ -55,7 +56,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
                            .point = point,
                            .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
-                           .radiance = emission.radiance,
+                           .radiance = emission.radiance.value,
                            .pdf = pdf};
     };
     if (d2 <= r2) {

@@ -12,6 +12,7 @@
 #include "scene/description.h"
 #include "scene/light.h"
 #include "scene/placement.h"
+#include "scene/surface.h"
 
 namespace lancer {
 
@@ -19,6 +20,8 @@ namespace lancer {
 struct MeshShading {
     std::vector<Vec3> normals;                              // unit; empty if the mesh is flat
     std::vector<std::array<uint32_t, 3>> normal_triangles;  // per triangle, MeshData::no_normal where it is flat
+    std::vector<Vec2> uvs;                                  // empty unless a texture is looked up with them
+    std::vector<std::array<uint32_t, 3>> uv_triangles;      // per triangle, MeshData::no_uv where it has none
     std::vector<uint32_t> face_material;                    // per triangle; empty if the mesh has one material
     uint32_t material = 0;
     std::vector<uint32_t>
@@ -35,20 +38,45 @@ struct Scene {
     std::vector<uint32_t> sphere_material, plane_material;
 
     std::vector<Material> materials;
-    std::vector<Emission> emission;  // parallel to materials
+    std::vector<Emission> emission;      // parallel to materials
+    std::vector<MaterialTraits> traits;  // parallel to materials
     std::vector<std::string> material_names;
+    std::vector<uint32_t> mix_of;  // of each material its place in mixes, or none; empty if there are no mixes
+    std::vector<Mix> mixes;
+    std::vector<Texture> textures;
 
     LightTable lights;
     std::vector<uint32_t> mesh_first_light, instance_first_light, sphere_light;  // ids in lights, or none
     uint32_t environment_light = none;
-    Color environment{};  // radiance of what no ray hits
+    Color environment{};                   // radiance of what no ray hits
+    std::vector<PointLight> point_lights;  // as the description lists them
 
+    std::string file;  // of the description
     Normalisation normalisation;
     Bounds bounds;  // of all but planes and giant spheres, scene units
 
-    // Checks what only the whole scene can tell, resolves names, normalises, lists the lights. Problems go to
-    // diagnostics; throws Error if there are any.
-    static Scene build(const SceneDescription& description, Diagnostics& diagnostics);
+    // Pictures that are still being read; the textures they become stand for 1 until then.
+    struct Pending {
+        uint32_t texture;
+        TextureDescription what;
+        RasterFuture image;
+    };
+    std::vector<Pending> pending;
+    bool is_complete = false;
+
+    // Checks what only the whole scene can tell, resolves names, normalises; asks `images` for the pictures that the
+    // scene uses, but does not wait for them. Problems go to diagnostics; throws Error if there are any.
+    static Scene begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
+    // Waits for the pictures and makes the textures, then lists the lights. A picture that could not be read is a
+    // warning, and its texture stands for 1. Geometry does not change: an accelerator may have been built before.
+    void complete(Diagnostics& diagnostics);
+    // Both at once.
+    static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
+
+    // The place as materials see it.
+    ShadingPoint shading_point(const Surface& surface) const;
+    // The material that scatters at a place where `material` may be a mix. u in [0, 1) decides.
+    uint32_t scattering_material(uint32_t material, const ShadingPoint& point, float u) const;
 
     uint64_t triangle_count() const;  // instances not multiplied
 };

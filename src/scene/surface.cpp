@@ -21,7 +21,23 @@ Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v
 struct Placed {
     Vec3 p, p_error, n, ns;  // n, ns on the front side
     float area;              // of the whole triangle
+    Vec2 uv{};
 };
+
+// Corners of a triangle in texture space; nothing where the mesh keeps none.
+std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32_t triangle)
+{
+    if (shading.uvs.empty() || shading.uv_triangles[triangle][0] == MeshData::no_uv) return {};
+    const auto& i = shading.uv_triangles[triangle];
+    return std::array{shading.uvs[i[0]], shading.uvs[i[1]], shading.uvs[i[2]]};
+}
+
+// Side of a square in uv that covers as much of the texture as a square of side 1 does of the triangle.
+float uv_per_length(const std::array<Vec2, 3>& t, float area)
+{
+    const Vec2 a = t[1] - t[0], b = t[2] - t[0];
+    return area > 0 ? std::sqrt(0.5f * std::abs(a.x * b.y - a.y * b.x) / area) : 0;
+}
 
 Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
 {
@@ -46,6 +62,7 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
             smooth = true;
         }
+    if (const auto uvs = corner_uvs(shading, triangle)) s.uv = (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
     if (instance != Hit::no_instance) {
         const Instance& placing = scene.geometry.instances[instance];
         const Transform& m = placing.to_world;
@@ -82,7 +99,7 @@ uint32_t light_of(const Scene& scene, const Hit& hit)
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
     const Placed s = place(scene, instance, mesh, triangle, uv);
-    return {s.p, s.p_error, s.n, s.area};
+    return {s.p, s.p_error, s.n, s.area, s.uv};
 }
 
 Vec3 sphere_point_error(const Sphere& s, Vec3 p)
@@ -90,7 +107,7 @@ Vec3 sphere_point_error(const Sphere& s, Vec3 p)
     return scaled(abs(p), gamma(4)) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
 }
 
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
 {
     Surface s;
     s.t = hit.t;
@@ -121,6 +138,10 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit)
             const Placed placed = place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
             s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
+            if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
+                s.uv = placed.uv;
+                s.uv_width = (cone.width + cone.spread * hit.t) * uv_per_length(*uvs, placed.area);
+            }
             s.light = light_of(scene, hit);
         }
     }

@@ -17,10 +17,19 @@ struct Surface {
     uint32_t material;
     uint32_t light;  // id of the light that this place belongs to, or Scene::none
     float t;
-    float area = 0;  // of a triangle as a whole, scene units; else 0
+    float area = 0;      // of a triangle as a whole, scene units; else 0
+    Vec2 uv{};           // texture coordinates; only filled where the material reads textures
+    float uv_width = 0;  // footprint of the ray's cone there, in uv
 };
 
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
+// A ray as thick as the light that it stands for: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail
+// Using Ray Cones", JCGT 10(1), 2021.
+struct RayCone {
+    float width = 0;   // where the ray starts, scene units
+    float spread = 0;  // growth of the width per unit of distance
+};
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone = {});
 
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
 Vec3 sphere_point_error(const Sphere& sphere, Vec3 p);
@@ -29,6 +38,7 @@ Vec3 sphere_point_error(const Sphere& sphere, Vec3 p);
 struct TrianglePoint {
     Vec3 p, p_error, n;  // n: geometric, unit, on the front side
     float area;          // of the whole triangle, scene units
+    Vec2 uv{};           // texture coordinates, if the mesh keeps them
 };
 // uv: barycentric weights of the second and third corner.
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);

@@ -45,16 +45,16 @@ TEST(Build, ResolvesNames)
     const Scene s = build_scene(lit_sphere());
     ASSERT_EQ(s.sphere_material.size(), 2u);
     EXPECT_EQ(s.material_names[s.sphere_material[0]], "chalk");
-    EXPECT_EQ(std::get<Lambert>(s.materials[s.sphere_material[0]]).albedo, (Color{0.9f, 0.8f, 0.7f}));
-    EXPECT_EQ(s.emission[s.sphere_material[1]].radiance, (Color{1, 2, 3}));
-    EXPECT_TRUE(is_black(s.emission[s.sphere_material[0]].radiance));
+    EXPECT_EQ(std::get<Lambert>(s.materials[s.sphere_material[0]]).albedo.value, (Color{0.9f, 0.8f, 0.7f}));
+    EXPECT_EQ(s.emission[s.sphere_material[1]].radiance.value, (Color{1, 2, 3}));
+    EXPECT_TRUE(is_black(s.emission[s.sphere_material[0]].radiance.value));
 }
 
 TEST(Build, EveryTypeOfMaterialIsItsOwn)
 {
     SceneDescription d = lit_sphere();
     d.materials[0].type = MaterialType::mirror;
-    EXPECT_EQ(std::get<Mirror>(build_scene(d).materials[0]).tint, (Color{0.9f, 0.8f, 0.7f}));
+    EXPECT_EQ(std::get<Mirror>(build_scene(d).materials[0]).tint.value, (Color{0.9f, 0.8f, 0.7f}));
     d.materials[0].type = MaterialType::glass;
     d.materials[0].ior = 1.7f;
     EXPECT_EQ(std::get<Glass>(build_scene(d).materials[0]).ior, 1.7f);
@@ -66,7 +66,7 @@ TEST(Build, NoNameIsTheDefaultGrey)
     d.spheres[0].material.clear();
     d.planes.push_back(plane_of({0, -1, 0}, {0, 2, 0}));
     const Scene s = build_scene(d);
-    EXPECT_EQ(std::get<Lambert>(s.materials[s.sphere_material[0]]).albedo, (Color{0.8f, 0.8f, 0.8f}));
+    EXPECT_EQ(std::get<Lambert>(s.materials[s.sphere_material[0]]).albedo.value, (Color{0.8f, 0.8f, 0.8f}));
     EXPECT_EQ(s.sphere_material[0], s.plane_material[0]);
 }
 
@@ -125,9 +125,10 @@ TEST(Build, WarnsOfUnusedMaterialsAndOfDarkness)
     SceneDescription d = lit_sphere();
     d.spheres.pop_back();
     d.spheres[0].material.clear();
-    EXPECT_THAT(warnings_of(d), testing::ElementsAre("s.toml: warning: nothing emits light: the picture will be black",
-                                                     "s.toml:3:1: warning: material 'chalk' is not used",
-                                                     "warning: material 'lamp' is not used"));
+    EXPECT_THAT(warnings_of(d),
+                testing::ElementsAre("s.toml:3:1: warning: material 'chalk' is not used",
+                                     "warning: material 'lamp' is not used",
+                                     "s.toml: warning: nothing emits light: the picture will be black"));
     // Each of these gives light.
     d.lights = {sky_of({0, 0.1f, 0})};
     EXPECT_EQ(warnings_of(d).size(), 2u);

@@ -1,0 +1,33 @@
+// A picture as its file stores it: what textures are made of. Filled by io/, turned into a texture once its use (colour
+// or data, which channel) is known.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lancer {
+
+struct Raster {
+    uint32_t width = 0, height = 0;  // pixels, > 0
+    uint32_t channels = 0;           // 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA; alpha is straight
+    // Rows from the top, channels interleaved. One of the two is filled: integers of 8 bits as stored, or anything
+    // else as floats (integers of more bits scaled to [0, 1], not decoded).
+    std::vector<uint8_t> bytes;
+    std::vector<float> floats;
+    bool is_float = false;  // the file held floats: linear, whatever they are used for
+
+    bool has_alpha() const { return channels == 2 || channels == 4; }
+    size_t value_count() const { return size_t{width} * height * channels; }
+};
+
+// A picture on its way. get() throws Error if it could not be read.
+using RasterFuture = std::shared_future<std::shared_ptr<const Raster>>;
+// Asks for the picture in a file; the same file asked for twice is read once.
+using RasterSource = std::function<RasterFuture(const std::string& file)>;
+
+}  // namespace lancer

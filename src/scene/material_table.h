@@ -1,0 +1,48 @@
+// Builds the materials of a scene: resolves their names, applies overrides, merges equal textures, makes mixes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/material_builder.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+class MaterialTable {
+public:
+    MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
+                  const RasterSource& images);
+
+    // The id of a material as it is described.
+    uint32_t add(const MaterialDescription& material);
+    // The same of a mesh file, under the overrides.
+    uint32_t add_from_file(const MaterialDescription& material);
+    // The id of a named material; an empty name is the default grey, as is an unknown one, so that building goes on to
+    // find what else is wrong.
+    uint32_t named(const std::string& name, const Location& where);
+    // Warns of what nobody uses.
+    void finish();
+
+private:
+    uint32_t default_material();
+    uint32_t texture(const TextureUse& use);
+    uint32_t add_plain(const MaterialDescription& material, const Material& bsdf);
+    uint32_t add_mix(const MaterialDescription& material, uint32_t first, uint32_t second, FloatParam weight);
+    void resolve_named(size_t index);
+
+    const SceneDescription& d_;
+    Scene& scene_;
+    Diagnostics& diagnostics_;
+    const RasterSource& images_;
+    MaterialOptions options_;
+    std::map<std::string, size_t> index_;  // of names, in d_.materials
+    std::vector<uint32_t> ids_;            // of d_.materials, or none
+    std::vector<bool> used_, in_progress_, override_used_;
+    std::vector<TextureDescription> textures_;  // parallel to scene_.textures
+    uint32_t default_material_ = Scene::none;
+};
+
+}  // namespace lancer
