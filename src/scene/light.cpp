@@ -2,16 +2,13 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
+#include "scene/holes.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
 namespace lancer {
 namespace {
 
-const Emission& emission_of(const Scene& scene, const TriangleLight& l)
-{
-    return scene.emission[scene.shading[l.mesh].material_of(l.triangle)];
-}
 ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
 
 // Each samples as seen from `org`, where the shadow ray will start.
@@ -32,7 +29,9 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     if (!(d2 > 0)) return {};
     const Vec3 wi = d / std::sqrt(d2);
     const float c = -dot(wi, q.n);
-    const Color radiance = emission_of(scene, light).towards(c > 0, point_at(scene, q.uv));
+    const uint32_t material = scene.shading[light.mesh].material_of(light.triangle);
+    const ShadingPoint point = point_at(scene, q.uv);
+    const Color radiance = scene.emission[material].towards(c > 0, point) * opacity_at(scene, material, point);
     if (c == 0 || is_black(radiance)) return {};
     return LightSample{.wi = wi,
                        .point = q.p,
@@ -47,7 +46,9 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
 std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
-    const Emission& emission = scene.emission[scene.sphere_material[light.sphere]];
+    const uint32_t material = scene.sphere_material[light.sphere];
+    const Emission& emission = scene.emission[material];
+    const Color radiance = emission.radiance.value * opacity_at(scene, material, point_at(scene, {}));
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
@@ -56,7 +57,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
                            .point = point,
                            .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
-                           .radiance = emission.radiance.value,
+                           .radiance = radiance,
                            .pdf = pdf};
     };
     if (d2 <= r2) {
@@ -115,6 +116,8 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Vec3d to_center = s.center - to_double(from);
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    // From outside only the near side is sampled; rays find the far one through holes in the near.
+    if (d2 > r2 && !at.front && scene.geometry.holes.spheres) return 0;
     if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
     const Vec3d d = to_double(at.p) - to_double(from);
     const double c = std::abs(dot(to_double(wi), to_double(at.n)));

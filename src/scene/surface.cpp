@@ -87,7 +87,7 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
             smooth = true;
         }
-    if (const auto uvs = corner_uvs(shading, triangle)) s.uv = (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
+    s.uv = texture_uv(shading, triangle, uv);
     if (instance != Hit::no_instance) {
         const Instance& placing = scene.geometry.instances[instance];
         const Transform& m = placing.to_world;
@@ -169,6 +169,14 @@ void map_plane(Surface& s, const Normalisation& normalisation, Vec3d n, float wi
 }
 
 }  // namespace
+
+Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
+{
+    const auto uvs = corner_uvs(shading, triangle);
+    if (!uvs) return {};
+    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
+    return (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
+}
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {

@@ -7,6 +7,7 @@
 namespace lancer {
 
 struct Scene;
+struct MeshShading;
 
 struct Surface {
     Vec3 p;
@@ -50,5 +51,8 @@ struct TrianglePoint {
 };
 // uv: barycentric weights of the second and third corner.
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
+
+// Texture coordinates there; {} where the mesh keeps none.
+Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv);
 
 }  // namespace lancer
