@@ -14,7 +14,7 @@ struct Stage {
     List list{scene.geometry};
     std::unique_ptr<Accelerator> embree = make_embree(scene.geometry, "avx2");
 
-    explicit Stage(const SceneDescription& d) : scene(build_scene(d)) {}
+    explicit Stage(const SceneDescription& d, const RasterSource& images = {}) : scene(build_scene(d, images)) {}
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
