@@ -91,11 +91,11 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
         if (is_black(s.radiance)) return {};
         return LightSample{.wi = s.wi, .infinite = true, .radiance = s.radiance, .pdf = s.pdf};
     }
-    const Vec3 local = square_to_cosine_hemisphere(u);
-    const float pdf = pdf_cosine_hemisphere(local.z);
+    // The density of the direction as it is after rounding, which pdf_environment() sees.
+    const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
+    const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
     if (!(pdf > 0)) return {};
-    return LightSample{
-        .wi = Frame(from.ns).to_world(local), .infinite = true, .radiance = scene.environment, .pdf = pdf};
+    return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
 }
 
 }  // namespace
