@@ -13,6 +13,15 @@ namespace {
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 Color mix(Color a, Color b, float t) { return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)}; }
 
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+// In [0, 1], of density proportional to a straight line from a to b; both >= 0.
+double sample_linear(double a, double b, double u)
+{
+    const double divisor = a + std::sqrt(mix(a * a, b * b, u));
+    return divisor > 0 ? std::min(1.0, u * (a + b) / divisor) : 0;
+}
+
 // Linear values of a picture, pixel by pixel.
 class Reader {
 public:
@@ -49,8 +58,8 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Raster> picture, Color fact
 
 uint64_t EnvironmentMap::bytes() const
 {
-    const uint64_t count = uint64_t{width_} * height_;
-    return count * (3 * sizeof(float) + sizeof(double)) + height_ * sizeof(double);
+    const uint64_t texels = uint64_t{width_} * height_, cells = texels + width_;
+    return texels * 3 * sizeof(float) + (cells + height_ + 1) * sizeof(double);
 }
 
 void EnvironmentMap::take_texels(const Raster& picture, Color factor, Color constant)
@@ -85,41 +94,38 @@ double EnvironmentMap::texel_luminance(uint32_t column, uint32_t row) const
     return luminance(c.r, c.g, c.b);
 }
 
+double EnvironmentMap::border(uint32_t row) const
+{
+    return std::clamp(row - 0.5, 0.0, static_cast<double>(height_)) * (pi_d / height_);
+}
 double EnvironmentMap::solid_angle(uint32_t row) const
 {
-    // 2 pi / width times the difference of the cosines of the borders, without cancellation.
-    const double step = pi_d / height_;
-    return 2 * pi_d / width_ * 2 * std::sin((row + 0.5) * step) * std::sin(0.5 * step);
+    // The difference of the cosines of the borders, without cancellation.
+    const double top = border(row), bottom = border(row + 1);
+    return 2 * pi_d / width_ * 2 * std::sin((top + bottom) / 2) * std::sin((bottom - top) / 2);
 }
 
-// The weight of a texel is the integral of what lookup() gives in it. The neighbours' ramps reach half a texel in, so a
-// texel that shines anywhere is drawn. Across, a ramp holds 1/8 of what a whole texel would; down, it is weighed by
-// the sine of the polar angle.
+// The weight of a cell is the mean of its corners times its solid angle.
 void EnvironmentMap::make_tables()
 {
-    in_row_ = std::make_unique_for_overwrite<double[]>(size_t{width_} * height_);
-    rows_ = std::make_unique_for_overwrite<double[]>(height_);
-    const double step = pi_d / height_, part = 2 * std::sin(step / 4) / step;
-    parallel_for(height_, [&](size_t r) {
+    const size_t rows = size_t{height_} + 1;
+    in_row_ = std::make_unique_for_overwrite<double[]>(rows * width_);
+    rows_ = std::make_unique_for_overwrite<double[]>(rows);
+    parallel_for(rows, [&](size_t r) {
         const auto row = static_cast<uint32_t>(r);
-        const double top = row * step, bottom = (row + 1) * step, column = 2 * pi_d / width_;
-        const double above = column * (0.5 * std::cos(top) - part * std::cos(top + step / 4));
-        const double below = column * (part * std::cos(bottom - step / 4) - 0.5 * std::cos(bottom));
-        const double here = solid_angle(row) - above - below;
-        const auto weight_of = [&](uint32_t x) {
-            return above * texel_luminance(x, row ? row - 1 : 0) + here * texel_luminance(x, row) +
-                   below * texel_luminance(x, std::min(row + 1, height_ - 1));
-        };
-        const double first = weight_of(0);
-        double sum = 0, left = weight_of(width_ - 1), middle = first;
+        const uint32_t above = row ? row - 1 : 0, below = std::min(row, height_ - 1);
+        const double quarter = 0.25 * solid_angle(row);
+        const auto pair = [&](uint32_t x) { return texel_luminance(x, above) + texel_luminance(x, below); };
+        const double first = pair(0);
+        double sum = 0, left = first;
         for (uint32_t x = 0; x < width_; ++x) {
-            const double right = x + 1 < width_ ? weight_of(x + 1) : first;
-            in_row_[r * width_ + x] = sum += 0.125 * (left + right) + 0.75 * middle;
-            left = middle, middle = right;
+            const double right = x + 1 < width_ ? pair(x + 1) : first;
+            in_row_[r * width_ + x] = sum += quarter * (left + right);
+            left = right;
         }
         rows_[r] = sum;
     });
-    for (uint32_t row = 0; row < height_; ++row) rows_[row] = total_ += rows_[row];
+    for (size_t row = 0; row < rows; ++row) rows_[row] = total_ += rows_[row];
 }
 
 EnvironmentMap::Place EnvironmentMap::place_of(Vec3 wi) const
@@ -128,46 +134,49 @@ EnvironmentMap::Place EnvironmentMap::place_of(Vec3 wi) const
     const double longitude = std::atan2(d.x, d.z), polar = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
     return {(0.5 - longitude / (2 * pi_d)) * width_, polar / pi_d * height_};
 }
-EnvironmentMap::Texel EnvironmentMap::texel_of(Place p) const
-{
-    // Longitudes of +pi and -pi are one; the right edge is the left.
-    const auto column = static_cast<uint32_t>(p.x), row = static_cast<uint32_t>(p.y);
-    return {column < width_ ? column : 0, std::min(row, height_ - 1)};
-}
 Vec3 EnvironmentMap::direction_of(Place p) const
 {
     const double longitude = (0.5 - p.x / width_) * 2 * pi_d, polar = p.y / height_ * pi_d, s = std::sin(polar);
     return to_float(to_world_.vector({std::sin(longitude) * s, std::cos(polar), std::cos(longitude) * s}));
 }
-// across, down in [0, 1]: equal parts are equal solid angles.
-EnvironmentMap::Place EnvironmentMap::place_in(Texel t, double across, double down) const
+
+EnvironmentMap::Cell EnvironmentMap::cell_of(Place p) const
 {
-    const double step = pi_d / height_, top = std::cos(t.row * step), bottom = std::cos((t.row + 1) * step);
-    const double y = std::acos(std::clamp(top + (bottom - top) * down, -1.0, 1.0)) / step;
-    return {t.column + across, std::clamp(y, static_cast<double>(t.row), t.row + 1.0)};
+    const double x = std::floor(p.x - 0.5), y = std::floor(p.y - 0.5);
+    Cell c{};
+    c.x = p.x - 0.5 - x, c.y = p.y - 0.5 - y;
+    // x is -1 in the left half of the first column, whose neighbour is the last.
+    c.left = x < 0 ? width_ - 1 : std::min(static_cast<uint32_t>(x), width_ - 1);
+    c.right = c.left + 1 < width_ ? c.left + 1 : 0;
+    c.row = std::min(static_cast<uint32_t>(y + 1), height_);
+    c.above = c.row ? c.row - 1 : 0;
+    c.below = std::min(c.row, height_ - 1);
+    return c;
 }
 
 Color EnvironmentMap::lookup(Place p) const
 {
-    const double left = std::floor(p.x - 0.5), top = std::floor(p.y - 0.5);
-    const auto fx = static_cast<float>(p.x - 0.5 - left), fy = static_cast<float>(p.y - 0.5 - top);
-    // left is -1 for the left half of the first column, whose neighbour is the last.
-    const uint32_t x0 = left < 0 ? width_ - 1 : std::min(static_cast<uint32_t>(left), width_ - 1);
-    const uint32_t x1 = x0 + 1 < width_ ? x0 + 1 : 0;
-    const uint32_t y0 = top < 0 ? 0 : std::min(static_cast<uint32_t>(top), height_ - 1);
-    const uint32_t y1 = top < 0 ? 0 : std::min(y0 + 1, height_ - 1);
-    return mix(mix(texel(x0, y0), texel(x1, y0), fx), mix(texel(x0, y1), texel(x1, y1), fx), fy);
+    const Cell c = cell_of(p);
+    const auto x = static_cast<float>(c.x), y = static_cast<float>(c.y);
+    return mix(mix(texel(c.left, c.above), texel(c.right, c.above), x),
+               mix(texel(c.left, c.below), texel(c.right, c.below), x), y);
 }
-
 Color EnvironmentMap::eval(Vec3 wi) const { return lookup(place_of(wi)); }
 
-float EnvironmentMap::pdf(Texel t) const
+// As the lookup, but linear in the cosine of the polar angle: so the cells' weights are its integrals.
+float EnvironmentMap::pdf(Place p) const
 {
-    const double* row = &in_row_[size_t{t.row} * width_];
-    const double weight = row[t.column] - (t.column ? row[t.column - 1] : 0);
-    return total_ > 0 ? static_cast<float>(weight / (total_ * solid_angle(t.row))) : 0;
+    if (is_black()) return 0;
+    const Cell c = cell_of(p);
+    // The part of the cell's solid angle above the place, without cancellation. The half cells at the poles have the
+    // same above and below.
+    const double step = pi_d / height_, top = border(c.row), down = c.y * step / 2;
+    const double part = std::sin(top + down) * std::sin(down) / (std::sin(top + step / 2) * std::sin(step / 2));
+    const double above = mix(texel_luminance(c.left, c.above), texel_luminance(c.right, c.above), c.x);
+    const double below = mix(texel_luminance(c.left, c.below), texel_luminance(c.right, c.below), c.x);
+    return static_cast<float>(mix(above, below, std::clamp(part, 0.0, 1.0)) / total_);
 }
-float EnvironmentMap::pdf(Vec3 wi) const { return pdf(texel_of(place_of(wi))); }
+float EnvironmentMap::pdf(Vec3 wi) const { return pdf(place_of(wi)); }
 
 EnvironmentSample EnvironmentMap::sample(Vec2 u) const
 {
@@ -179,24 +188,22 @@ EnvironmentSample EnvironmentMap::sample(Vec2 u) const
         return i;
     };
     double down = 0, across = 0;
-    Texel t{};
-    t.row = draw(rows_.get(), height_, lengthened(u.x, u.y) * total_, down);
-    const double* row = &in_row_[size_t{t.row} * width_];
-    t.column = draw(row, width_, lengthened(u.y, u.x) * row[width_ - 1], across);
+    const uint32_t row = draw(rows_.get(), height_ + 1, lengthened(u.x, u.y) * total_, down);
+    const double* in_row = &in_row_[size_t{row} * width_];
+    const uint32_t left = draw(in_row, width_, lengthened(u.y, u.x) * in_row[width_ - 1], across);
 
-    Place p = place_in(t, across, down);
-    EnvironmentSample s{.wi = direction_of(p), .radiance = {}, .pdf = pdf(t)};
-    Place found = place_of(s.wi);
-    if (texel_of(found) != t) {
-        // Rounded to beyond the border, where the density may be another: off the border by what is still a trifle.
-        const auto inner = [](double x) { return std::clamp(x, 0x1p-8, 1 - 0x1p-8); };
-        p = place_in(t, inner(across), inner(down));
-        s.wi = direction_of(p);
-        found = place_of(s.wi);
-    }
-    // At a pole a texel can be narrower than float tells apart; what was drawn is then as good as what is found.
-    s.radiance = lookup(texel_of(found) == t ? found : p);
-    return s;
+    const uint32_t above = row ? row - 1 : 0, below = std::min(row, height_ - 1);
+    const uint32_t right = left + 1 < width_ ? left + 1 : 0;
+    const double a = texel_luminance(left, above), b = texel_luminance(right, above);
+    const double c = texel_luminance(left, below), d = texel_luminance(right, below);
+    const double y = sample_linear(a + b, c + d, down), x = sample_linear(mix(a, c, y), mix(b, d, y), across);
+
+    const double top = border(row), bottom = border(row + 1);
+    const double polar = std::acos(std::clamp(mix(std::cos(top), std::cos(bottom), y), -1.0, 1.0));
+    const Vec3 wi = direction_of({left + 0.5 + x, std::clamp(polar, top, bottom) / pi_d * height_});
+    // All of the direction as float has it. Both are continuous, so it does not matter how it was rounded.
+    const Place p = place_of(wi);
+    return {wi, lookup(p), pdf(p)};
 }
 
 }  // namespace lancer

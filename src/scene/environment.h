@@ -1,7 +1,8 @@
 // Light from infinitely far away, by a latitude-longitude picture: OpenEXR's convention (ImfEnvmap.h), in which the
 // centre of the picture is +z, the top is +y, and longitude falls from +pi at the left edge to -pi at the right.
-// Looked up bilinearly; drawn by rows and then columns, in proportion to what the lookup gives: Pharr, Jakob,
-// Humphreys, "Physically Based Rendering", 4th ed., sections 12.5 and A.5.
+// Looked up bilinearly between the middles of texels, and drawn in proportion to the luminance of that: a row of cells
+// and a cell from tables, then a place in the cell. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
+// sections 12.5 and A.5.
 #pragma once
 
 #include <memory>
@@ -27,14 +28,14 @@ public:
 
     // Radiance that arrives along a ray that leaves the scene towards wi (unit).
     Color eval(Vec3 wi) const;
-    // The density of a sample is that of the texel that it was drawn from, and so is pdf() of its direction, but for
-    // directions that float cannot tell from those of the next texel. Not where is_black().
+    // Not where is_black(). The radiance and the density are those of wi as eval() and pdf() find them.
     EnvironmentSample sample(Vec2 u) const;
     float pdf(Vec3 wi) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
-    // Integral of the radiance's luminance over all directions.
+    // Integral of the radiance's luminance over all directions, as the tables have it: exact but for the change of the
+    // cosine within a cell.
     double power() const { return total_; }
     bool is_black() const { return total_ == 0; }
     // Texels that had something negative, or no finite number: that counts as black.
@@ -46,28 +47,30 @@ private:
     struct Place {
         double x, y;
     };
-    struct Texel {
-        uint32_t column, row;
-        friend bool operator==(const Texel&, const Texel&) = default;
+    // What lies between the middles of four texels; in the rows 0 and `height` between a pole and two of them.
+    struct Cell {
+        uint32_t row, left, right, above, below;
+        double x, y;  // of a place in it, in [0, 1]
     };
 
     void take_texels(const Raster& picture, Color factor, Color constant);
     void make_tables();
     Color texel(uint32_t column, uint32_t row) const;
     double texel_luminance(uint32_t column, uint32_t row) const;
-    double solid_angle(uint32_t row) const;  // of a texel
-    float pdf(Texel t) const;
+    // Polar angle of the border above a row of cells.
+    double border(uint32_t row) const;
+    double solid_angle(uint32_t row) const;  // of a cell
     Place place_of(Vec3 wi) const;
-    Texel texel_of(Place p) const;
     Vec3 direction_of(Place p) const;
-    Place place_in(Texel t, double across, double down) const;
+    Cell cell_of(Place p) const;
     Color lookup(Place p) const;
+    float pdf(Place p) const;
 
     uint32_t width_, height_;
     Transform to_world_;
     std::unique_ptr<float[]> texels_;   // RGB, rows from the top
-    std::unique_ptr<double[]> in_row_;  // of each texel the weights of its row up to and including it
-    std::unique_ptr<double[]> rows_;    // of each row the weights of the rows up to and including it
+    std::unique_ptr<double[]> in_row_;  // of each cell the weights of its row up to and including it
+    std::unique_ptr<double[]> rows_;    // of each row of cells the weights of the rows up to and including it
     double total_ = 0;
     uint64_t bad_ = 0;
 };

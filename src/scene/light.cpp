@@ -88,7 +88,7 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
 {
     if (scene.environment_map) {
         const EnvironmentSample s = scene.environment_map->sample(u);
-        if (is_black(s.radiance)) return {};
+        if (!(s.pdf > 0)) return {};
         return LightSample{.wi = s.wi, .infinite = true, .radiance = s.radiance, .pdf = s.pdf};
     }
     // The density of the direction as it is after rounding, which pdf_environment() sees.
