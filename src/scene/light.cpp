@@ -2,6 +2,7 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
+#include "scene/environment.h"
 #include "scene/holes.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
@@ -19,6 +20,11 @@ std::optional<LightSample> sample(const Scene&, const PointLight& light, const S
     if (!(d2 > 0)) return {};
     return LightSample{
         .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
+}
+
+std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, const Surface&, Vec3, Vec2)
+{
+    return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
 }
 
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
@@ -81,24 +87,38 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
 // A constant sky: by the cosine at the surface, which is all that varies.
 std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
-    const Vec3 local = square_to_cosine_hemisphere(u);
-    const float pdf = pdf_cosine_hemisphere(local.z);
+    if (scene.environment_map) {
+        const EnvironmentSample s = scene.environment_map->sample(u);
+        if (!(s.pdf > 0)) return {};
+        return LightSample{.wi = s.wi, .infinite = true, .radiance = s.radiance, .pdf = s.pdf};
+    }
+    // The density of the direction as it is after rounding, which pdf_environment() sees.
+    const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
+    const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
     if (!(pdf > 0)) return {};
-    return LightSample{
-        .wi = Frame(from.ns).to_world(local), .infinite = true, .radiance = scene.environment, .pdf = pdf};
+    return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
 }
 
 }  // namespace
 
-std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u)
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
     const LightTable& table = scene.lights;
     if (table.pick.empty()) return {};
-    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(pick);
-    // Where every ray on this side starts: the density that pdf_light() finds for such a ray is then the same. From
+    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(lengthened(pick, u.x));
+    // Where every ray on a side starts: the density that pdf_light() finds for such a ray is then the same. From
     // from.p itself the two could disagree even on which side of a sphere they are.
-    const Vec3 org = ray_origin(from, from.n);
-    auto s = std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+    const auto sampled_from = [&](Vec3 side) {
+        const Vec3 org = ray_origin(from, side);
+        return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+    };
+    auto s = sampled_from(from.n);
+    if (s && dot(s->wi, from.side) < 0 && through) {
+        s = sampled_from(-from.n);
+        if (s && dot(s->wi, from.side) >= 0) return {};
+    } else if (s && dot(s->wi, from.side) <= 0) {
+        return {};
+    }
     if (s) s->pdf *= table.pick.probability(id);
     return s;
 }
@@ -127,7 +147,8 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
-    return scene.lights.pick.probability(scene.environment_light) * pdf_cosine_hemisphere(dot(normal, wi));
+    const float choice = scene.lights.pick.probability(scene.environment_light);
+    return choice * (scene.environment_map ? scene.environment_map->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
 }
 
 }  // namespace lancer

@@ -160,7 +160,7 @@ TEST(Opacity, OfAPictureCutsCrispHoles)
     leaf.opacity_map = picture;
     SceneDescription d;
     d.lights.push_back(sky_of({1, 1, 1}));
-    d.meshes.push_back(make_mesh(make_textured_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, leaf)));
+    d.meshes.push_back(make_mesh(make_mapped_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1}, leaf)));
     d.meshes[0].name = "leaf";
     const TransformDescription placed{{0.3, -0.2, 0.1}, {20, 30, 40}, {-1.5, 0.7, 1}};
     d.instances.push_back(instance_of("leaf", placed));

@@ -149,6 +149,20 @@ inline LightDescription light_of(LightType type, Color power, Vec3d position = {
     l.power = power;
     return l;
 }
+// irradiance: on what faces it; direction: the way that its light goes.
+inline LightDescription directional_of(Color irradiance, Vec3d direction)
+{
+    LightDescription l = light_of(LightType::directional, irradiance);
+    l.direction = direction;
+    return l;
+}
+inline LightDescription sky_map_of(Color factor, Vec3d rotate_deg = {}, Location where = {})
+{
+    LightDescription l = light_of(LightType::environment, factor, {}, 1, std::move(where));
+    l.file = "sky";
+    l.rotate_deg = rotate_deg;
+    return l;
+}
 inline LightDescription sky_of(Color radiance) { return light_of(LightType::environment, radiance); }
 inline InstanceDescription instance_of(std::string mesh, TransformDescription transform, Location where = {})
 {
@@ -384,10 +398,10 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     return d;
 }
 
-inline Scene build_scene(const SceneDescription& d)
+inline Scene build_scene(const SceneDescription& d, const RasterSource& images = test_picture)
 {
     Diagnostics diagnostics;
-    return Scene::build(d, diagnostics, test_picture);
+    return Scene::build(d, diagnostics, images);
 }
 
 // The camera of the description, or the one fitted to what it shows.

@@ -15,7 +15,7 @@ struct Stage {
     List list{scene.geometry};
     std::unique_ptr<Accelerator> embree;
 
-    explicit Stage(const SceneDescription& d) : scene(build_scene(d))
+    explicit Stage(const SceneDescription& d, const RasterSource& images = test_picture) : scene(build_scene(d, images))
     {
         bind_holes(scene);
         embree = make_embree(scene.geometry, "avx2");
