@@ -54,6 +54,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Emission& emission = scene.emission[scene.sphere_material[light.sphere]];
+    const Color radiance = emission.towards(true, point_at(scene, {}));  // spheres have no uv
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
@@ -62,7 +63,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
                            .point = point,
                            .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
-                           .radiance = emission.radiance.value,
+                           .radiance = radiance,
                            .pdf = pdf};
     };
     if (d2 <= r2) {
