@@ -29,8 +29,9 @@ bool let_pass(const void* context, const Ray& ray, const Hit& hit)
     const uint32_t material = material_of(scene, hit);
     if (!scene.traits[material].has_holes()) return false;
     ShadingPoint point{.textures = scene.textures.data()};
-    if (hit.kind == Kind::triangle && scene.traits[material].opacity.texture != no_texture)
-        point.uv = texture_uv(scene.shading[hit.geometry], hit.primitive, hit.uv);
+    if (scene.traits[material].opacity.texture != no_texture)
+        point.uv = hit.kind == Kind::triangle ? texture_uv(scene.shading[hit.geometry], hit.primitive, hit.uv)
+                                              : surface_at(scene, ray, hit).uv;
     const float opacity = opacity_at(scene, material, point);
     if (opacity <= 0 || opacity >= 1) return opacity <= 0;
     return number_of(ray.key, hit) >= opacity;

@@ -43,7 +43,7 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
                        .point = q.p,
                        .p_error = q.p_error,
                        .n = q.n,
-                       .radiance = radiance,
+                       .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
                        .pdf = d2 / (std::abs(c) * q.area)};
 }
 
@@ -54,16 +54,16 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const uint32_t material = scene.sphere_material[light.sphere];
     const Emission& emission = scene.emission[material];
-    const Color radiance = emission.radiance.value * opacity_at(scene, material, point_at(scene, {}));
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
         const Vec3 point = to_float(s.center + n * s.radius);
+        const ShadingPoint place = point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(n)) : Vec2{});
         return LightSample{.wi = wi,
                            .point = point,
                            .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
-                           .radiance = radiance,
+                           .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
                            .pdf = pdf};
     };
     if (d2 <= r2) {

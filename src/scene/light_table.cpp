@@ -71,7 +71,8 @@ private:
             scene_.sphere_light.push_back(e.is_dark() ? Scene::none : next());
             if (e.is_dark()) continue;
             const double r = scene_.geometry.spheres[i].radius;
-            add(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(e.radiance.value) * (e.both_sides ? 2 : 1));
+            const Color radiance = e.towards(true, {.textures = scene_.textures.data()});  // without uv: one for all
+            add(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(radiance) * (e.both_sides ? 2 : 1));
         }
     }
     void list_meshes()

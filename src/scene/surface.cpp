@@ -144,15 +144,13 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
     return to_float(moved);
 }
 
-// Longitude and latitude, both to [0, 1]: u grows from -z over +x, v from -y to +y. n: unit, outwards.
 void map_sphere(Surface& s, const Sphere& sphere, float width, std::optional<Tangents>& tangents)
 {
     const double x = static_cast<double>(s.n.x), y = static_cast<double>(s.n.y), z = static_cast<double>(s.n.z);
     const double around = std::sqrt(x * x + z * z);
-    s.uv = {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
-            static_cast<float>(0.5 + std::atan2(y, around) / pi_d)};
-    const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * std::max(around, 1e-3);
-    s.uv_width = width * static_cast<float>(1 / std::sqrt(area));
+    s.uv = sphere_uv(s.n);
+    const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * around;
+    s.uv_width = area > 0 ? width * static_cast<float>(1 / std::sqrt(area)) : 1;
     if (!(around > 0)) return;
     tangents = Tangents{to_float(Vec3d{z, 0, -x} / around), to_float(Vec3d{-y * x / around, around, -y * z / around})};
 }
@@ -182,6 +180,13 @@ TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mes
 {
     const Placed s = place(scene, instance, mesh, triangle, uv);
     return {s.p, s.p_error, s.n, s.area, s.uv};
+}
+
+Vec2 sphere_uv(Vec3 n)
+{
+    const double x = static_cast<double>(n.x), y = static_cast<double>(n.y), z = static_cast<double>(n.z);
+    return {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
+            static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
 }
 
 Vec3 sphere_point_error(const Sphere& s, Vec3 p)

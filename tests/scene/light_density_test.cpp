@@ -90,6 +90,11 @@ std::vector<LitScene> lit_scenes()
     all.back().images = sky_picture();
     add("sky map with a sun", {0, 0, 0}, 0.5).lights = {sky_map_of({1, 1, 1})};
     all.back().images = sunny_picture();
+    {
+        SceneDescription& d = add("textured sphere", {0, 0, 0}, 0.5);
+        d.materials = textured(triangle(both_lamp())).data->materials;
+        d.spheres.push_back(sphere_of({0, 0, 0}, 1, "both"));
+    }
     add("textured triangle", {0, 2, 0}, 0.3).meshes.push_back(textured(triangle(both_lamp())));
     {
         SceneDescription& d = add("all kinds", {0, 0, 0}, 0.3);
