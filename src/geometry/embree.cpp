@@ -127,7 +127,7 @@ private:
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
         // Only where something is to be asked: a scene with a filter in it is traced by slower code throughout.
-        if (g_.holes.let_pass && g_.holes.meshes[index]) {
+        if (g_.holes.let_pass && !g_.holes.meshes[index].empty()) {
             rtcSetGeometryUserData(g, const_cast<Geometry*>(&g_));
             rtcSetGeometryIntersectFilterFunction(g, filter_callback);
             rtcSetGeometryOccludedFilterFunction(g, filter_callback);

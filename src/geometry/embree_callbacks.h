@@ -106,13 +106,11 @@ inline void filter_callback(const RTCFilterFunctionNArguments* a)
     const Geometry& g = *static_cast<const Geometry*>(a->geometryUserPtr);
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
+        const uint32_t mesh = RTCHitN_geomID(a->hit, a->N, i), triangle = RTCHitN_primID(a->hit, a->N, i);
+        if (!g.holes.meshes[mesh][triangle]) continue;
         const Ray& ray = original_ray(a->context, RTCRayN_id(a->ray, a->N, i));
-        const Hit hit{RTCRayN_tfar(a->ray, a->N, i),
-                      instance_of(g, RTCHitN_instID(a->hit, a->N, i, 0)),
-                      RTCHitN_geomID(a->hit, a->N, i),
-                      RTCHitN_primID(a->hit, a->N, i),
-                      {},
-                      Kind::triangle};
+        const uint32_t instance = instance_of(g, RTCHitN_instID(a->hit, a->N, i, 0));
+        const Hit hit{RTCRayN_tfar(a->ray, a->N, i), instance, mesh, triangle, {}, Kind::triangle};
         if (g.holes.let_pass(g.holes.context, ray, refine(g, ray, hit))) a->valid[i] = 0;
     }
 }

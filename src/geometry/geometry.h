@@ -18,7 +18,9 @@ struct Holes {
     // shortens while accelerators search, has no part in it. Null: nothing has holes.
     bool (*let_pass)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
     const void* context = nullptr;
-    std::vector<uint8_t> meshes;           // parallel to Geometry::meshes: whether any triangle is to be asked about
+    // Parallel to Geometry::meshes: of each triangle whether to ask; empty where a mesh has none that is to be asked
+    // about. Most of a mesh with a few leaves in it then costs next to nothing.
+    std::vector<std::vector<uint8_t>> meshes;
     bool spheres = false, planes = false;  // whether any is
 };
 

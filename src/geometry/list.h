@@ -27,14 +27,16 @@ private:
         Ray rest = ray;
         const auto mesh = [&](uint32_t instance, uint32_t index, Vec3d org, Vec3d dir) {
             const Mesh& m = g_.meshes[index];
-            const bool has_holes = g_.holes.let_pass && g_.holes.meshes[index];
+            const bool has_holes = g_.holes.let_pass && !g_.holes.meshes[index].empty();
             for (uint32_t i = 0; i < m.triangles.size(); ++i) {
                 const auto h = intersect_plane_of(m, i, org, dir);
                 if (!h || !h->inside || !reaches(ray, h->t)) continue;
                 const auto t = static_cast<float>(h->t);
                 if (best && !(t < best.t)) continue;
                 const Hit hit{t, instance, index, i, {}, Kind::triangle};
-                if (has_holes && g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit))) continue;
+                if (has_holes && g_.holes.meshes[index][i] &&
+                    g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit)))
+                    continue;
                 best = hit;
                 rest.t_max = t;
                 if (first_will_do) return;

@@ -27,7 +27,7 @@ bool let_pass(const void* context, const Ray& ray, const Hit& hit)
 {
     const Scene& scene = *static_cast<const Scene*>(context);
     const uint32_t material = material_of(scene, hit);
-    if (!scene.traits[material].has_holes()) return false;
+    if (!scene.traits[material].has_holes()) return false;  // another sphere or plane has
     ShadingPoint point{.textures = scene.textures.data()};
     if (scene.traits[material].opacity.texture != no_texture)
         point.uv = hit.kind == Kind::triangle ? texture_uv(scene.shading[hit.geometry], hit.primitive, hit.uv)
@@ -49,10 +49,13 @@ void bind_holes(Scene& scene)
     holes.spheres = any(scene.sphere_material);
     holes.planes = any(scene.plane_material);
     bool meshes = false;
-    for (const MeshShading& s : scene.shading) {
-        const bool marked = s.face_material.empty() ? has_holes(s.material) : any(s.face_material);
-        holes.meshes.push_back(marked);
-        meshes = meshes || marked;
+    for (size_t i = 0; i < scene.shading.size(); ++i) {
+        const MeshShading& s = scene.shading[i];
+        std::vector<uint8_t>& ask = holes.meshes.emplace_back();
+        if (!(s.face_material.empty() ? has_holes(s.material) : any(s.face_material))) continue;
+        meshes = true;
+        ask.resize(scene.geometry.meshes[i].triangles.size());
+        for (uint32_t t = 0; t < ask.size(); ++t) ask[t] = has_holes(s.material_of(t)) ? 1 : 0;
     }
     if (holes.spheres || holes.planes || meshes) {
         holes.let_pass = let_pass;

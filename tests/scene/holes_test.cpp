@@ -142,7 +142,10 @@ TEST(Opacity, IsAskedForOnlyWhereItMatters)
         EXPECT_EQ(holes.let_pass != nullptr, std::string(name) == "holes") << name;
         if (!holes.let_pass) continue;
         EXPECT_TRUE(holes.spheres && holes.planes);
-        EXPECT_EQ(holes.meshes, (std::vector<uint8_t>{0, 1, 1, 1, 1}));
+        ASSERT_EQ(holes.meshes.size(), 5u);
+        EXPECT_TRUE(holes.meshes[0].empty());
+        EXPECT_EQ(holes.meshes[1], (std::vector<uint8_t>{1, 1}));
+        EXPECT_EQ(holes.meshes[2], (std::vector<uint8_t>{0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1}));
     }
 }
 
