@@ -53,9 +53,10 @@ constexpr std::array map_keys{
 };
 
 // What would be seen if it were supported; a value of 0 asks for nothing.
-constexpr std::array<std::string_view, 20> unsupported{
-    "Ps",     "Pc",     "Pcr",    "aniso", "anisor",   "map_Ps",   "map_Pc", "map_Pcr",   "map_aniso", "map_anisor",
-    "map_Ns", "map_Tf", "map_Tr", "disp",  "map_disp", "map_Disp", "decal",  "map_decal", "refl",      "map_refl"};
+constexpr std::array<std::string_view, 22> unsupported{
+    "Ps",       "Pc",       "Pcr",       "aniso",      "anisor", "Km",      "Kt",     "map_Ps",
+    "map_Pc",   "map_Pcr",  "map_aniso", "map_anisor", "map_Ns", "map_Tf",  "map_Tr", "disp",
+    "map_disp", "map_Disp", "decal",     "map_decal",  "refl",   "map_refl"};
 // What a path tracer computes by itself or that says how others should draw.
 constexpr std::array<std::string_view, 4> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness"};
 

@@ -179,7 +179,7 @@ TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
 {
     const auto entries = scan_mtl(
         "newmtl m\nkd 1 0 0\nkd 1 0 0\nmap_kd a.png\nKa 1 1 1\nmap_Ka a.png\nsharpness 60\ndisp a.png\ndecal a.png\n"
-        "illum 11\nillum 2.5\nNs many\nNi 0\nNi 99\nNs -1\nd 2\nPr\nxyzzy\nillum 2\n",
+        "illum 11\nillum 2.5\nNs many\nNi 0\nNi 99\nNs -1\nd 2\nPr\nxyzzy\nillum 2\nKt 0 0 0\nKm .25\n",
         "a.mtl", diagnostics_);
     EXPECT_EQ(entries.at(0).illum.value, 2);
     EXPECT_EQ(entries.at(0).ns.value, 0);
@@ -197,7 +197,8 @@ TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
                             "a.mtl:15: warning: Ns below 0 or beyond float clamped",
                             "a.mtl:16: warning: d outside [0, 1] clamped",
                             "a.mtl:17: warning: Pr is not a finite number; ignored",
-                            "a.mtl:18: warning: unknown statement 'xyzzy' ignored"));
+                            "a.mtl:18: warning: unknown statement 'xyzzy' ignored",
+                            "a.mtl:21: warning: statement 'Km' is not supported; ignored"));
     std::string many = "newmtl m\n";
     for (int i = 0; i < 100; ++i) many += "key" + std::to_string(i) + "\n";
     diagnostics_ = {};
