@@ -60,7 +60,8 @@ inline double fresnel_conductor(double cos_i, double eta, double k)
 {
     const double cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
     // (a + i b)^2 = (eta + i k)^2 - sin^2, and r_s = (cos - a - i b) / (cos + a + i b).
-    const double real = (eta - k) * (eta + k) - sin2, imaginary = 2 * eta * k;
+    const double real = sin2 < 0.5 ? (eta - k) * (eta + k) - sin2 : cos2 + (eta - 1) * (eta + 1) - k * k;
+    const double imaginary = 2 * eta * k;
     const double sum = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
     // Of the two forms of a^2 = (sum + real) / 2 the one that does not cancel.
     const double a2 = real >= 0 ? 0.5 * (sum + real) : 0.5 * imaginary * imaginary / (sum - real);
