@@ -45,8 +45,6 @@ struct Ggx {
         const double a = alpha * alpha * (w.x * w.x + w.y * w.y), cos = std::abs(w.z);
         return 0.5 * a / (cos * (cos + std::sqrt(w.z * w.z + a)));
     }
-    // Of the normals that wo sees, per solid angle of normals, without the factor max(0, dot(wo, h)).
-    double visible_over_cos(Vec3d wo, Vec3d h) const { return 2 * density(h) / (wo.z + spread(wo)); }
     // G2 / (4 |cos_o| |cos_i|), with G2 the part of the facets that both directions see. For any z but both 0.
     double visibility(Vec3d wo, Vec3d wi) const
     {
