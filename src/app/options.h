@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/load_scene.h"
 #include "core/film.h"
 #include "integrators/transport.h"
 
@@ -15,13 +16,13 @@ namespace lancer {
 // What decides the value of a pixel. What is not given here is taken from [render] of the scene, else from Settings.
 // Names have been checked against the lists of settings.h.
 struct PictureOptions {
-    std::string scene;
-    std::string asset_root;
+    SceneChoice scene;
     std::optional<std::array<uint32_t, 2>> size;
     std::optional<uint64_t> seed;
     std::optional<uint32_t> max_depth;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
     DirectLight direct;
+    std::optional<bool> multiscatter, terminator;
     std::optional<uint32_t> threads;
     bool strict = false;
 };
@@ -44,6 +45,12 @@ struct RenderOptions {
     std::string command_line;  // as it was given
 };
 
+struct CheckOptions {
+    SceneChoice scene;
+    std::optional<uint32_t> threads;
+    bool strict = false;
+};
+
 struct PixelOptions {
     PictureOptions picture;
     uint32_t x = 0, y = 0, sample = 0;
@@ -61,6 +68,7 @@ struct CompareOptions {
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 
