@@ -48,6 +48,7 @@ private:
     Prepared prepared_;
     Settings settings_;
     RunStats stats_;
+    Normalisation normalisation_;  // of the scene, once it is built
 };
 
 template <class F>
@@ -139,6 +140,8 @@ void Run::render(const Renderer& renderer)
     const Settings& s = settings_;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height);
     Film film(s.width, s.height, s.crop);
+    if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
+    normalisation_ = renderer.scene().normalisation;
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
     timed("render", [&] {
         Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp, film.pixels.size());
@@ -168,7 +171,10 @@ void Run::render(const Renderer& renderer)
     timed("write", [&] { write(film); });
 }
 
-void Run::write(const Film& film) { write_outputs(options_, to_image(film), make_metadata(stats_)); }
+void Run::write(const Film& film)
+{
+    write_outputs(options_, to_image(film), aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+}
 
 void Run::write_stats()
 {

@@ -112,6 +112,20 @@ std::string to_output(const std::string& path)
     return path;
 }
 
+// "albedo,normal" or "all"
+void add_aovs(const std::string& text, std::vector<Aov>& aovs)
+{
+    std::vector<std::string_view> known(aov_names.begin(), aov_names.end());
+    known.push_back("all");
+    for (const std::string& part : split(text, ',')) {
+        to_name("--aov", part, known);
+        for (size_t i = 0; i < aov_names.size(); ++i)
+            if (part == "all" || part == aov_names[i]) aovs.push_back(static_cast<Aov>(i));
+    }
+    std::sort(aovs.begin(), aovs.end());
+    aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());
+}
+
 // The options of one command. Every value comes as text and is turned into what it means by a function that throws
 // Error, so that messages are our own.
 class Parser {
@@ -294,7 +308,11 @@ void add_render_options(Parser& p, RenderOptions& o)
     p.value("-s,--spp", "N", "Samples per pixel (64)", [&](const std::string& t) { o.spp = to_count("--spp", t, 1); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.flag("--half", "EXR with 16-bit floats", o.half);
+    p.values(
+        "--aov", "NAME,...",
+        "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, or all",
+        [&](const std::string& t) { add_aovs(t, o.aovs); });
+    p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
     p.value("--exposure", "STOPS", "PNG is brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
     p.flag("--dither", "PNG with a fixed dither pattern against banding", o.dither);

@@ -10,6 +10,7 @@
 #include "app/load_scene.h"
 #include "core/film.h"
 #include "integrators/transport.h"
+#include "render/aov.h"
 
 namespace lancer {
 
@@ -34,8 +35,9 @@ struct RenderOptions {
     std::vector<std::string> outputs;  // never empty; each ends in .exr or .png
     std::optional<uint32_t> spp;
     std::optional<Tile> crop;
-    uint32_t tile = 16;    // side in pixels
-    uint32_t batch = 256;  // paths under way at once
+    uint32_t tile = 16;     // side in pixels
+    uint32_t batch = 256;   // paths under way at once
+    std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
     float exposure_stops = 0;
     bool dither = false;

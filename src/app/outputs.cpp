@@ -85,7 +85,8 @@ Metadata make_metadata(const RunStats& s)
             {"command_line", s.context.command_line}};
 }
 
-void write_outputs(const RenderOptions& options, const Image& image, const Metadata& metadata)
+void write_outputs(const RenderOptions& options, const Image& image, const std::vector<ImagePlane>& planes,
+                   const Metadata& metadata)
 {
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
@@ -94,7 +95,7 @@ void write_outputs(const RenderOptions& options, const Image& image, const Metad
         if (extension_of(path) == ".png") {
             write_png(file, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
         } else {
-            write_exr(file, image, metadata, {.half = options.half});
+            write_exr(file, image, metadata, {.half = options.half}, planes);
         }
         file.finish();
     }
