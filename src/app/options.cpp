@@ -224,10 +224,10 @@ void add_name(Parser& p, const std::string& option, const std::string& help, con
             [=, &known, &value](const std::string& t) { value = to_name(option, t, known); });
 }
 
-void add_scene_options(Parser& p, SceneChoice& o)
+void add_scene_options(Parser& p, SceneChoice& o,
+                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)")
 {
-    p.argument("SCENE", "Scene file (.toml) or mesh (.obj: camera and light are added)",
-               [&](const std::string& t) { o.file = t; });
+    p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
     p.group("The scene");
     p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
     p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
@@ -313,6 +313,13 @@ void add_render_options(Parser& p, RenderOptions& o)
         "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, or all",
         [&](const std::string& t) { add_aovs(t, o.aovs); });
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
+    p.value("--tonemap", "srgb|agx|none",
+            "PNG: the sRGB curve, cut off at 1; AgX, which rolls off; or linear values (srgb)",
+            [&](const std::string& t) {
+                const std::vector<std::string_view> known{"srgb", "agx", "none"};
+                to_name("--tonemap", t, known);
+                o.tonemap = t == "agx" ? ToneMap::agx : t == "none" ? ToneMap::none : ToneMap::srgb;
+            });
     p.value("--exposure", "STOPS", "PNG is brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
     p.flag("--dither", "PNG with a fixed dither pattern against banding", o.dither);
@@ -361,6 +368,19 @@ std::optional<CheckOptions> parse_check(int argc, char** argv)
     add_scene_options(p, o.scene);
     add_threads(p, o.threads);
     p.flag("--strict", "Exit with 65 if there is a warning", o.strict);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<InfoOptions> parse_info(int argc, char** argv)
+{
+    InfoOptions o;
+    Parser p("info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
+             "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing.\n\n"
+             "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
+    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
+    add_threads(p, o.threads);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
     return o;

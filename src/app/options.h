@@ -10,6 +10,7 @@
 #include "app/load_scene.h"
 #include "core/film.h"
 #include "integrators/transport.h"
+#include "io/tonemap.h"
 #include "render/aov.h"
 
 namespace lancer {
@@ -40,6 +41,7 @@ struct RenderOptions {
     std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
     float exposure_stops = 0;
+    ToneMap tonemap = ToneMap::srgb;
     bool dither = false;
     std::string stats;  // empty: none
     ProgressKind progress = ProgressKind::automatic;
@@ -51,6 +53,11 @@ struct CheckOptions {
     SceneChoice scene;
     std::optional<uint32_t> threads;
     bool strict = false;
+};
+
+struct InfoOptions {
+    SceneChoice scene;  // or a picture
+    std::optional<uint32_t> threads;
 };
 
 struct PixelOptions {
@@ -71,6 +78,7 @@ struct CompareOptions {
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
+std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 

@@ -93,7 +93,8 @@ void write_outputs(const RenderOptions& options, const Image& image, const std::
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
+            write_png(file, image, metadata,
+                      {.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = options.tonemap});
         } else {
             write_exr(file, image, metadata, {.half = options.half}, planes);
         }

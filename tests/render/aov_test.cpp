@@ -113,7 +113,9 @@ protected:
     SceneDescription scene = all_test_scenes()[GetParam()].description;
     RenderRequest request = [] {
         RenderRequest r;
-        r.spp = {48};
+        r.width = 12, r.height = 9;
+        r.spp = {32};
+        r.tile = 5;
         r.aovs = true;
         return r;
     }();
@@ -127,13 +129,13 @@ TEST_P(AovsSamePixels, HoweverTheWorkIsCutUp)
     r.threads = 3;
     EXPECT_TRUE(same(usual, planes_of(scene, r)));
     r = request;
-    r.tile = 7;
+    r.tile = 12;
     EXPECT_TRUE(same(usual, planes_of(scene, r)));
     r = request;
     r.settings.kernel.batch = 5;
     EXPECT_TRUE(same(usual, planes_of(scene, r)));
     r = request;
-    r.spp = {16, 32};
+    r.spp = {16, 16};
     EXPECT_TRUE(same(usual, planes_of(scene, r)));
     r = request;
     r.settings.accel = AccelKind::list;
