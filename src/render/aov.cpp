@@ -17,8 +17,13 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
 {
     return std::visit(
         [&](const auto& m) {
+            // Whatever a material calls it.
             if constexpr (requires { m.albedo; }) {
                 return point.eval(m.albedo);
+            } else if constexpr (requires { m.base; }) {
+                return point.eval(m.base);
+            } else if constexpr (requires { m.color; }) {
+                return point.eval(m.color);
             } else {
                 return point.eval(m.tint);
             }
