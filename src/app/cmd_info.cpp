@@ -36,7 +36,7 @@ std::string listed(const std::map<std::string, uint64_t>& counts)
     return text.empty() ? "none" : text;
 }
 
-std::string to_text(Vec3d v) { return shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z); }
+std::string to_text(Vec3d v) { return format_text("%.7g %.7g %.7g", v.x, v.y, v.z); }
 
 class SceneInfo {
 public:
@@ -184,14 +184,16 @@ void print_picture(const std::string& path)
 int print_scene(const InfoOptions& options)
 {
     Diagnostics diagnostics;
-    SceneDescription description = load_scene(options.scene, diagnostics);
+    const SceneDescription description = load_scene(options.scene, diagnostics);
     PictureOptions picture;
     picture.scene = options.scene;
     picture.threads = options.threads;
     const Settings settings = resolve_settings(picture, description.render);
+    SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
+    complete_scene(completed, double(settings.width) / settings.height);
     with_threads(settings.threads, [&] {
         ImageSource images(settings.threads);
-        Scene scene = Scene::begin(description, diagnostics, images.source());
+        Scene scene = Scene::begin(completed, diagnostics, images.source());
         const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
     });

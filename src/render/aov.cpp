@@ -17,8 +17,13 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
 {
     return std::visit(
         [&](const auto& m) {
+            // Whatever a material calls it.
             if constexpr (requires { m.albedo; }) {
                 return point.eval(m.albedo);
+            } else if constexpr (requires { m.base; }) {
+                return point.eval(m.base);
+            } else if constexpr (requires { m.f0; }) {
+                return point.eval(m.f0);
             } else {
                 return point.eval(m.tint);
             }
@@ -81,16 +86,7 @@ std::string_view channels_of(Aov aov)
 Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point)
 {
     return mixed(scene, material, point, [&](const Material& some) {
-        return std::visit(
-            [&](const auto& m) {
-                const auto bsdf = m.at(point);
-                if constexpr (requires { bsdf.reflectance(); }) {
-                    return bsdf.reflectance();
-                } else {
-                    return base_color_of(some, point);
-                }
-            },
-            some);
+        return std::visit([&](const auto& m) { return m.at(point).reflectance(); }, some);
     });
 }
 

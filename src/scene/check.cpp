@@ -10,6 +10,17 @@
 namespace lancer {
 namespace {
 
+// Triangles with the same corners as one before, in whatever order.
+uint64_t count_repeated(std::vector<std::array<uint32_t, 3>> triangles)
+{
+    for (auto& t : triangles) std::sort(t.begin(), t.end());
+    std::sort(triangles.begin(), triangles.end());
+    uint64_t repeated = 0;
+    for (size_t i = 1; i < triangles.size(); ++i)
+        if (triangles[i] == triangles[i - 1]) ++repeated;
+    return repeated;
+}
+
 void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
 {
     uint64_t flipped = 0, with_normals = 0;
@@ -33,13 +44,8 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
         notes.warning({data.file}, "no vertex normals in " + std::to_string(data.triangles.size() - with_normals) +
                                        of_all + ": they are flat");
     }
-    std::set<std::array<uint32_t, 3>> seen;
-    uint64_t twice = 0;
-    for (std::array<uint32_t, 3> t : data.triangles) {
-        std::sort(t.begin(), t.end());
-        if (!seen.insert(t).second) ++twice;
-    }
-    if (twice) problems.warning({data.file}, std::to_string(twice) + of_all + " have the corners of another one");
+    if (const uint64_t twice = count_repeated(data.triangles))
+        notes.warning({data.file}, std::to_string(twice) + of_all + " have the corners of another one");
 }
 
 // One emitter as far as rays are sent from it: the triangles of a mesh that share a material.

@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-// Meshes whose vertex normals contradict the winding of their faces or that hold a triangle twice. What is only worth
-// knowing goes to notes.
+// Meshes whose vertex normals contradict the winding of their faces; as notes: flat meshes, triangles that are there
+// twice, a camera that is not there.
 void check_description(const SceneDescription& description, Diagnostics& problems, Diagnostics& notes);
 
 // Emitters of one side that light nothing but a wall right in front of them, or the inside of their own shape. The

@@ -40,7 +40,7 @@ TEST_F(Check, EveryProblemHasItsPlace)
           "bad.obj:12: warning: zero-area face dropped\n", "bad.obj:13: warning: unknown material 'b'",
           "bad.obj: warning: vertex normals point away from the side that the winding shows in 1 of 5 triangles",
           "bad.toml:3:1: warning: material 'unused' is not used\n", "warning: nothing emits light",
-          "bad.obj: warning: 1 of 5 triangles have the corners of another one\n",
+          "bad.obj: note: 1 of 5 triangles have the corners of another one\n",
           "bad.obj:10: note: polygon of more than 4 corners, cut into triangles\n",
           "bad.obj:2: note: the material library 'bad.mtl' is named again\n",
           "bad.obj: note: no vertex normals in 4 of 5 triangles: they are flat\n", "bad.toml: note: no camera",

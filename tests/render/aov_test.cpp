@@ -75,6 +75,7 @@ TEST(Aovs, TellWhatCanBeTold)
 {
     RenderRequest r;
     r.width = 9, r.height = 8, r.aovs = true;
+    r.spp = {32, 7};
     r.settings.kernel.filter = Filter(FilterKind::box);
     const auto planes = planes_of(half_a_wall(), r);
     const double pixel = 2 * std::tan(pi_d / 6) / 8;  // at distance 1
@@ -150,6 +151,7 @@ TEST_P(AovsSamePixels, TheLightDoesNotNotice)
     ASSERT_FALSE(with.aovs.empty());
     ASSERT_TRUE(without.aovs.empty());
     for (size_t i = 0; i < with.pixels.size(); ++i) {
+        EXPECT_EQ(with.aovs[i].samples, 32u);
         EXPECT_EQ(with.pixels[i].sum, without.pixels[i].sum) << i;
         EXPECT_EQ(with.pixels[i].sum_sq, without.pixels[i].sum_sq) << i;
     }
