@@ -14,7 +14,7 @@ namespace lancer {
 
 struct Prepared {
     Settings settings;
-    SceneDescription description;  // with a camera
+    SceneDescription description;         // with a camera
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene while the accelerator is built
     Scene scene;
     std::vector<std::string> warnings;

@@ -254,6 +254,7 @@ TEST(LightDensity, HoldsBehindTheSurfaceToo)
             const auto s = sample_light(stage.scene, from, pick, u, true);
             Surface turned = from;
             turned.n = -from.n;
+            turned.side = -from.side;
             const auto front = sample_light(stage.scene, from, pick, u),
                        back = sample_light(stage.scene, turned, pick, u);
             const bool constant_sky = s && s->infinite && !s->delta && !stage.scene.environment_map;

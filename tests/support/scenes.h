@@ -386,7 +386,13 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     }
     for (auto& i : d.instances) resize(i.transform);
     for (auto& x : d.spheres) x.center *= s, x.radius *= s;
-    for (auto& p : d.planes) p.point *= s;
+    for (auto& p : d.planes) {
+        p.point *= s;
+        // The texture coordinates of a plane are lengths.
+        for (auto& m : d.materials)
+            if (m.name == p.material && m.base_color_map)
+                m.base_color_map->use.scale = m.base_color_map->use.scale * static_cast<float>(1 / s);
+    }
     for (auto& l : d.lights) {
         l.position *= s, l.radius *= s;
         if (l.type == LightType::point) l.power *= static_cast<float>(s * s);
