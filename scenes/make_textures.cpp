@@ -1,0 +1,368 @@
+// Writes the pictures that the scenes of this folder use: painted and grown from fixed seeds, and the sky.
+//   g++ -std=c++20 -O2 scenes/make_textures.cpp -lpng -o make_textures && ./make_textures scenes/textures
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "make_common.h"
+
+namespace {
+
+struct Rgb {
+    double r = 0, g = 0, b = 0;
+};
+Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+Rgb operator*(Rgb a, double s) { return {a.r * s, a.g * s, a.b * s}; }
+Rgb blend(Rgb a, Rgb b, double t) { return a * (1 - t) + b * t; }
+
+// A picture of 1 to 4 channels in [0, 1], as it stands in the file: colours are sRGB.
+struct Picture {
+    int width, height, channels;
+    std::vector<double> values;
+
+    Picture(int w, int h, int c)
+        : width(w),
+          height(h),
+          channels(c),
+          values(static_cast<size_t>(w) * static_cast<size_t>(h) * static_cast<size_t>(c))
+    {
+    }
+    double& at(int x, int y, int c)
+    {
+        return values[(static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)) *
+                          static_cast<size_t>(channels) +
+                      static_cast<size_t>(c)];
+    }
+    void set(int x, int y, Rgb c) { at(x, y, 0) = c.r, at(x, y, 1) = c.g, at(x, y, 2) = c.b; }
+};
+
+[[noreturn]] void fail(const std::string& path)
+{
+    std::fprintf(stderr, "make_textures: cannot write %s\n", path.c_str());
+    std::exit(1);
+}
+
+// `levels` below 256 makes files of noise a good deal smaller and cannot be seen.
+void write_png(const std::string& path, Picture& p, int levels = 256)
+{
+    std::vector<png_byte> bytes;
+    for (const double v : p.values) {
+        const double step = std::round(std::clamp(v, 0.0, 1.0) * (levels - 1)) / (levels - 1);
+        bytes.push_back(static_cast<png_byte>(std::lround(255 * step)));
+    }
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) fail(path);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    if (setjmp(png_jmpbuf(png))) fail(path);
+    png_init_io(png, file);
+    constexpr std::array<int, 5> types = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                          PNG_COLOR_TYPE_RGB_ALPHA};
+    png_set_IHDR(png, info, static_cast<png_uint_32>(p.width), static_cast<png_uint_32>(p.height), 8,
+                 types[static_cast<size_t>(p.channels)], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png, 9);
+    if (levels < 256) png_set_filter(png, 0, PNG_FILTER_NONE | PNG_FILTER_SUB | PNG_FILTER_UP);
+    png_write_info(png, info);
+    for (int y = 0; y < p.height; ++y)
+        png_write_row(png, &bytes[static_cast<size_t>(y) * static_cast<size_t>(p.width * p.channels)]);
+    png_write_end(png, nullptr);
+    png_destroy_write_struct(&png, &info);
+    if (std::fclose(file) != 0) fail(path);
+}
+
+// Half width of a pointed leaf of length 1 at `t` of its length.
+double leaf_outline(double t) { return t <= 0 || t >= 1 ? 0 : 0.30 * std::pow(std::sin(pi * std::pow(t, 0.75)), 0.9); }
+
+struct Leaf {
+    double x, y, angle, size;  // foot, direction (0 is up the picture), length, all in parts of the picture
+    Rgb color;
+};
+
+// Paints the leaf where (x, y) lies in it; returns its height there, or -1.
+double paint_leaf(const Leaf& l, double x, double y, Rgb& color)
+{
+    const double c = std::cos(l.angle), s = std::sin(l.angle), dx = (x - l.x) / l.size, dy = (y - l.y) / l.size;
+    const double t = dy * c + dx * s, across = dx * c - dy * s, w = leaf_outline(t);
+    const double tooth = 1 + 0.07 * (std::fabs(std::fmod(t * 14, 1.0) - 0.5) - 0.25);
+    if (std::fabs(across) > w * tooth) return -1;
+    const double side = std::fabs(across) / 0.30;
+    const double vein = std::fmod(t * 9 - side * 2.2 + 10, 1.0);
+    Rgb k = l.color * (0.86 + 0.18 * between(0.0, 0.5, vein) - 0.10 * between(0.75, 1, vein));
+    k = blend(k, l.color * 1.35 + Rgb{0.05, 0.06, 0.02}, 1 - between(0.006, 0.022, std::fabs(across)));
+    color = k;
+    return 0.4 + 0.6 * side;
+}
+
+// Mean over 3 x 3 places of each pixel. `paint` gets places in [0, 1], y upwards, and says whether anything is there.
+Picture cut_out(int width, int height, Rgb behind, const std::function<bool(double, double, Rgb&)>& paint)
+{
+    Picture p(width, height, 4);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            Rgb sum;
+            int found = 0;
+            for (int k = 0; k < 9; ++k) {
+                Rgb c;
+                if (!paint((x + (k % 3 + 0.5) / 3) / width, 1 - (y + (k / 3 + 0.5) / 3) / height, c)) continue;
+                sum = sum + c;
+                ++found;
+            }
+            p.set(x, y, found ? sum * (1.0 / found) : behind);  // what is cut away has a leaf's colour, not black
+            p.at(x, y, 3) = found / 9.0;
+        }
+    return p;
+}
+
+// A twig of a beech with ten leaves; the outline is in its alpha.
+void write_beech(const std::string& path)
+{
+    Random random(201);
+    std::vector<Leaf> leaves;
+    for (int i = 0; i < 10; ++i) {
+        const double t = i == 9 ? 0.66 : 0.02 + 0.068 * i, side = i == 9 ? 0 : (i % 2 ? 1 : -1);
+        const double g = random.in(0.85, 1.12);
+        leaves.push_back({0.5 + 0.004 * side,
+                          t,
+                          side * random.in(0.85, 1.15),
+                          i == 9 ? 0.34 : random.in(0.36, 0.42),
+                          {random.in(0.30, 0.40) * g, random.in(0.47, 0.53) * g, random.in(0.13, 0.18) * g}});
+    }
+    std::reverse(leaves.begin(), leaves.end());
+    Picture p = cut_out(256, 256, {0.34, 0.48, 0.15}, [&](double x, double y, Rgb& c) {
+        bool found = false;
+        if (std::fabs(x - 0.5 - 0.01 * std::sin(9 * y)) < 0.008 && y < 0.7) found = true, c = {0.33, 0.25, 0.17};
+        for (const Leaf& l : leaves)
+            if (paint_leaf(l, x, y, c) >= 0) return true;
+        return found;
+    });
+    write_png(path, p, 64);
+}
+
+// A spray of spruce: a twig with side twigs, all with needles. Its mask is a picture of its own.
+void write_spruce(const std::string& picture, const std::string& mask)
+{
+    struct Needle {
+        double x0, y0, x1, y1, shade;
+    };
+    std::vector<Needle> needles, wood;
+    Random random(202);
+    const auto spray = [&](double x, double y, double angle, double size) {
+        wood.push_back({x, y, x + size * std::sin(angle), y + size * std::cos(angle), 0.5});
+        const int count = static_cast<int>(size * 210);
+        for (int i = 0; i < count; ++i) {
+            const double t = static_cast<double>(i) / count, side = i % 2 ? 1 : -1;
+            const double a = angle + side * random.in(0.55, 0.95) * (1 - 0.5 * t * t);
+            const double l = random.in(0.085, 0.115) * (1 - 0.35 * t);
+            const double px = x + t * size * std::sin(angle), py = y + t * size * std::cos(angle);
+            needles.push_back({px, py, px + l * std::sin(a), py + l * std::cos(a), random.in(0.7, 1.25)});
+        }
+    };
+    spray(0.5, 0, 0, 0.93);
+    for (int i = 0; i < 8; ++i)
+        spray(0.5, 0.06 + 0.085 * i, (i % 2 ? 1 : -1) * random.in(0.7, 0.9), 0.50 * (1 - 0.085 * i));
+    const auto near = [](const Needle& n, double x, double y) {
+        const double dx = n.x1 - n.x0, dy = n.y1 - n.y0, l2 = dx * dx + dy * dy;
+        const double t = std::clamp(((x - n.x0) * dx + (y - n.y0) * dy) / l2, 0.0, 1.0);
+        const double ex = x - n.x0 - t * dx, ey = y - n.y0 - t * dy;
+        return std::sqrt(ex * ex + ey * ey) / (1 - 0.5 * t);
+    };
+    Picture p = cut_out(192, 192, {0.16, 0.27, 0.13}, [&](double x, double y, Rgb& c) {
+        for (const Needle& n : wood)
+            if (near(n, x, y) < 0.008) {
+                c = {0.36, 0.27, 0.18};
+                return true;
+            }
+        for (const Needle& n : needles)
+            if (near(n, x, y) < 0.0085) {
+                c = Rgb{0.17, 0.29, 0.14} * n.shade;
+                return true;
+            }
+        return false;
+    });
+    Picture color(p.width, p.height, 3), outline(p.width, p.height, 1);
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            color.set(x, y, {p.at(x, y, 0), p.at(x, y, 1), p.at(x, y, 2)});
+            outline.at(x, y, 0) = p.at(x, y, 3);
+        }
+    write_png(picture, color, 32);
+    write_png(mask, outline, 16);
+}
+
+// One leaflet of a fern, itself lobed to both sides.
+void write_fern_mask(const std::string& path)
+{
+    Picture p = cut_out(64, 256, {1, 1, 1}, [](double x, double y, Rgb& c) {
+        const double off = std::fabs(x - 0.5) * 2, reach = std::pow(1 - y, 0.55) * 0.97;
+        const double lobe = std::fabs(std::fmod(y * 15 - off * 1.6 + 5, 1.0) - 0.5) * 2;  // 0 in the middle of a lobe
+        c = {1, 1, 1};
+        return off < 0.10 * (1.1 - y) || (off < reach && lobe < std::sqrt(std::fmax(0, 1 - off / reach)) * 0.55 + 0.36);
+    });
+    Picture outline(p.width, p.height, 1);
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) outline.at(x, y, 0) = p.at(x, y, 3);
+    write_png(path, outline, 16);
+}
+
+// Bark: ridges along the trunk, torn by noise. Used as colour and as height.
+void write_bark(const std::string& path)
+{
+    Picture p(256, 256, 1);
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const double u = x / 256.0, v = y / 256.0;
+            const double warp = 0.9 * (fractal(u * 8, v * 8, 4, 8, 301) - 0.5);
+            const double ridge = std::fabs(2 * noise((u + 0.09 * warp) * 16, v * 4 + warp, 4 * 4, 302) - 1);
+            const double fine = fractal(u * 32, v * 16, 3, 16, 303);
+            p.at(x, y, 0) = 0.30 + 0.52 * std::pow(ridge, 0.55) + 0.34 * (fine - 0.5);
+        }
+    write_png(path, p, 48);
+}
+
+// Fallen leaves on the ground, and their heights.
+void write_litter(const std::string& picture, const std::string& height)
+{
+    constexpr int n = 320;
+    Picture color(n, n, 3), bump(n, n, 1);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) color.set(x, y, {0.20, 0.15, 0.11});
+    Random random(204);
+    constexpr std::array<Rgb, 6> browns = {Rgb{0.42, 0.29, 0.17}, {0.50, 0.36, 0.21}, {0.34, 0.23, 0.15},
+                                           {0.56, 0.43, 0.27},    {0.45, 0.27, 0.14}, {0.30, 0.25, 0.17}};
+    constexpr int count = 620;
+    for (int i = 0; i < count; ++i) {
+        Leaf l{random.next(), random.next(), random.in(0, 2 * pi), random.in(0.07, 0.12),
+               browns[static_cast<size_t>(random.next() * 6)] * random.in(0.75, 1.1)};
+        const double base = 0.15 + 0.6 * i / count;
+        const int reach = static_cast<int>(l.size * n) + 1, cx = static_cast<int>(l.x * n),
+                  cy = static_cast<int>(l.y * n);
+        for (int y = cy - reach; y <= cy + reach; ++y)
+            for (int x = cx - reach; x <= cx + reach; ++x) {
+                Rgb c;
+                const double h = paint_leaf(l, (x + 0.5) / n, (y + 0.5) / n, c);
+                if (h < 0) continue;
+                color.set((x + n) % n, (y + n) % n, c);
+                bump.at((x + n) % n, (y + n) % n, 0) = base + 0.18 * h;
+            }
+    }
+    write_png(picture, color, 32);
+    write_png(height, bump, 48);
+}
+
+// Where the forest's path is trodden: white, over x from -25 to 25 and z from 5 (below) to -45 (above).
+void write_path_mask(const std::string& path)
+{
+    constexpr int n = 512;
+    Picture p(n, n, 1);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const double px = -25 + 50 * (x + 0.5) / n, pz = -45 + 50 * (y + 0.5) / n;
+            const double off = std::fabs(px - path_x(pz));
+            const double torn = 0.9 * (fractal(px * 1.3 + 70, pz * 1.3 + 70, 4, 512, 205) - 0.5);
+            p.at(x, y, 0) = 0.92 * (1 - between(0.40, 1.05, off + torn));
+        }
+    write_png(path, p, 32);
+}
+
+// Moss on stones, earth between grass: noise with soft edges.
+void write_patches(const std::string& path)
+{
+    Picture p(256, 256, 1);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) p.at(x, y, 0) = between(0.40, 0.62, fractal(x / 32.0, y / 32.0, 5, 8, 206));
+    write_png(path, p, 32);
+}
+
+// Radiance (RGBE), run-length coded; `radiance` gets unit directions.
+void write_hdr(const std::string& path, int width, int height, const std::function<Rgb(Point)>& radiance)
+{
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) fail(path);
+    std::fprintf(file, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", height, width);
+    std::vector<std::array<unsigned char, 4>> row(static_cast<size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            Rgb sum;
+            constexpr int side = 4;  // places along each side of a pixel
+            for (int k = 0; k < side * side; ++k) {
+                const double phi = pi - 2 * pi * (x + (k % side + 0.5) / side) / width;
+                const double theta = pi * (y + (k / side + 0.5) / side) / height;
+                sum =
+                    sum + radiance({std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)});
+            }
+            const Rgb c = sum * (1.0 / (side * side));
+            int exponent = 0;
+            std::frexp(std::max({c.r, c.g, c.b}), &exponent);
+            const double scale = std::ldexp(256, -exponent);
+            const auto byte = [&](double v) { return static_cast<unsigned char>(std::min(v * scale, 255.0)); };
+            row[static_cast<size_t>(x)] = {byte(c.r), byte(c.g), byte(c.b), static_cast<unsigned char>(exponent + 128)};
+        }
+        const std::array<int, 4> head = {2, 2, width >> 8, width & 255};
+        for (const int c : head) std::fputc(c, file);
+        for (size_t c = 0; c < 4; ++c)
+            for (size_t x = 0; x < row.size();) {
+                const auto run_at = [&](size_t from) {
+                    size_t n = 1;
+                    while (from + n < row.size() && n < 127 && row[from + n][c] == row[from][c]) ++n;
+                    return n;
+                };
+                const size_t run = run_at(x);
+                if (run >= 3) {
+                    std::fputc(static_cast<int>(128 + run), file);
+                    std::fputc(row[x][c], file);
+                    x += run;
+                    continue;
+                }
+                size_t end = x;
+                while (end < row.size() && end - x < 128 && run_at(end) < 3) ++end;
+                std::fputc(static_cast<int>(end - x), file);
+                for (; x < end; ++x) std::fputc(row[x][c], file);
+            }
+    }
+    if (std::fclose(file) != 0) fail(path);
+}
+
+// A clear afternoon with high clouds: the blue deepens towards the zenith, brightens around the sun and pales at the
+// horizon. The sun is a disc as wide as three pixels; its irradiance is about five times that of the sky. Below the
+// horizon there is dull ground.
+const Point sun = unit({-0.62, 0.62, 0.48});
+Rgb sky(Point d)
+{
+    const double c = dot(d, sun), up = d.y;
+    constexpr double disc = 0.0105;  // radius in radians
+    if (up < 0) return Rgb{0.085, 0.078, 0.066};
+    const double haze = std::exp(-up / 0.10), around = std::exp((c - 1) / 0.06), wide = std::exp((c - 1) / 0.4);
+    Rgb k = blend(Rgb{0.16, 0.30, 0.62}, Rgb{0.34, 0.50, 0.76}, std::exp(-up / 0.35));
+    k = blend(k, {0.74, 0.78, 0.82}, 0.8 * haze);
+    k = k + Rgb{0.9, 0.72, 0.48} * (0.55 * around) + Rgb{0.30, 0.28, 0.24} * wide;
+    // Clouds lie on a plane above; they thin out towards the horizon, where that plane is far.
+    const double px = d.x / (up + 0.12), pz = d.z / (up + 0.12);
+    const double warp = 1.2 * fractal(px * 0.8 + 90, pz * 0.8 + 90, 3, 512, 402);
+    const double cover = between(0.50, 0.78, fractal(px * 0.9 + warp + 90, pz * 1.7 + warp + 90, 6, 512, 401));
+    const double lit = 0.75 + 0.5 * wide + 1.4 * around;
+    k = blend(k, Rgb{1.0, 0.97, 0.93} * lit, 0.85 * cover * between(0.0, 0.22, up));
+    if (c > std::cos(disc)) k = k + Rgb{1.0, 0.90, 0.74} * 2.6e4;
+    return k;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: make_textures OUTPUT_FOLDER\n");
+        return 2;
+    }
+    const std::string folder = std::string(argv[1]) + "/";
+    write_beech(folder + "beech.png");
+    write_spruce(folder + "spruce.png", folder + "spruce_mask.png");
+    write_fern_mask(folder + "fern_mask.png");
+    write_bark(folder + "bark.png");
+    write_litter(folder + "litter.png", folder + "litter_height.png");
+    write_path_mask(folder + "path_mask.png");
+    write_patches(folder + "patches.png");
+    write_hdr(folder + "sky.hdr", 1024, 512, sky);
+}
