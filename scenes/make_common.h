@@ -79,7 +79,9 @@ inline double between(double a, double b, double x)  // 0 below a, 1 above b, sm
 // An OBJ file. Faces name their corners from the end, so that large meshes need few digits.
 class Obj {
 public:
-    Obj(const std::string& path, const std::string& library) : path_(path), file_(std::fopen(path.c_str(), "w"))
+    // Positions are written in this unit, rounded to so many decimals.
+    Obj(const std::string& path, const std::string& library, double unit, int decimals)
+        : path_(path), unit_(unit), decimals_(decimals), file_(std::fopen(path.c_str(), "w"))
     {
         if (!file_) fail();
         if (!library.empty()) std::fprintf(file_, "mtllib %s\n", library.c_str());
@@ -93,18 +95,18 @@ public:
     }
 
     void material(const std::string& name) { std::fprintf(file_, "usemtl %s\n", name.c_str()); }
-    void position(Point p, double unit)
+    void position(Point p)
     {
-        std::fprintf(file_, "v %.0f %.0f %.0f\n", p.x / unit + 0.0, p.y / unit + 0.0, p.z / unit + 0.0);
+        const double fine = std::pow(10, decimals_);
+        const auto rounded = [&](double x) { return std::round(x / unit_ * fine) / fine + 0.0; };  // and no -0
+        std::fprintf(file_, "v %.6g %.6g %.6g\n", rounded(p.x), rounded(p.y), rounded(p.z));
     }
-    void exact_position(Point p) { std::fprintf(file_, "v %.4g %.4g %.4g\n", p.x, p.y, p.z); }
     void uv(double u, double v) { std::fprintf(file_, "vt %.4g %.4g\n", u, v); }
     void normal(Point n, int digits = 2)
     {
         std::fprintf(file_, "vn %.*f %.*f %.*f\n", digits, n.x, digits, n.y, digits, n.z);
     }
-    // Corners as numbers counted from the end, -1 the last written. `format`: 'v', or with "t" for uv, "n" for normals
-    // of the same numbers.
+    // Corners as numbers counted from the end, -1 the last written; uvs and normals, if any, have the same numbers.
     void face(std::vector<int> corners, bool uvs, bool normals)
     {
         std::fputc('f', file_);
@@ -133,6 +135,8 @@ private:
         std::exit(1);
     }
     std::string path_;
+    double unit_;
+    int decimals_;
     std::FILE* file_;
     int triangles_ = 0;
 };

@@ -27,13 +27,13 @@ Tube trunk(double height, double radius, int rings, double wobble, Random& rando
 // A broadleaf tree of 14 m: branches by the golden angle, each with twigs, each with cards of some nine leaves.
 void write_beech(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", centimetre, 0);
     Random random(11);
     write_card_uvs(obj);
     constexpr double height = 14;
     const Tube stem = trunk(height, 0.27, 20, 0.25, random);
     obj.material("bark");
-    write_tube(obj, stem, 12, 2, 1.6, centimetre);
+    write_tube(obj, stem, 12, 2, 1.6);
     std::array<std::vector<Card>, 3> leaves;
     std::vector<Tube> twigs;
     constexpr int branches = 38;
@@ -47,7 +47,7 @@ void write_beech(const std::string& path)
         const Point direction = out * std::sin(tilt) + Point{0, std::cos(tilt), 0};
         const double thick = 0.030 + 0.016 * reach;
         const Tube branch = bent_tube(base, direction, reach, thick, 0.012, 7, 0.35 - 0.5 * (1 - s), 0.10, random);
-        write_tube(obj, branch, 5, 1, 1.6, centimetre);
+        write_tube(obj, branch, 5, 1, 1.6);
         for (int j = 0; j < 8; ++j) {
             const double t = 0.26 + 0.74 * (j + 0.4 * random.next()) / 8;
             const Point forward = direction_at(branch, t), flat = unit(cross(forward, {0, 1, 0.01}));
@@ -68,21 +68,20 @@ void write_beech(const std::string& path)
         }
     }
     obj.material("twig");
-    for (const Tube& t : twigs) write_twig(obj, t, centimetre);
-    for (size_t i = 0; i < leaves.size(); ++i)
-        write_cards(obj, leaves[i], "beech_leaf_" + std::to_string(i + 1), centimetre);
+    for (const Tube& t : twigs) write_twig(obj, t);
+    for (size_t i = 0; i < leaves.size(); ++i) write_cards(obj, leaves[i], "beech_leaf_" + std::to_string(i + 1));
 }
 
 // A conifer of 17 m: whorls of drooping branches, each a spine of cards with cards to both sides.
 void write_spruce(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", centimetre, 0);
     Random random(23);
     write_card_uvs(obj);
     constexpr double height = 17;
     const Tube stem = trunk(height, 0.24, 18, 0.08, random);
     obj.material("spruce_bark");
-    write_tube(obj, stem, 10, 2, 1.2, centimetre);
+    write_tube(obj, stem, 10, 2, 1.2);
     std::array<std::vector<Card>, 2> needles;
     std::vector<Tube> twigs;
     constexpr int whorls = 34;
@@ -116,15 +115,14 @@ void write_spruce(const std::string& path)
         needles[0].push_back(leaf_card({0, height - 0.35, 0}, {std::cos(i * 1.26) * 0.5, 1.0, std::sin(i * 1.26) * 0.5},
                                        {0, 0, 1}, 0.6, 0.3, 0.5, random));
     obj.material("twig");
-    for (const Tube& t : twigs) write_twig(obj, t, centimetre);
-    for (size_t i = 0; i < needles.size(); ++i)
-        write_cards(obj, needles[i], "spruce_needle_" + std::to_string(i + 1), centimetre);
+    for (const Tube& t : twigs) write_twig(obj, t);
+    for (size_t i = 0; i < needles.size(); ++i) write_cards(obj, needles[i], "spruce_needle_" + std::to_string(i + 1));
 }
 
 // A fern of 0.9 m: fronds that arch out of one root, with leaflets to both sides that shorten to the tip.
 void write_fern(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", millimetre, 0);
     Random random(37);
     write_card_uvs(obj);
     std::vector<Card> cards;
@@ -142,7 +140,7 @@ void write_fern(const std::string& path)
             p = p + d * (reach / (rings - 1));
             d = unit(d + out * 0.10 - Point{0, 0.07 + 0.13 * rise * k / rings, 0});
         }
-        write_twig(obj, stalk, millimetre);
+        write_twig(obj, stalk);
         constexpr int pairs = 30;
         for (int k = 0; k < pairs; ++k) {
             const double t = 0.16 + 0.84 * k / pairs;
@@ -154,13 +152,13 @@ void write_fern(const std::string& path)
             }
         }
     }
-    write_cards(obj, cards, "fern_leaf", millimetre);
+    write_cards(obj, cards, "fern_leaf");
 }
 
 // Grass over half a square metre, with some dry blades and a few flowers.
 void write_grass(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", millimetre, 0);
     Random random(41);
     const auto blades = [&](int count, const std::string& material, double tall) {
         obj.material(material);
@@ -173,7 +171,7 @@ void write_grass(const std::string& path)
             const Point middle = root + Point{0, 0.62 * h, 0} + out * (0.28 * bend);
             const Point tip = root + Point{0, 0.95 * h, 0} + out * bend;
             for (const Point p : {root - side, root + side, middle + side * 0.8, middle - side * 0.8, tip})
-                obj.position(p, millimetre);
+                obj.position(p);
             obj.face({-5, -4, -3, -2}, false, false);
             obj.face({-2, -3, -1}, false, false);
         }
@@ -188,8 +186,7 @@ void write_grass(const std::string& path)
         for (int k = 0; k < 5; ++k) {
             const double b = 2 * pi * k / 5;
             const Point f{std::cos(b), 0.25, std::sin(b)}, s{-std::sin(b), 0, std::cos(b)};
-            for (const Point p : {c, c + (f - s * 0.5) * w, c + f * (1.6 * w), c + (f + s * 0.5) * w})
-                obj.position(p, millimetre);
+            for (const Point p : {c, c + (f - s * 0.5) * w, c + f * (1.6 * w), c + (f + s * 0.5) * w}) obj.position(p);
             obj.face({-4, -3, -2, -1}, false, false);
         }
     }
@@ -198,7 +195,7 @@ void write_grass(const std::string& path)
 // A boulder: an icosahedron whose faces are split four times, pushed in and out.
 void write_rock(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", millimetre, 0);
     const double g = (1 + std::sqrt(5)) / 2;
     std::vector<Point> points = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                  {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
@@ -247,7 +244,7 @@ void write_rock(const std::string& path)
     }
     obj.material("rock");
     for (size_t i = 0; i < points.size(); ++i) {
-        obj.position(points[i], millimetre);
+        obj.position(points[i]);
         obj.uv(0.7 * points[i].x + 0.3 * points[i].y, 0.7 * points[i].z + 0.4 * points[i].y);
         obj.normal(unit(normals[i]));
     }
@@ -270,7 +267,7 @@ constexpr double ground_reach = 80;
 
 void write_ground(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", centimetre, 0);
     obj.material("ground");
     constexpr int n = 64;
     // Finer about the path near the eye.
@@ -285,7 +282,7 @@ void write_ground(const std::string& path)
     for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const double x = x_of(i), z = z_of(j), h = 0.05;
-            obj.position({x, ground(x, z), z}, centimetre);
+            obj.position({x, ground(x, z), z});
             obj.uv(x, -z);
             obj.normal(unit({ground(x - h, z) - ground(x + h, z), 2 * h, ground(x, z - h) - ground(x, z + h)}));
         }

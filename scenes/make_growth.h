@@ -18,7 +18,7 @@ struct Tube {
 };
 
 // Sides of a tube; the picture of the bark repeats `around` times round it and once every `period` metres along it.
-inline void write_tube(Obj& obj, const Tube& tube, int sides, double around, double period, double unit_length)
+inline void write_tube(Obj& obj, const Tube& tube, int sides, double around, double period)
 {
     const int rings = static_cast<int>(tube.axis.size());
     Point out{1, 0, 0.2};
@@ -33,7 +33,7 @@ inline void write_tube(Obj& obj, const Tube& tube, int sides, double around, dou
         for (int k = 0; k <= sides; ++k) {
             const double a = 2 * pi * k / sides;
             const Point n = out * std::cos(a) + left * std::sin(a);
-            obj.position(here + n * tube.radius[static_cast<size_t>(i)], unit_length);
+            obj.position(here + n * tube.radius[static_cast<size_t>(i)]);
             obj.uv(around * k / sides, along / period);
             obj.normal(n, 1);
         }
@@ -47,7 +47,7 @@ inline void write_tube(Obj& obj, const Tube& tube, int sides, double around, dou
 }
 
 // Thin wood without normals or pictures: three sides.
-inline void write_twig(Obj& obj, const Tube& tube, double unit_length)
+inline void write_twig(Obj& obj, const Tube& tube)
 {
     Point out{1, 0, 0.2};
     for (size_t i = 0; i < tube.axis.size(); ++i) {
@@ -56,7 +56,7 @@ inline void write_twig(Obj& obj, const Tube& tube, double unit_length)
         const Point left = cross(direction, out);
         for (int k = 0; k < 3; ++k) {
             const double a = 2 * pi * k / 3;
-            obj.position(tube.axis[i] + (out * std::cos(a) + left * std::sin(a)) * tube.radius[i], unit_length);
+            obj.position(tube.axis[i] + (out * std::cos(a) + left * std::sin(a)) * tube.radius[i]);
         }
         if (i == 0) continue;
         for (int k = 0; k < 3; ++k) obj.face({k - 6, (k + 1) % 3 - 6, (k + 1) % 3 - 3, k - 3}, false, false);
@@ -69,13 +69,13 @@ inline void write_card_uvs(Obj& obj)
         for (const double u : {0.0, 0.5, 1.0}) obj.uv(u, v);
 }
 
-inline void write_cards(Obj& obj, const std::vector<Card>& cards, const std::string& material, double unit_length)
+inline void write_cards(Obj& obj, const std::vector<Card>& cards, const std::string& material)
 {
     obj.material(material);
     for (const Card& c : cards) {
         for (const double v : {0.0, 1.0})
             for (const double u : {-1.0, 0.0, 1.0})
-                obj.position(c.base + c.reach * v + c.side * u - c.fold * (1 - std::fabs(u)), unit_length);
+                obj.position(c.base + c.reach * v + c.side * u - c.fold * (1 - std::fabs(u)));
         obj.face({-6, -5, -2, -3}, {1, 2, 5, 4});
         obj.face({-5, -4, -1, -2}, {2, 3, 6, 5});
     }

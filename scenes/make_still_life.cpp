@@ -1,10 +1,9 @@
-// Writes the meshes of the textured still life, in tenths of a millimetre; the scene scales them to centimetres.
+// Writes the meshes of the textured still life, in centimetres.
 //   g++ -std=c++20 -O2 scenes/make_still_life.cpp -o make_still_life && ./make_still_life scenes/meshes
 #include "make_growth.h"
 
 namespace {
 
-constexpr double tenth = 0.01;                       // of a millimetre, in centimetres
 using Profile = std::vector<std::array<double, 2>>;  // radius and height, in centimetres
 
 // A smooth curve through the points (Catmull-Rom), at t in [0, 1].
@@ -26,9 +25,8 @@ std::array<double, 2> at(const Profile& p, double t)
 
 // Turned about the y axis; seen from outside, u runs to the right and v along the profile by its length. The profile
 // runs upwards where its outside is away from the axis.
-void lathe(Obj& obj, const std::string& material, const Profile& profile, int around, int along, bool uvs)
+void lathe(Obj& obj, const Profile& profile, int around, int along, bool uvs)
 {
-    obj.material(material);
     std::vector<double> lengths(1, 0);
     constexpr int steps = 400;
     for (int k = 1; k <= steps; ++k) {
@@ -47,7 +45,7 @@ void lathe(Obj& obj, const std::string& material, const Profile& profile, int ar
         const double dr = after[0] - before[0], dy = after[1] - before[1], l = std::hypot(dr, dy);
         for (int k = 0; k <= around; ++k) {
             const double a = 2 * pi * (k % around) / around, c = std::cos(a), s = std::sin(a);
-            obj.position({here[0] * c, here[1], here[0] * s}, tenth);
+            obj.position({here[0] * c, here[1], here[0] * s});
             if (uvs) obj.uv(1 - static_cast<double>(k) / around, static_cast<double>(j) / along);
             obj.normal({dy / l * c, -dr / l, dy / l * s}, 3);
         }
@@ -67,14 +65,14 @@ void lathe(Obj& obj, const std::string& material, const Profile& profile, int ar
 
 void write_lathe(const std::string& path, const Profile& profile, int around, int along, bool uvs = true)
 {
-    Obj obj(path, "");
-    lathe(obj, "turned", profile, around, along, uvs);
+    Obj obj(path, "", 1, 2);
+    lathe(obj, profile, around, along, uvs);
 }
 
 // Two sprays of beech that stand in the vase, whose mouth is at the origin.
 void write_twigs(const std::string& path)
 {
-    Obj obj(path, "forest.mtl");
+    Obj obj(path, "forest.mtl", 1, 2);
     Random random(61);
     write_card_uvs(obj);
     std::vector<Card> cards;
@@ -84,7 +82,7 @@ void write_twigs(const std::string& path)
         const Point out{std::cos(azimuth), 0, 0.7 * std::sin(azimuth)};
         const Tube stem = bent_tube({out.x * 0.8, -9, out.z * 0.8}, out * (0.25 * lean) + Point{0, 1, 0},
                                     random.in(24, 33), 0.22, 0.06, 9, 0, 0.10 * lean, random);
-        write_twig(obj, stem, tenth);
+        write_twig(obj, stem);
         for (int k = 0; k < 9; ++k) {
             const double t = 0.42 + 0.58 * k / 8;
             const Point f = direction_at(stem, t), r = across(f, {random.spread(1), 0.2, random.spread(1)});
@@ -93,14 +91,13 @@ void write_twigs(const std::string& path)
             cards.push_back(leaf_card(along(stem, t), d, {0.2, 0.6, 0.75}, size, 0.85 * size, 0.5, random));
         }
     }
-    write_cards(obj, cards, "beech_leaf_1", tenth);
+    write_cards(obj, cards, "beech_leaf_1");
 }
 
 // A cloth on the table that hangs over its front edge (at z = 0), 34 wide; uv in centimetres over its length and width.
 void write_cloth(const std::string& path)
 {
-    Obj obj(path, "");
-    obj.material("cloth");
+    Obj obj(path, "", 1, 2);
     constexpr int nu = 40, nv = 50;
     constexpr double wide = 46, deep = 26, hang = 16, edge = 1.0;  // edge: radius of the bend
     const auto surface = [&](double u, double v) -> Point {
@@ -117,7 +114,7 @@ void write_cloth(const std::string& path)
         for (int i = 0; i <= nu; ++i) {
             const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv, h = 1e-3;
             const Point du = surface(u + h, v) - surface(u - h, v), dv = surface(u, v + h) - surface(u, v - h);
-            obj.position(surface(u, v), tenth);
+            obj.position(surface(u, v));
             obj.uv(wide * u, (deep + hang) * (1 - v));
             obj.normal(unit(cross(dv, du)), 3);
         }
@@ -132,11 +129,10 @@ void write_cloth(const std::string& path)
 // A flat piece with uvs in centimetres, for walls, boards and windows: x by y, its face to +z.
 void write_panel(const std::string& path, double width, double height, double uv_width, double uv_height)
 {
-    Obj obj(path, "");
-    obj.material("panel");
+    Obj obj(path, "", 1, 2);
     for (const double y : {0.0, 1.0})
         for (const double x : {-0.5, 0.5}) {
-            obj.position({x * width, y * height, 0}, tenth);
+            obj.position({x * width, y * height, 0});
             obj.uv((x + 0.5) * uv_width, y * uv_height);
         }
     obj.face({-4, -3, -1, -2}, true, false);

@@ -193,7 +193,7 @@ int main(int argc, char** argv)
         return sum / 9;
     });
     write_weave_normals(folder + "weave_normal.png");
-    write_color(folder + "vase.png", 512, 512, 32, vase);
+    write_color(folder + "vase.png", 512, 512, 64, vase);
     write_color(folder + "apple.png", 256, 128, 40, apple);
     write_color(folder + "pear.png", 256, 128, 40, pear);
     write_color(folder + "window.png", 128, 192, 64, window);
