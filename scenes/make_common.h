@@ -1,5 +1,5 @@
-// What the generators of this folder share: points, random numbers and noise that are the same everywhere, an OBJ file
-// written with few digits, and the way of the forest's path, on which both its ground and its mask depend.
+// What the generators of this folder share: points, random numbers and noise that are the same everywhere, and an OBJ
+// file written with few digits.
 #pragma once
 
 #include <cmath>
@@ -140,12 +140,3 @@ private:
     std::FILE* file_;
     int triangles_ = 0;
 };
-
-// The forest's path runs away from the eye, towards -z; x of its middle.
-inline double path_x(double z) { return 0.5 + 2.4 * std::sin(-z * 0.12 - 0.35) + 0.9 * std::sin(-z * 0.043); }
-// How far the clearing in front of the eye reaches from there, in metres; negative within.
-inline double outside_clearing(double x, double z)
-{
-    const double dx = (x + 1.0) / 1.35, dz = z + 7.5;
-    return std::sqrt(dx * dx + dz * dz) - 6.0;
-}

@@ -1,5 +1,6 @@
 // Writes the pictures that the scenes of this folder use: painted and grown from fixed seeds, and the sky.
 //   g++ -std=c++20 -O2 scenes/make_textures.cpp -lpng -o make_textures && ./make_textures scenes/textures
+#include "make_forest_ground.h"
 #include "make_picture.h"
 
 namespace {
