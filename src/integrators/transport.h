@@ -55,13 +55,20 @@ void add_environment(const V& view, const State& s, DirectLight how, Steps& step
 // quotient, all in float.
 inline Ray shadow_ray(const Surface& from, const LightSample& light)
 {
-    const Vec3 org = offset_origin(from.p, from.p_error, from.n, light.wi);
+    const Vec3 org = ray_origin(from, light.wi);
     if (light.infinite) return {.org = org, .dir = light.wi};
     const float reach = length(light.point - org) * gamma(16);
     const Vec3 end = offset_origin(light.point, light.p_error + Vec3{reach, reach, reach}, light.n, -light.wi);
     const Vec3 d = end - org;
     const float distance = length(d);
     return {.org = org, .dir = d / distance, .t_max = distance};
+}
+
+// The geometric side decides: a tilted shading normal must not carry light through the surface, whichever technique
+// found the direction.
+inline bool sides_agree(const Surface& surface, Vec3 wi, Vec3 wi_local)
+{
+    return (dot(wi, surface.side) < 0) == (wi_local.z < 0);
 }
 
 // Next-event estimation at a vertex.
@@ -71,8 +78,10 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
 {
     if (bsdf.only_delta() || !how.nee) return;
     const auto light = view.sample_light(surface, sampler, s.depth);
-    if (!light || dot(light->wi, surface.n) <= 0) return;
-    const BsdfValue f = bsdf.eval(wo, frame.to_local(light->wi));
+    if (!light) return;
+    const Vec3 wi = frame.to_local(light->wi);
+    if (!sides_agree(surface, light->wi, wi)) return;
+    const BsdfValue f = bsdf.eval(wo, wi);
     if (is_black(f.f_cos)) return;
     const float weight = light->delta || !how.mis ? 1 : power_heuristic(light->pdf, f.pdf);
     Ray ray = shadow_ray(surface, *light);
@@ -96,11 +105,9 @@ std::optional<State> scatter(const V& view, const State& s, const Surface& surfa
     const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
     if (!b || is_black(b->weight)) return {};
     const Vec3 wi = normalize(frame.to_world(b->wi));
-    // The geometric side decides: a shading normal must not carry light through the surface.
-    const bool transmitted = b->wi.z < 0;
-    if ((dot(wi, surface.n) < 0) != transmitted) return {};
+    if (!sides_agree(surface, wi, b->wi)) return {};
     State n = s;
-    n.ray = {.org = offset_origin(surface.p, surface.p_error, surface.n, wi), .dir = wi};
+    n.ray = {.org = ray_origin(surface, wi), .dir = wi};
     n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
     n.pdf = b->pdf;

@@ -36,8 +36,10 @@ struct MaterialTraits {
     uint32_t bump = no_texture;        // heights
     uint32_t normal_map = no_texture;  // normals, tangent space, encoded in [0, 1]
     float bump_scale = 1;              // slope of a step from black to white between neighbouring texels
+    bool mirrors = false;              // it has a lobe around the mirror direction
     bool reads_uv = false;             // something of the material, its BSDF included, is looked up in a texture
 
+    bool tilts() const { return bump != no_texture || normal_map != no_texture; }
     bool has_holes() const { return opacity.texture != no_texture || opacity.value < 1; }
 };
 

@@ -29,4 +29,11 @@ Color ImageTexture::eval(Vec2 uv, float) const
     return c + Color{use_.bias, use_.bias, use_.bias};
 }
 
+Vec2 ImageTexture::slope(Vec2 uv, float width) const
+{
+    const float du = 1 / static_cast<float>(width_), dv = 1 / static_cast<float>(height_);
+    const float here = eval(uv, width).r;
+    return {eval(uv + Vec2{du, 0}, width).r - here, eval(uv + Vec2{0, dv}, width).r - here};
+}
+
 }  // namespace lancer

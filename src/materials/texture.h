@@ -34,6 +34,8 @@ public:
     ImageTexture(const Raster& raster, const ImageUse& use);
     // uv: of the surface; width: side of the square in uv that shall be averaged over, 0 for the finest level.
     Color eval(Vec2 uv, float width) const;
+    // Growth of the first channel along +u and +v, per texel of the finest level.
+    Vec2 slope(Vec2 uv, float width) const;
     // Of the finest level.
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }

@@ -96,7 +96,7 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(pick);
     // Where every ray on this side starts: the density that pdf_light() finds for such a ray is then the same. From
     // from.p itself the two could disagree even on which side of a sphere they are.
-    const Vec3 org = offset_origin(from.p, from.p_error, from.n, from.n);
+    const Vec3 org = ray_origin(from, from.n);
     auto s = std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
     if (s) s->pdf *= table.pick.probability(id);
     return s;

@@ -70,6 +70,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.bump = texture(m.bump_map);
     traits.normal_map = texture(m.normal_map);
     traits.bump_scale = m.bump_scale;
+    traits.mirrors = m.type != MaterialType::lambert && m.type != MaterialType::mix;
     for (const TextureUse* use : {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map, &m.bump_map,
                                   &m.normal_map, &m.emission_map, &m.weight_map})
         traits.reads_uv = traits.reads_uv || use->has_value();
@@ -84,7 +85,10 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
 {
     const uint32_t id = add_plain(m, Lambert{});
     MaterialTraits& traits = scene_.traits[id];
-    traits.reads_uv = traits.reads_uv || scene_.traits[first].reads_uv || scene_.traits[second].reads_uv;
+    for (const uint32_t part : {first, second}) {
+        traits.reads_uv = traits.reads_uv || scene_.traits[part].reads_uv;
+        traits.mirrors = traits.mirrors || scene_.traits[part].mirrors;
+    }
     scene_.mix_of.resize(scene_.materials.size(), Scene::none);
     scene_.mix_of[id] = static_cast<uint32_t>(scene_.mixes.size());
     scene_.mixes.push_back({first, second, weight});

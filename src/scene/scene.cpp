@@ -22,6 +22,7 @@ public:
     Scene build()
     {
         scene_.file = d_.file;
+        scene_.terminator_fix = d_.render.terminator.value_or(false);
         scene_.normalisation = normalise(frame());
         add_spheres();
         add_planes();

@@ -63,6 +63,7 @@ struct Scene {
     };
     std::vector<Pending> pending;
     bool is_complete = false;
+    bool terminator_fix = false;  // see shading_origin() in surface.cpp
 
     // Checks what only the whole scene can tell, resolves names, normalises; asks `images` for the pictures that the
     // scene uses, but does not wait for them. Problems go to diagnostics; throws Error if there are any.

@@ -1,6 +1,9 @@
 #include "scene/surface.h"
 
+#include <optional>
+
 #include "scene/scene.h"
+#include "scene/shading_normal.h"
 
 namespace lancer {
 namespace {
@@ -30,6 +33,28 @@ std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32
     if (shading.uvs.empty() || shading.uv_triangles[triangle][0] == MeshData::no_uv) return {};
     const auto& i = shading.uv_triangles[triangle];
     return std::array{shading.uvs[i[0]], shading.uvs[i[1]], shading.uvs[i[2]]};
+}
+
+// The directions of u and v on a triangle, scene units; nothing where it has no extent in texture space.
+std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, const std::array<Vec2, 3>& t)
+{
+    const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+    const auto& i = mesh.triangles[hit.primitive];
+    const Vec3d a = to_double(mesh.positions[i[0]]);
+    Vec3d e1 = to_double(mesh.positions[i[1]]) - a, e2 = to_double(mesh.positions[i[2]]) - a;
+    if (hit.instance != Hit::no_instance) {
+        const Transform& m = scene.geometry.instances[hit.instance].to_world;
+        e1 = m.vector(e1), e2 = m.vector(e2);
+    }
+    const Vec2 d1 = t[1] - t[0], d2 = t[2] - t[0];
+    const double det =
+        static_cast<double>(d1.x) * static_cast<double>(d2.y) - static_cast<double>(d1.y) * static_cast<double>(d2.x);
+    const double sign = det < 0 ? -1 : 1;
+    const Vec3d u = e1 * (sign * static_cast<double>(d2.y)) - e2 * (sign * static_cast<double>(d1.y));
+    const Vec3d v = e2 * (sign * static_cast<double>(d1.x)) - e1 * (sign * static_cast<double>(d2.x));
+    const double lu = length(u), lv = length(v);
+    if (det == 0 || !(lu > 0) || !(lv > 0)) return {};
+    return Tangents{to_float(u / lu), to_float(v / lv)};
 }
 
 // Side of a square in uv that covers as much of the texture as a square of side 1 does of the triangle.
@@ -94,6 +119,55 @@ uint32_t light_of(const Scene& scene, const Hit& hit)
     return first + ranks[hit.primitive];
 }
 
+// The interpolated normals of a coarse mesh promise a rounder shape than is there, and its triangles shadow their
+// neighbours in visible steps. Rays start from that rounder shape instead: the mean of the projections of the place
+// onto the tangent planes of the corners. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4. On
+// request only: it lets light through where the mesh is really in its own shade.
+Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
+{
+    const MeshShading& shading = scene.shading[hit.geometry];
+    if (shading.normals.empty() || shading.normal_triangles[hit.primitive][0] == MeshData::no_normal) return p;
+    const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+    const std::array<float, 3> weights{1 - hit.uv.x - hit.uv.y, hit.uv.x, hit.uv.y};
+    Vec3d moved = to_double(p);
+    for (size_t k = 0; k < 3; ++k) {
+        Vec3d corner = to_double(mesh.positions[mesh.triangles[hit.primitive][k]]);
+        Vec3d n = to_double(shading.normals[shading.normal_triangles[hit.primitive][k]]);
+        if (hit.instance != Hit::no_instance) {
+            const Instance& placing = scene.geometry.instances[hit.instance];
+            corner = placing.to_world.point(corner);
+            n = normalize(placing.to_mesh.normal_by_inverse(n));
+        }
+        const double below = std::min(0.0, dot(to_double(p) - corner, n));
+        moved -= n * (below * static_cast<double>(weights[k]));
+    }
+    return to_float(moved);
+}
+
+// Longitude and latitude, both to [0, 1]: u grows from -z over +x, v from -y to +y. n: unit, outwards.
+void map_sphere(Surface& s, const Sphere& sphere, float width, std::optional<Tangents>& tangents)
+{
+    const double x = static_cast<double>(s.n.x), y = static_cast<double>(s.n.y), z = static_cast<double>(s.n.z);
+    const double around = std::sqrt(x * x + z * z);
+    s.uv = {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
+            static_cast<float>(0.5 + std::atan2(y, around) / pi_d)};
+    const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * std::max(around, 1e-3);
+    s.uv_width = width * static_cast<float>(1 / std::sqrt(area));
+    if (!(around > 0)) return;
+    tangents = Tangents{to_float(Vec3d{z, 0, -x} / around), to_float(Vec3d{-y * x / around, around, -y * z / around})};
+}
+
+// The place in the plane, in units of the file, measured from where its origin falls.
+void map_plane(Surface& s, const Normalisation& normalisation, Vec3d n, float width, std::optional<Tangents>& tangents)
+{
+    // On floors u is along x and v away along -z, on walls v is up.
+    const Vec3d u = std::abs(n.y) > 0.9 ? normalize(Vec3d{n.y, -n.x, 0}) : normalize(cross(Vec3d{0, 1, 0}, n));
+    const Vec3d v = cross(n, u), p = normalisation.to_file(to_double(s.p));
+    s.uv = {static_cast<float>(dot(p, u)), static_cast<float>(dot(p, v))};
+    s.uv_width = width / static_cast<float>(normalisation.scale);
+    tangents = Tangents{to_float(u), to_float(v)};
+}
+
 }  // namespace
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
@@ -112,6 +186,9 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     Surface s;
     s.t = hit.t;
     s.light = Scene::none;
+    const float width = cone.width + cone.spread * hit.t;
+    std::optional<Tangents> tangents;
+    const auto reads_uv = [&] { return scene.traits[s.material].reads_uv; };
     // Spheres and planes: along the ray in double, then back onto the surface; what remains is the rounding to float.
     const auto along = [&] { return to_double(ray.org) + to_double(ray.dir) * static_cast<double>(hit.t); };
     switch (hit.kind) {
@@ -123,6 +200,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             s.n = s.ns = to_float(n);
             s.material = scene.sphere_material[hit.primitive];
             s.light = scene.sphere_light[hit.primitive];
+            if (reads_uv()) map_sphere(s, sphere, width, tangents);
             break;
         }
         case Kind::plane: {
@@ -132,25 +210,42 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             s.p_error = scaled(abs(s.p), gamma(4));
             s.n = s.ns = to_float(plane.normal);
             s.material = scene.plane_material[hit.primitive];
+            if (reads_uv()) map_plane(s, scene.normalisation, plane.normal, width, tangents);
             break;
         }
         default: {
             const Placed placed = place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
             s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
+            s.light = light_of(scene, hit);
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
                 s.uv = placed.uv;
-                s.uv_width = (cone.width + cone.spread * hit.t) * uv_per_length(*uvs, placed.area);
+                s.uv_width = width * uv_per_length(*uvs, placed.area);
+                if (scene.traits[s.material].tilts()) tangents = triangle_tangents(scene, hit, *uvs);
             }
-            s.light = light_of(scene, hit);
         }
+    }
+    s.front = true;  // so far everything is said of the front
+    const MaterialTraits& traits = scene.traits[s.material];
+    if (tangents && traits.tilts()) {
+        s.ns = mapped_normal(traits, scene.shading_point(s), *tangents, s.ns);
+        // A slope steeper than the surface is seen from its edge.
+        if (const float c = dot(s.ns, s.n); c < 0) s.ns = normalize(s.ns - s.n * c);
     }
     const Vec3 wo = -ray.dir;
     s.front = dot(s.n, wo) > 0;
     if (!s.front) s.n = -s.n, s.ns = -s.ns;
-    // An interpolated normal may face away from the ray although the surface does not: mirrored about the silhouette,
-    // which is continuous there and keeps it in the hemisphere of n.
+    // A normal may face away from the ray although the surface does not: mirrored about the silhouette, which is
+    // continuous there and keeps it in the hemisphere of n.
     if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));
+    s.origin = s.p;
+    s.side = s.n;
+    if (s.ns == s.n) return s;
+    if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
+    if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
+        s.origin = shading_origin(scene, hit, s.p);
+        s.side = s.ns;
+    }
     return s;
 }
 

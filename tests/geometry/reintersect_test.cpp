@@ -14,6 +14,7 @@ Scene bare_scene(Geometry g)
 {
     Scene s;
     s.shading.resize(g.meshes.size());
+    s.traits.resize(1);
     s.sphere_material.resize(g.spheres.size());
     s.sphere_light.resize(g.spheres.size(), Scene::none);
     s.plane_material.resize(g.planes.size());

@@ -8,6 +8,7 @@
 
 #include "scene/camera.h"
 #include "scene/scene.h"
+#include "support/images.h"
 
 namespace lancer {
 
@@ -28,6 +29,26 @@ inline std::shared_ptr<const MeshData> make_quad(Vec3d a, Vec3d b, Vec3d c, Vec3
 {
     return make_mesh_data({a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}, std::move(material));
 }
+
+// The same with texture coordinates: (0, 0) at a, (u, 0) at b, (u, v) at c, (0, v) at d.
+inline std::shared_ptr<const MeshData> make_mapped_quad(Vec3d a, Vec3d b, Vec3d c, Vec3d d, Vec2 uv,
+                                                        MaterialDescription material)
+{
+    MeshData data = *make_quad(a, b, c, d, std::move(material));
+    data.uvs = {{0, 0}, {uv.x, 0}, uv, {0, uv.y}};
+    data.uv_triangles = data.triangles;
+    return std::make_shared<const MeshData>(std::move(data));
+}
+
+inline TextureUse picture_of(const std::string& name, Encoding encoding, Channel channel = Channel::color)
+{
+    TextureDescription t;
+    t.file = name;
+    t.use.encoding = encoding;
+    t.use.channel = channel;
+    return t;
+}
+inline TextureUse heights_of(const std::string& name) { return picture_of(name, Encoding::linear, Channel::red); }
 
 // A closed sphere of radius 1 around the origin; neighbours share their vertices. bump: how far the surface waves in
 // and out, 0 for none. Vertices come row by row between a pole at +z (the first) and one at -z (the last).
@@ -226,6 +247,47 @@ inline SceneDescription instances_scene()
     return d;
 }
 
+// Textures of every kind, on meshes, an instance, a sphere and a plane.
+inline SceneDescription textured_scene()
+{
+    SceneDescription d;
+    MaterialDescription wall = make_lambert("wall", {0.8f, 0.8f, 0.8f});
+    wall.base_color_map = picture_of("colours", Encoding::srgb);
+    wall.bump_map = heights_of("waves");
+    wall.bump_scale = 4;
+    d.meshes.push_back(
+        make_mesh(make_mapped_quad({-2, -0.8, -1}, {2, -0.8, -1}, {2, 1.5, -1}, {-2, 1.5, -1}, {4, 3}, wall)));
+    MaterialDescription tile = make_lambert("tile", {0.9f, 0.8f, 0.7f});
+    tile.normal_map = picture_of("tilted normals", Encoding::linear);
+    tile.base_color_map = picture_of("waves", Encoding::srgb);
+    tile.base_color_map->use.wrap = Wrap::clamp;
+    MeshDescription named =
+        make_mesh(make_mapped_quad({-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}, {2, 2}, tile));
+    named.name = "tile";
+    d.meshes.push_back(std::move(named));
+    d.instances.push_back(instance_of("tile", {{-1, -0.3, 0.3}, {-40, 30, 10}, {0.8, 0.6, 1}}));
+    d.instances.push_back(instance_of("tile", {{0.2, -0.6, 0.8}, {-80, 0, 0}, {-0.5, 0.7, 1}}));
+    MaterialDescription lamp = make_emitter("lamp", {8, 8, 8});
+    lamp.emission_map = picture_of("colours", Encoding::srgb);
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-0.5, 1.8, -0.5}, {0.5, 1.8, -0.5}, {0.5, 1.8, 0.5}, {-0.5, 1.8, 0.5}, {1, 1}, lamp)));
+    MaterialDescription ball = {.name = "ball", .where = {}, .type = MaterialType::mirror, .base_color = {1, 1, 1}};
+    ball.base_color_map = picture_of("colours", Encoding::srgb);
+    ball.bump_map = heights_of("waves");
+    MaterialDescription floor = make_lambert("floor", {1, 1, 1});
+    floor.base_color_map.emplace();
+    floor.base_color_map->type = TextureType::checker;
+    floor.base_color_map->even = {0.8f, 0.7f, 0.6f};
+    floor.base_color_map->odd = {0.1f, 0.2f, 0.3f};
+    floor.base_color_map->use.scale = {2, 2};
+    d.materials = {ball, floor};
+    d.spheres.push_back(sphere_of({0.9, -0.3, 0}, 0.5, "ball"));
+    d.planes.push_back(plane_of({0, -0.8, 0}, {0, 1, 0}, "floor"));
+    d.lights.push_back(sky_of({0.3f, 0.3f, 0.35f}));
+    d.camera = make_camera({0.2, 0.6, 3.5}, {0, 0, 0}, 45);
+    return d;
+}
+
 struct NamedScene {
     const char* name;
     SceneDescription description;
@@ -237,6 +299,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"spheres", spheres_scene()});
     all.push_back({"lights", lights_scene()});
     all.push_back({"instances", instances_scene()});
+    all.push_back({"textured", textured_scene()});
     return all;
 }
 
@@ -272,7 +335,7 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
 inline Scene build_scene(const SceneDescription& d)
 {
     Diagnostics diagnostics;
-    return Scene::build(d, diagnostics);
+    return Scene::build(d, diagnostics, test_picture);
 }
 
 // The camera of the description, or the one fitted to what it shows.

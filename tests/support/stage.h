@@ -36,6 +36,8 @@ inline Surface receiver(Vec3 p, Vec3 n)
             .p_error = abs(p) * gamma(1),
             .n = n,
             .ns = n,
+            .origin = p,
+            .side = n,
             .front = true,
             .material = 0,
             .light = Scene::none,

@@ -1,0 +1,57 @@
+#include "scene/shading_normal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lancer {
+namespace {
+
+// Of heights: the slope, in texels, becomes a gradient on the surface, whatever the angle between the tangents.
+Vec3 bumped(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& t, Vec3 ns)
+{
+    const auto* const heights = std::get_if<ImageTexture>(&point.textures[traits.bump]);
+    if (!heights) return ns;
+    const Vec2 slope = heights->slope(point.uv, point.uv_width) * traits.bump_scale;
+    const float volume = dot(ns, cross(t.u, t.v));
+    if (volume == 0) return ns;
+    const Vec3 gradient = (cross(t.v, ns) * slope.x + cross(ns, t.u) * slope.y) / volume;
+    return normalize(ns - gradient);
+}
+
+Vec3 from_map(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& t, Vec3 ns)
+{
+    const Color c = point.eval(traits.normal_map);
+    const Vec3 along = t.u - ns * dot(ns, t.u);
+    const float l = length(along);
+    if (!(l > 0)) return ns;
+    const Vec3 x = along / l;
+    const Vec3 y = cross(ns, x) * std::copysign(1.0f, dot(ns, cross(t.u, t.v)));
+    const Vec3 m = x * (2 * c.r - 1) + y * (2 * c.g - 1) + ns * (2 * c.b - 1);
+    const float size = length(m);
+    return size > 0 ? m / size : ns;
+}
+
+}  // namespace
+
+Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& tangents, Vec3 ns)
+{
+    if (traits.normal_map != no_texture) ns = from_map(traits, point, tangents, ns);
+    if (traits.bump != no_texture) ns = bumped(traits, point, tangents, ns);
+    return ns;
+}
+
+Vec3 keep_reflection_outside(Vec3 n, Vec3 ns, Vec3 wo)
+{
+    const Vec3 mirrored = ns * (2 * dot(ns, wo)) - wo;
+    // As high above the surface as a hundredth, or nearly as high as wo if that is lower: a perfect mirror keeps its
+    // normal for every wo.
+    const float least = std::min(0.9f * dot(n, wo), 0.01f), height = dot(n, mirrored);
+    if (height >= least) return ns;
+    // The mirror direction moves up in the plane of itself and n until it has this height; the normal is halfway.
+    const Vec3 flat = mirrored - n * height;
+    const float l = length(flat);
+    if (!(l > 0)) return n;
+    return normalize(wo + flat * (std::sqrt(1 - least * least) / l) + n * least);
+}
+
+}  // namespace lancer
