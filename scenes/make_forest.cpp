@@ -163,11 +163,11 @@ std::vector<Plant> plant_all()
     const auto off = [](const Plant& p) { return std::fabs(p.x - path_x(p.z)); };
     const auto shade = [](const Plant& p) { return fractal(p.x * 0.1 + 50, p.z * 0.1 + 50, 2, 64, 91); };
     // Beeches along the path and to the right, spruces behind and on the slopes.
-    // Few trees stand where they would keep the sun from the clearing.
-    Random chance(90);
+    // No tree stands where it would keep the sun from the clearing.
     const auto shadows_clearing = [&](const Plant& p) {
-        for (double h = 3; h < 15; h += 1.5)
-            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 1.0) return chance.next() < 0.85;
+        const double foot = ground(p.x, p.z), top = foot + p.size * p.stretch * (p.mesh == "beech" ? 14 : 17);
+        for (double h = foot + 1; h < top; h += 1.5)
+            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 1.5) return true;
         return false;
     };
     const auto tree_fits = [&](const Plant& p) {
