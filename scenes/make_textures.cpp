@@ -238,8 +238,8 @@ void write_hdr(const std::string& path, int width, int height, const std::functi
 }
 
 // A clear afternoon with high clouds: the blue deepens towards the zenith, brightens around the sun and pales at the
-// horizon. The sun is a disc as wide as three pixels; its irradiance is about five times that of the sky. Below the
-// horizon there is dull ground.
+// horizon. The sun is a disc as wide as three pixels; it lights level ground five times as much as the rest of the sky.
+// Below the horizon there is dull ground.
 const Point sun = unit({-0.62, 0.62, 0.48});
 Rgb sky(Point d)
 {
@@ -256,7 +256,7 @@ Rgb sky(Point d)
     const double cover = between(0.50, 0.78, fractal(px * 0.9 + warp + 90, pz * 1.7 + warp + 90, 6, 512, 401));
     const double lit = 0.75 + 0.5 * wide + 1.4 * around;
     k = blend(k, Rgb{1.0, 0.97, 0.93} * lit, 0.85 * cover * between(0.0, 0.22, up));
-    if (c > std::cos(disc)) k = k + Rgb{1.0, 0.90, 0.74} * 2.6e4;
+    if (c > std::cos(disc)) k = k + Rgb{1.0, 0.90, 0.74} * 4.0e4;
     return k;
 }
 
