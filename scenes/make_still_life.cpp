@@ -69,7 +69,7 @@ void write_lathe(const std::string& path, const Profile& profile, int around, in
     lathe(obj, profile, around, along, uvs);
 }
 
-// Two sprays of beech that stand in the vase, whose mouth is at the origin.
+// Twigs of beech that stand in the vase, whose mouth is at the origin.
 void write_twigs(const std::string& path)
 {
     Obj obj(path, "forest.mtl", 1, 2);
@@ -78,23 +78,30 @@ void write_twigs(const std::string& path)
     std::vector<Card> cards;
     obj.material("twig");
     for (int i = 0; i < 6; ++i) {
-        const double azimuth = 0.5 + i * 2.39996, lean = random.in(0.35, 0.8);
+        const double azimuth = 0.5 + i * 2.39996, reach = random.in(21, 29), arch = random.in(0.03, 0.11);
         const Point out{std::cos(azimuth), 0, 0.7 * std::sin(azimuth)};
-        const Tube stem = bent_tube({out.x * 0.8, -9, out.z * 0.8}, out * (0.25 * lean) + Point{0, 1, 0},
-                                    random.in(24, 33), 0.22, 0.06, 9, 0, 0.10 * lean, random);
+        Tube stem;
+        Point p{out.x * 0.6, -9, out.z * 0.6}, d = unit(out * 0.12 + Point{0, 1, 0});
+        constexpr int rings = 11;
+        for (int k = 0; k < rings; ++k) {
+            stem.axis.push_back(p);
+            stem.radius.push_back(0.20 - 0.014 * k);
+            p = p + d * (reach / (rings - 1));
+            d = unit(d + out * (k < 3 ? 0 : arch) + Point{random.spread(0.06), 0, random.spread(0.06)});
+        }
         write_twig(obj, stem);
-        for (int k = 0; k < 9; ++k) {
-            const double t = 0.42 + 0.58 * k / 8;
+        for (int k = 0; k < 8; ++k) {
+            const double t = 0.46 + 0.54 * k / 7;
             const Point f = direction_at(stem, t), r = across(f, {random.spread(1), 0.2, random.spread(1)});
-            const Point d = k == 8 ? f : f * 0.55 + r * 0.9;
-            const double size = random.in(6.5, 9) * (1 - 0.3 * t);
-            cards.push_back(leaf_card(along(stem, t), d, {0.2, 0.6, 0.75}, size, 0.85 * size, 0.5, random));
+            const Point way = k == 7 ? f : f * 0.6 + r * 0.8;
+            const double size = random.in(5.5, 7.5) * (1 - 0.25 * t);
+            cards.push_back(leaf_card(along(stem, t), way, {0.2, 0.6, 0.75}, size, 0.85 * size, 0.5, random));
         }
     }
     write_cards(obj, cards, "beech_leaf_1");
 }
 
-// A cloth on the table that hangs over its front edge (at z = 0), 34 wide; uv in centimetres over its length and width.
+// A cloth on the table that hangs over its front edge, at z = 0; uv in centimetres over its length and width.
 void write_cloth(const std::string& path)
 {
     Obj obj(path, "", 1, 2);
@@ -103,12 +110,11 @@ void write_cloth(const std::string& path)
     const auto surface = [&](double u, double v) -> Point {
         const double x = wide * (u - 0.5), s = (deep + hang) * v, arc = edge * pi / 2;
         const double folds = 0.10 * std::sin(0.55 * x + 0.5 * std::sin(0.22 * s)) + 0.06 * std::sin(0.9 * x + 0.25 * s);
-        const double flat = deep - edge;
-        if (s < flat) return {x, 0.15 + 0.5 * (folds + 0.12) * between(4, 22, s), -deep + s};
-        const double down = std::fmax(0, s - flat - arc), b = std::fmin((s - flat) / edge, pi / 2);
+        if (s < deep) return {x, 0.15 + 0.5 * (folds + 0.12) * between(4, 22, s), -deep + s};
+        const double down = std::fmax(0, s - deep - arc), b = std::fmin((s - deep) / edge, pi / 2);
         const double swing = (folds + 0.10) * (0.9 + 0.45 * down);
         return {x + 0.02 * down * folds * 10, 0.15 + swing * 0.5 * std::cos(b) - edge * (1 - std::cos(b)) - down,
-                -edge + edge * std::sin(b) + std::sin(b) * std::fmax(swing, -0.02)};
+                0.1 + edge * std::sin(b) + std::sin(b) * std::fmax(swing, -0.02)};
     };
     for (int j = 0; j <= nv; ++j) {
         for (int i = 0; i <= nu; ++i) {
