@@ -18,8 +18,8 @@ size = [960, 540]
 max_depth = 8
 
 [camera]
-position = [0.3, 1.95, 3.2]
-target = [0.6, 2.1, -10.0]
+position = [0.2, 2.6, 4.4]
+target = [0.6, 2.7, -10.0]
 fov = 42
 
 [[light]]
@@ -167,7 +167,7 @@ std::vector<Plant> plant_all()
     const auto shadows_clearing = [&](const Plant& p) {
         const double foot = ground(p.x, p.z), top = foot + p.size * p.stretch * (p.mesh == "beech" ? 14 : 17);
         for (double h = foot + 1; h < top; h += 1.5)
-            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 1.5) return true;
+            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 5) return true;
         return false;
     };
     const auto tree_fits = [&](const Plant& p) {

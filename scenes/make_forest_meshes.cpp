@@ -54,7 +54,7 @@ void write_beech(const std::string& path)
             const double turn = (j % 2 ? 1 : -1) * random.in(0.6, 1.0);
             const Point way = forward * std::cos(turn) + flat * std::sin(turn) + Point{0, random.in(-0.15, 0.25), 0};
             const double size = (0.35 + 0.34 * reach * (1 - 0.6 * t)) * random.in(0.8, 1.2);
-            const Tube twig = bent_tube(along(branch, t), way, size, 0.012, 0.004, 3, -0.15, 0.1, random);
+            const Tube twig = bent_tube(along(branch, t), way, size, 0.014, 0.008, 3, -0.15, 0.1, random);
             twigs.push_back(twig);
             for (int k = 0; k < 7; ++k) {
                 const double q = 0.15 + 0.85 * k / 6;
@@ -94,7 +94,7 @@ void write_spruce(const std::string& path)
             const Point out{std::cos(azimuth), 0, std::sin(azimuth)};
             const double rise = -0.35 + 1.0 * s * s + random.spread(0.1);
             const double at = std::pow(std::fmin(s + random.spread(0.012), 1), 1 / 1.4);
-            const Tube branch = bent_tube(along(stem, at), out + Point{0, rise, 0}, reach, 0.012 + 0.008 * reach, 0.005,
+            const Tube branch = bent_tube(along(stem, at), out + Point{0, rise, 0}, reach, 0.014 + 0.008 * reach, 0.008,
                                           4, 0.25, 0.05, random);
             if (reach > 0.6) twigs.push_back(branch);
             std::vector<Card>& cards = needles[static_cast<size_t>(random.next() * 2)];

@@ -40,10 +40,10 @@ void write_beech(const std::string& path)
                           t,
                           side * random.in(0.85, 1.15),
                           i == 9 ? 0.34 : random.in(0.36, 0.42),
-                          {random.in(0.30, 0.40) * g, random.in(0.47, 0.53) * g, random.in(0.13, 0.18) * g}});
+                          {random.in(0.42, 0.52) * g, random.in(0.60, 0.66) * g, random.in(0.20, 0.26) * g}});
     }
     std::reverse(leaves.begin(), leaves.end());
-    Picture p = cut_out(256, 256, {0.34, 0.48, 0.15}, [&](double x, double y, Rgb& c) {
+    Picture p = cut_out(256, 256, {0.47, 0.62, 0.23}, [&](double x, double y, Rgb& c) {
         bool found = false;
         if (std::fabs(x - 0.5 - 0.01 * std::sin(9 * y)) < 0.008 && y < 0.7) found = true, c = {0.33, 0.25, 0.17};
         for (const Leaf& l : leaves)
@@ -81,7 +81,7 @@ void write_spruce(const std::string& picture, const std::string& mask)
         const double ex = x - n.x0 - t * dx, ey = y - n.y0 - t * dy;
         return std::sqrt(ex * ex + ey * ey) / (1 - 0.5 * t);
     };
-    Picture p = cut_out(192, 192, {0.16, 0.27, 0.13}, [&](double x, double y, Rgb& c) {
+    Picture p = cut_out(192, 192, {0.27, 0.40, 0.21}, [&](double x, double y, Rgb& c) {
         for (const Needle& n : wood)
             if (near(n, x, y) < 0.008) {
                 c = {0.36, 0.27, 0.18};
@@ -89,7 +89,7 @@ void write_spruce(const std::string& picture, const std::string& mask)
             }
         for (const Needle& n : needles)
             if (near(n, x, y) < 0.0085) {
-                c = Rgb{0.17, 0.29, 0.14} * n.shade;
+                c = Rgb{0.29, 0.42, 0.22} * n.shade;
                 return true;
             }
         return false;
