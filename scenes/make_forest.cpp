@@ -25,6 +25,7 @@ fov = 42
 [[light]]
 type = "environment"
 file = "textures/sky.hdr"
+scale = 1.5
 
 [[mesh]]
 file = "meshes/ground.obj"
@@ -167,7 +168,7 @@ std::vector<Plant> plant_all()
     const auto shadows_clearing = [&](const Plant& p) {
         const double foot = ground(p.x, p.z), top = foot + p.size * p.stretch * (p.mesh == "beech" ? 14 : 17);
         for (double h = foot + 1; h < top; h += 1.5)
-            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 5) return true;
+            if (outside_clearing(p.x + 1.0 * h, p.z - 0.77 * h) < 3.5) return true;
         return false;
     };
     const auto tree_fits = [&](const Plant& p) {

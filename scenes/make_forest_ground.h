@@ -5,11 +5,13 @@
 
 // The forest's path runs away from the eye, towards -z; x of its middle.
 inline double path_x(double z) { return 0.5 + 2.4 * std::sin(-z * 0.12 - 0.35) + 0.9 * std::sin(-z * 0.043); }
-// How far the clearing in front of the eye reaches from there, in metres; negative within.
+// How far away the nearest of two clearings is, in metres, negative within: one before the eye, one down the path.
 inline double outside_clearing(double x, double z)
 {
-    const double dx = (x + 1.0) / 1.35, dz = z + 7.5;
-    return std::sqrt(dx * dx + dz * dz) - 6.0;
+    const auto outside = [&](double cx, double cz, double wide, double reach) {
+        return std::hypot((x - cx) / wide, z - cz) - reach;
+    };
+    return std::fmin(outside(-1.0, -7.5, 1.35, 6.0), outside(1.2, -31, 1.2, 5.0));
 }
 
 // Height of the ground: a shallow valley along the path, hummocks, and slopes that close the view.

@@ -38,10 +38,10 @@ void write_beech(const std::string& path)
     std::vector<Tube> twigs;
     constexpr int branches = 38;
     for (int i = 0; i < branches; ++i) {
-        const double s = 0.24 + 0.74 * i / (branches - 1), azimuth = i * 2.39996 + random.spread(0.3);
-        const double crown = std::sin(pi * std::pow(std::fmin((s - 0.12) / 0.9, 1), 0.75));
+        const double s = 0.34 + 0.64 * i / (branches - 1), azimuth = i * 2.39996 + random.spread(0.3);
+        const double crown = std::sin(pi * std::pow(std::fmin((s - 0.20) / 0.82, 1), 0.75));
         const double reach = 0.7 + 3.6 * crown * random.in(0.8, 1.15);
-        const double tilt = 1.35 - 0.95 * (s - 0.24) / 0.76;
+        const double tilt = 1.35 - 0.95 * (s - 0.34) / 0.66;
         const double at = std::pow(s, 1 / 1.4);
         const Point base = along(stem, at), out{std::cos(azimuth), 0, std::sin(azimuth)};
         const Point direction = out * std::sin(tilt) + Point{0, std::cos(tilt), 0};
