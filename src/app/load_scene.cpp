@@ -7,6 +7,7 @@
 #include "app/console.h"
 #include "app/paths.h"
 #include "core/names.h"
+#include "io/asset_path.h"
 #include "io/input_file.h"
 #include "io/obj.h"
 #include "io/scene_file.h"
@@ -17,14 +18,15 @@ namespace {
 
 bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
 
-SceneDescription load_bare_mesh(const std::string& path, Diagnostics& diagnostics)
+SceneDescription load_bare_mesh(const std::string& path, const std::string& asset_root, Diagnostics& diagnostics)
 {
+    const AssetFolder assets(path, asset_root);
     SceneDescription scene;
     scene.file = path;
     scene.render.where = {path};
     MeshDescription mesh;
     mesh.where = {path};
-    mesh.data = load_obj(path, diagnostics);
+    mesh.data = load_obj(path, diagnostics, {.assets = &assets});
     scene.meshes.push_back(mesh);
     return scene;
 }
@@ -72,7 +74,7 @@ SceneDescription load_scene(const std::string& path, const std::string& asset_ro
 {
     SceneDescription scene;
     if (is_mesh(path)) {
-        scene = load_bare_mesh(path, diagnostics);
+        scene = load_bare_mesh(path, asset_root, diagnostics);
     } else if (extension_of(path) == ".toml") {
         scene = load_scene_file(path, {.asset_root = asset_root, .mesh_loader = load_obj}, diagnostics);
     } else {

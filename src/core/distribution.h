@@ -2,10 +2,20 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 namespace lancer {
+
+// Samplers give 24 bits, which are too few to choose among millions: what is rarer than 2^-24 would be chosen never, or
+// far too often. This is u in [0, 1 - 2^-24] and 24 bits more, a hash of another number that was drawn with it.
+inline double lengthened(float u, float other)
+{
+    uint64_t h = std::bit_cast<uint32_t>(other) * 0x9e3779b97f4a7c15u;
+    h = (h ^ h >> 32) * 0xd1342543de82ef95u;
+    return static_cast<double>(u) + static_cast<double>(h >> 40) * 0x1p-48;
+}
 
 // Indices with probability proportional to their weight. Sums in double: a float sum of 2^24 equal weights stalls.
 class Discrete {
@@ -23,9 +33,9 @@ public:
     bool empty() const { return cumulative_.empty(); }
     size_t size() const { return cumulative_.size(); }
     // u in [0, 1). Never an index of weight 0. Not on an empty distribution.
-    uint32_t sample(float u) const
+    uint32_t sample(double u) const
     {
-        const double x = static_cast<double>(u) * total_;
+        const double x = u * total_;
         const auto it = std::upper_bound(cumulative_.begin(), cumulative_.end(), x);
         return static_cast<uint32_t>(std::min<size_t>(static_cast<size_t>(it - cumulative_.begin()), size() - 1));
     }

@@ -1,4 +1,4 @@
-// A hash of bytes that tells whether inputs changed. Not cryptographic.
+// Hashes: of bytes, to tell whether inputs changed; of numbers, to draw random ones by address. Not cryptographic.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,14 @@ inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0)
         bytes.remove_prefix(n);
     }
     return hash;
+}
+
+// Finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection in which every bit of z moves every bit.
+constexpr uint64_t mix_bits(uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
 }
 
 }  // namespace lancer

@@ -10,11 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "core/image.h"
+#include "core/srgb.h"
+
 namespace lancer {
 
 struct Raster {
     uint32_t width = 0, height = 0;  // pixels, > 0
-    uint32_t channels = 0;           // 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA; alpha is straight
+    uint32_t channels = 0;  // 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA; colours as stored, whatever alpha is
     // Rows from the top, channels interleaved. One of the two is filled: integers of 8 bits as stored, or anything
     // else as floats (integers of more bits scaled to [0, 1], not decoded).
     std::vector<uint8_t> bytes;
@@ -24,6 +27,9 @@ struct Raster {
     bool has_alpha() const { return channels == 2 || channels == 4; }
     size_t value_count() const { return size_t{width} * height * channels; }
 };
+
+// Linear RGB: integers decoded as `encoding` says, floats as they stand; alpha is dropped, grey becomes RGB.
+Image to_image(const Raster& raster, Encoding encoding);
 
 // A picture on its way. get() throws Error if it could not be read.
 using RasterFuture = std::shared_future<std::shared_ptr<const Raster>>;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/hash.h"
 #include "core/vec.h"
 
 namespace lancer {
@@ -75,7 +76,7 @@ public:
     Sampler(SamplerKind kind, uint64_t seed, uint64_t pixel, uint32_t sample, uint32_t branch)
         : kind_(kind),
           sample_(sample),
-          key_(mix(mix(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch)))
+          key_(mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch)))
     {
     }
     // Each in [0, 1).
@@ -83,7 +84,7 @@ public:
     {
         const uint64_t h = group(bounce, dim);
         if (kind_ == SamplerKind::independent) {
-            const uint64_t r = mix(h + sample_ * 0x9e3779b97f4a7c15ull);
+            const uint64_t r = mix_bits(h + sample_ * 0x9e3779b97f4a7c15ull);
             return {to_unit(static_cast<uint32_t>(r >> 32)), to_unit(static_cast<uint32_t>(r))};
         }
         const uint32_t i = shuffled(h);
@@ -93,24 +94,17 @@ public:
     {
         const uint64_t h = group(bounce, dim);
         if (kind_ == SamplerKind::independent)
-            return to_unit(static_cast<uint32_t>(mix(~h + sample_ * 0x9e3779b97f4a7c15ull) >> 32));
+            return to_unit(static_cast<uint32_t>(mix_bits(~h + sample_ * 0x9e3779b97f4a7c15ull) >> 32));
         return to_unit(scrambled(sobol::third_reversed(shuffled(h)), h, 3));
     }
 
     // 32 bits that tell this address from all others: for numbers that need more to their address, see Ray::key.
     uint32_t key(uint32_t bounce, Dim dim) const
     {
-        return static_cast<uint32_t>(mix(group(bounce, dim) + sample_ * 0x9e3779b97f4a7c15ull) >> 32);
+        return static_cast<uint32_t>(mix_bits(group(bounce, dim) + sample_ * 0x9e3779b97f4a7c15ull) >> 32);
     }
 
 private:
-    // Finaliser of SplitMix64 (Steele, Lea, Flood 2014).
-    static constexpr uint64_t mix(uint64_t z)
-    {
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        return z ^ (z >> 31);
-    }
     // Wellons' lowbias32.
     static constexpr uint32_t mix32(uint32_t x)
     {
@@ -122,7 +116,7 @@ private:
     static constexpr float to_unit(uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
     uint64_t group(uint32_t bounce, Dim dim) const
     {
-        return mix(key_ + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
+        return mix_bits(key_ + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
     }
     uint32_t shuffled(uint64_t h) const
     {

@@ -53,6 +53,15 @@ inline Vec3 square_to_cosine_hemisphere(Vec2 u)
 }
 inline float pdf_cosine_hemisphere(float cos_theta) { return std::max(0.0f, cos_theta) * (1 / pi); }
 
+// Hemisphere around z, uniform.
+inline Vec3 square_to_hemisphere(Vec2 u)
+{
+    const float r = std::sqrt(u.x * (2 - u.x));
+    const SinCos sc = sin_cos_2pi(u.y);
+    return {r * sc.cos, r * sc.sin, 1 - u.x};
+}
+inline constexpr float pdf_hemisphere = 1 / (2 * pi);
+
 // Barycentric weights of the second and third corner, uniform over the triangle: the low-distortion map of Heitz,
 // "A Low-Distortion Map Between Triangle and Square", 2019. Density 1 / area.
 inline Vec2 square_to_triangle(Vec2 u)

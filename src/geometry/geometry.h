@@ -13,11 +13,14 @@ struct Geometry;
 // Surfaces with holes: cut-outs and what stops only a part of the rays. Accelerators ask at every hit of a primitive
 // that is marked; a function pointer, so that nothing of shading is known here.
 struct Holes {
-    // Whether the ray goes through the surface at the hit, of which t and uv are refined. The same (ray.key, primitive)
-    // gets the same answer, however often and in whatever order it is asked. Null: nothing has holes.
+    // Whether the ray goes through the surface at the hit, of which t and uv are refined. The same (ray.key, primitive,
+    // side of a sphere) gets the same answer, however often and in whatever order it is asked; ray.t_max, which
+    // shortens while accelerators search, has no part in it. Null: nothing has holes.
     bool (*let_pass)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
     const void* context = nullptr;
-    std::vector<uint8_t> meshes;           // parallel to Geometry::meshes: whether any triangle is to be asked about
+    // Parallel to Geometry::meshes: of each triangle whether to ask; empty where a mesh has none that is to be asked
+    // about. Most of a mesh with a few leaves in it then costs next to nothing.
+    std::vector<std::vector<uint8_t>> meshes;
     bool spheres = false, planes = false;  // whether any is
 };
 
@@ -30,14 +33,15 @@ struct Geometry {
 };
 
 // t and uv of a hit from its primitive alone, in double and then rounded: the same bits whichever accelerator found
-// it. Only (instance, geometry, primitive, kind) of `hit` are read.
+// it. Only (instance, geometry, primitive, kind, exit) of `hit` are read.
 inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
 {
     switch (hit.kind) {
         case Kind::none:
             break;
         case Kind::sphere:
-            if (const auto t = intersect(g.spheres[hit.primitive], ray)) hit.t = static_cast<float>(*t);
+            if (const auto c = crossing(g.spheres[hit.primitive], ray))
+                hit.t = static_cast<float>(hit.exit ? c->exit : c->enter);
             hit.uv = {};
             break;
         case Kind::plane:
@@ -62,6 +66,27 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
         }
     }
     return hit;
+}
+
+// Where a sphere or plane stops a ray: its nearest hit, refined, in [t_min, t_max] that does not let the ray pass.
+template <Kind kind>
+Hit first_stop(const Geometry& g, uint32_t primitive, const Ray& ray)
+{
+    static_assert(kind == Kind::sphere || kind == Kind::plane);
+    const bool has_holes = g.holes.let_pass && (kind == Kind::sphere ? g.holes.spheres : g.holes.planes);
+    const auto stop_at = [&](double t, bool exit) {
+        const Hit hit{static_cast<float>(t), Hit::no_instance, 0, primitive, {}, kind, exit};
+        return reaches(ray, t) && !(has_holes && g.holes.let_pass(g.holes.context, ray, hit)) ? hit : Hit{};
+    };
+    if constexpr (kind == Kind::plane) {
+        const auto t = intersect(g.planes[primitive], ray);
+        return t ? stop_at(*t, false) : Hit{};
+    } else {
+        const auto c = crossing(g.spheres[primitive], ray);
+        if (!c) return {};
+        const Hit near = stop_at(c->enter, false);
+        return near ? near : stop_at(c->exit, true);
+    }
 }
 
 }  // namespace lancer

@@ -18,6 +18,7 @@ struct Hit {
     uint32_t primitive = 0;  // index of the triangle, sphere or plane
     Vec2 uv;                 // triangle: barycentric weights of the second and third corner, in [0, 1], sum <= 1
     Kind kind = Kind::none;  // none: the ray left the scene
+    bool exit = false;       // sphere: where the ray leaves the ball, not where it enters
 
     explicit operator bool() const { return kind != Kind::none; }
 };

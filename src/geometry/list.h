@@ -27,12 +27,17 @@ private:
         Ray rest = ray;
         const auto mesh = [&](uint32_t instance, uint32_t index, Vec3d org, Vec3d dir) {
             const Mesh& m = g_.meshes[index];
+            const bool has_holes = g_.holes.let_pass && !g_.holes.meshes[index].empty();
             for (uint32_t i = 0; i < m.triangles.size(); ++i) {
                 const auto h = intersect_plane_of(m, i, org, dir);
                 if (!h || !h->inside || !reaches(ray, h->t)) continue;
                 const auto t = static_cast<float>(h->t);
                 if (best && !(t < best.t)) continue;
-                best = {t, instance, index, i, {}, Kind::triangle};
+                const Hit hit{t, instance, index, i, {}, Kind::triangle};
+                if (has_holes && g_.holes.meshes[index][i] &&
+                    g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit)))
+                    continue;
+                best = hit;
                 rest.t_max = t;
                 if (first_will_do) return;
             }
@@ -47,18 +52,22 @@ private:
             if (!g_.meshes[i].instanced) mesh(Hit::no_instance, i, org, dir);
             if (first_will_do && best) return best;
         }
-        const auto shapes = [&](const auto& list, Kind kind) {
-            for (uint32_t i = 0; i < list.size(); ++i)
-                if (const auto t = intersect(list[i], rest); t && !(best && static_cast<float>(*t) == best.t)) {
-                    best = {static_cast<float>(*t), Hit::no_instance, 0, i, {}, kind};
-                    rest.t_max = best.t;
-                    if (first_will_do) return;
-                }
-        };
-        shapes(g_.spheres, Kind::sphere);
+        shapes<Kind::sphere, first_will_do>(g_.spheres.size(), rest, best);
         if (first_will_do && best) return best;
-        shapes(g_.planes, Kind::plane);
+        shapes<Kind::plane, first_will_do>(g_.planes.size(), rest, best);
         return best;
+    }
+
+    template <Kind kind, bool first_will_do>
+    void shapes(size_t count, Ray& rest, Hit& best) const
+    {
+        for (uint32_t i = 0; i < count; ++i) {
+            const Hit hit = first_stop<kind>(g_, i, rest);
+            if (!hit || (best && hit.t == best.t)) continue;
+            best = hit;
+            rest.t_max = hit.t;
+            if (first_will_do) return;
+        }
     }
 
     const Geometry& g_;

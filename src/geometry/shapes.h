@@ -64,10 +64,14 @@ inline bool reaches(const Ray& ray, double t)
     return stored >= ray.t_min && stored <= ray.t_max;
 }
 
-// Nearest t in [t_min, t_max]. The discriminant from the distance of the centre to the ray does not cancel for far or
-// tiny spheres: Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
-// Gems, chapter 7.
-inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
+// Where a line enters a ball and where it leaves it; enter <= exit.
+struct Crossing {
+    double enter, exit;
+};
+
+// The discriminant from the distance of the centre to the ray does not cancel for far or tiny spheres: Haines,
+// Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7.
+inline std::optional<Crossing> crossing(const Sphere& s, const Ray& ray)
 {
     const Vec3d o = to_double(ray.org), d = to_double(ray.dir);
     const Vec3d oc = o - s.center;
@@ -81,8 +85,15 @@ inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
     if (q == 0) return {};
     double t0 = c / q, t1 = q / a;
     if (t0 > t1) std::swap(t0, t1);
-    if (reaches(ray, t0)) return t0;
-    if (reaches(ray, t1)) return t1;
+    return Crossing{t0, t1};
+}
+
+// Nearest t in [t_min, t_max].
+inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
+{
+    const auto c = crossing(s, ray);
+    if (c && reaches(ray, c->enter)) return c->enter;
+    if (c && reaches(ray, c->exit)) return c->exit;
     return {};
 }
 

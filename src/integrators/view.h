@@ -34,13 +34,15 @@ struct View {
         return e.is_dark() ? Color{} : e.towards(s.front, scene.shading_point(s));
     }
     // Radiance of a ray that left the scene.
-    Color environment(Vec3) const { return scene.environment; }
+    Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
 
-    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce) const
+    // through: also lights behind the surface.
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
+                                            bool through = false) const
     {
         if (scene.lights.pick.empty()) return {};
         const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;
-        return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light));
+        return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light), through);
     }
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const

@@ -23,12 +23,12 @@ public:
 
     // A relative name is sought in the scene's folder, then in the root.
     Found find(const std::string& name) const;
+    // The same for a path that is complete already, absolute or relative to the working folder.
+    Found check(const std::filesystem::path& path) const;
 
 private:
     std::filesystem::path folder_, root_;  // as given
     std::filesystem::path real_root_;      // absolute, without links
-
-    Found check(const std::filesystem::path& path) const;
 };
 
 }  // namespace lancer

@@ -19,7 +19,6 @@
 #include <half.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -109,8 +108,10 @@ Metadata read_metadata(const Imf::Header& header)
     return result;
 }
 
-// The channels to read for R, G, B: those, or Y three times. Others in the file are left alone.
-std::array<const char*, 3> find_channels(const InputFile& file, const Imf::ChannelList& channels)
+using Names = std::vector<const char*>;
+
+// The channels to read: R, G, B, or Y alone. Others in the file are left alone.
+Names find_channels(const InputFile& file, const Imf::ChannelList& channels)
 {
     const bool color = channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
     if (!color && (!channels.findChannel("Y") || channels.findChannel("RY") || channels.findChannel("BY"))) {
@@ -119,49 +120,130 @@ std::array<const char*, 3> find_channels(const InputFile& file, const Imf::Chann
             names += (names.empty() ? "" : ", ") + std::string(i.name());
         throw file.invalid("needs channels R, G, B, or Y alone; the file has " + names);
     }
-    std::array<const char*, 3> result = {"Y", "Y", "Y"};
-    if (color) std::copy(std::begin(channel_names), std::end(channel_names), result.begin());
-    for (const char* name : result) {
-        const Imf::Channel& c = channels[name];
-        if (c.xSampling != 1 || c.ySampling != 1) throw file.invalid("channel " + std::string(name) + " is subsampled");
-    }
-    return result;
+    return color ? Names(std::begin(channel_names), std::end(channel_names)) : Names{"Y"};
 }
 
-Image read_part(const InputFile& file, Imf::MultiPartInputFile& parts)
+const Imf::Header& check_part(const InputFile& file, const Imf::MultiPartInputFile& parts)
 {
     if (parts.parts() != 1) throw file.invalid("has several parts; only single-part pictures are read");
     const Imf::Header& header = parts.header(0);
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE) {
         throw file.invalid("is of type " + header.type() + "; only flat pictures are read");
     }
-    const std::array<const char*, 3> names = find_channels(file, header.channels());
-    const bool grey = names[0] == names[1];
-    Image image;
-    image.display = to_window(header.displayWindow());
-    image.data = to_window(header.dataWindow());
-    // Reserved memory costs nothing until it is filled, and it is filled only as far as the file truly has rows.
-    const size_t width = static_cast<size_t>(image.data.width());
-    image.pixels.reserve(image.data.area());
+    return header;
+}
+
+// rows(y0, y1) gives the place of the first number of row y0; `stride` numbers lie between pixels. Memory is asked for
+// as far as the file truly has rows.
+template <class Rows>
+void read_channels(const InputFile& file, Imf::MultiPartInputFile& parts, const Names& names, size_t stride,
+                   const Rows& rows)
+{
+    const Imf::Header& header = parts.header(0);
+    for (const char* name : names) {
+        const Imf::Channel& c = header.channels()[name];
+        if (c.xSampling != 1 || c.ySampling != 1) throw file.invalid("channel " + std::string(name) + " is subsampled");
+    }
+    const Window data = to_window(header.dataWindow());
+    const size_t pixel = stride * sizeof(float), row = pixel * static_cast<size_t>(data.width());
     Imf::InputPart part(parts, 0);
     constexpr int32_t rows_at_once = 256;  // no compression of the format has larger blocks
-    for (int32_t y0 = image.data.y0; y0 < image.data.y1; y0 += rows_at_once) {
-        const int32_t y1 = std::min(y0 + rows_at_once, image.data.y1);
-        image.pixels.resize(image.pixels.size() + width * static_cast<size_t>(y1 - y0));
-        Color* const rows = &image.at(image.data.x0, y0);
-        const Imath::Box2i box = {{image.data.x0, y0}, {image.data.x1 - 1, y1 - 1}};
+    for (int32_t y0 = data.y0; y0 < data.y1; y0 += rows_at_once) {
+        const int32_t y1 = std::min(y0 + rows_at_once, data.y1);
+        float* const first = rows(y0, y1);
+        const Imath::Box2i box = {{data.x0, y0}, {data.x1 - 1, y1 - 1}};
         Imf::FrameBuffer buffer;
-        float* const first[] = {&rows->r, &rows->g, &rows->b};
-        for (size_t c = 0; c < (grey ? 1 : 3); ++c) {
-            buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, first[c], box, sizeof(Color), sizeof(Color) * width));
-        }
+        for (size_t c = 0; c < names.size(); ++c)
+            buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, first + c, box, pixel, row));
         part.setFrameBuffer(buffer);
         part.readPixels(y0, y1 - 1);
     }
-    if (grey) {
+}
+
+Image read_part(const InputFile& file, Imf::MultiPartInputFile& parts)
+{
+    const Imf::Header& header = check_part(file, parts);
+    const Names names = find_channels(file, header.channels());
+    Image image;
+    image.display = to_window(header.displayWindow());
+    image.data = to_window(header.dataWindow());
+    image.pixels.reserve(image.data.area());  // costs nothing until it is filled
+    const auto width = static_cast<size_t>(image.data.width());
+    read_channels(file, parts, names, 3, [&](int32_t y0, int32_t y1) {
+        image.pixels.resize(image.pixels.size() + width * static_cast<size_t>(y1 - y0));
+        return &image.at(image.data.x0, y0).r;
+    });
+    if (names.size() == 1) {
         for (Color& c : image.pixels) c.g = c.b = c.r;
     }
     return image;
+}
+
+// What of a picture of `from` lies in `to`, nothing elsewhere.
+std::vector<float> move_window(const std::vector<float>& values, const Window& from, const Window& to, size_t channels)
+{
+    std::vector<float> result(to.area() * channels);
+    const int32_t x0 = std::max(from.x0, to.x0), x1 = std::min(from.x1, to.x1);
+    for (int32_t y = std::max(from.y0, to.y0); y < std::min(from.y1, to.y1) && x0 < x1; ++y) {
+        const auto place = [&](const Window& w) {
+            return (static_cast<size_t>(y - w.y0) * static_cast<size_t>(w.width()) + static_cast<size_t>(x0 - w.x0)) *
+                   channels;
+        };
+        std::copy_n(&values[place(from)], static_cast<size_t>(x1 - x0) * channels, &result[place(to)]);
+    }
+    return result;
+}
+
+Raster read_raster_part(const InputFile& file, Imf::MultiPartInputFile& parts)
+{
+    const Imf::Header& header = check_part(file, parts);
+    Names names = find_channels(file, header.channels());
+    if (header.channels().findChannel("A")) names.push_back("A");
+    const Window data = to_window(header.dataWindow()), display = to_window(header.displayWindow());
+    // A small file may say anything of its display window.
+    constexpr int64_t most = 64;
+    const int64_t width = int64_t{display.x1} - display.x0, height = int64_t{display.y1} - display.y0;
+    if (width <= 0 || height <= 0 || width > max_image_side || height > max_image_side ||
+        width * height > std::min(max_image_pixels, most * static_cast<int64_t>(data.area()))) {
+        throw file.invalid("a display window of " + std::to_string(width) + " x " + std::to_string(height) +
+                           " pixels does not suit the picture");
+    }
+    const size_t channels = names.size(), row = channels * static_cast<size_t>(data.width());
+    Raster raster = {.width = static_cast<uint32_t>(width),
+                     .height = static_cast<uint32_t>(height),
+                     .channels = static_cast<uint32_t>(channels),
+                     .bytes = {},
+                     .floats = {},
+                     .is_float = true};
+    raster.floats.reserve(data.area() * channels);
+    read_channels(file, parts, names, channels, [&](int32_t y0, int32_t y1) {
+        const size_t end = raster.floats.size();
+        raster.floats.resize(end + row * static_cast<size_t>(y1 - y0));
+        return &raster.floats[end];
+    });
+    if (data != display) raster.floats = move_window(raster.floats, data, display, channels);
+    return raster;
+}
+
+// read(file, parts), with the errors of the library in our words.
+template <class Read>
+auto read_file(const std::string& path, const Read& read)
+{
+    InputFile file(path);
+    check_exr_header(file);
+    try {
+        file.seek(0);
+        FileIn stream(file);
+        // The offsets of a truncated file are not reconstructed: such a picture is refused.
+        Imf::MultiPartInputFile parts(stream, 0, false);
+        return read(file, parts);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
+    } catch (const std::exception& e) {
+        throw file.invalid(std::string("not a valid OpenEXR file: ") + e.what());
+    }
 }
 
 }  // namespace
@@ -214,24 +296,14 @@ void write_exr(const std::string& path, const Image& image, const Metadata& meta
 
 Image read_exr(const std::string& path, Metadata* metadata)
 {
-    InputFile file(path);
-    check_exr_header(file);
-    try {
-        file.seek(0);
-        FileIn stream(file);
-        // The offsets of a truncated file are not reconstructed: such a picture is refused.
-        Imf::MultiPartInputFile parts(stream, 0, false);
+    return read_file(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
         Image image = read_part(file, parts);
         if (metadata) *metadata = read_metadata(parts.header(0));
         return image;
-    } catch (const Error&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
-    } catch (const std::exception& e) {
-        throw file.invalid(std::string("not a valid OpenEXR file: ") + e.what());
-    }
+    });
 }
+
+Raster read_exr_raster(const std::string& path) { return read_file(path, read_raster_part); }
 
 std::string exr_version() { return OPENEXR_VERSION_STRING; }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/image.h"
+#include "core/raster.h"
 #include "io/metadata.h"
 
 namespace lancer {
@@ -25,6 +26,10 @@ void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = 
 // attributes "lancer:NAME", without the prefix. A broken or truncated file is ErrorKind::invalid_input, never a
 // partial picture; a missing one missing_input.
 Image read_exr(const std::string& path, Metadata* metadata = nullptr);
+
+// The same as a picture of its display window, black and transparent where the data window has nothing; with a channel
+// A as alpha, if there is one. Of a mip-mapped picture the finest level.
+Raster read_exr_raster(const std::string& path);
 
 // "3.1.5", of the library that it was compiled with.
 std::string exr_version();

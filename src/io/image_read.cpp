@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <string_view>
 
 #include "io/exr.h"
@@ -121,7 +121,23 @@ Module load_module()
                     tried);
 }
 
-Image read_with_module(const InputFile& file, const std::string& format, Encoding encoding)
+// Room grows with the rows read: reserved memory costs nothing until it is filled, and it is filled only as far as the
+// file truly has rows.
+template <class Value, class ReadRows>
+bool read_rows(std::vector<Value>& values, const LancerOiioInfo& info, const ReadRows& read)
+{
+    const size_t row = static_cast<size_t>(info.width) * static_cast<size_t>(info.channels);
+    values.reserve(row * static_cast<size_t>(info.height));
+    const int32_t rows_at_once = std::max(64 / info.block_rows, 1) * info.block_rows;
+    for (int32_t y0 = 0; y0 < info.height; y0 += rows_at_once) {
+        const int32_t y1 = std::min(y0 + rows_at_once, info.height);
+        values.resize(row * static_cast<size_t>(y1));
+        if (!read(y0, y1, &values[row * static_cast<size_t>(y0)])) return false;
+    }
+    return true;
+}
+
+Raster read_with_module(const InputFile& file, const std::string& format)
 {
     static const Module module = load_module();  // a failure is tried again next time
     LancerOiioInfo info = {};
@@ -135,38 +151,49 @@ Image read_with_module(const InputFile& file, const std::string& format, Encodin
         int64_t{info.width} * info.height > max_image_pixels) {
         throw file.invalid("picture too large: " + size + " pixels");
     }
-    Image image;
-    image.display = image.data = {0, 0, info.width, info.height};
-    // Reserved memory costs nothing until it is filled, and it is filled only as far as the file truly has rows.
-    image.pixels.reserve(image.data.area());
-    const int32_t rows_at_once = std::max(64 / info.block_rows, 1) * info.block_rows;
-    for (int32_t y0 = 0; y0 < info.height; y0 += rows_at_once) {
-        const int32_t y1 = std::min(y0 + rows_at_once, info.height);
-        image.pixels.resize(image.data.area() / static_cast<size_t>(info.height) * static_cast<size_t>(y1));
-        if (!module.read_rows(picture.get(), y0, y1, &image.at(0, y0).r, &info)) throw broken();
-    }
-    const std::vector<float> table = make_linear_table(info.is_integer ? encoding : Encoding::linear, 65536);
-    const auto decode = [&](float v) {
-        return table[static_cast<size_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 65535))];
+    Raster raster = {.width = static_cast<uint32_t>(info.width),
+                     .height = static_cast<uint32_t>(info.height),
+                     .channels = static_cast<uint32_t>(info.channels),
+                     .bytes = {},
+                     .floats = {},
+                     .is_float = info.kind == lancer_oiio_floats};
+    const auto read = [&](int32_t y0, int32_t y1, void* values) {
+        return module.read_rows(picture.get(), y0, y1, values, &info) != 0;
     };
-    for (Color& c : image.pixels) {
-        if (info.channels == 1) c.g = c.b = c.r;
-        if (info.is_integer) c = {decode(c.r), decode(c.g), decode(c.b)};
-    }
-    return image;
+    const bool done =
+        info.kind == lancer_oiio_bytes ? read_rows(raster.bytes, info, read) : read_rows(raster.floats, info, read);
+    if (!done) throw broken();
+    return raster;
+}
+
+Raster read_format(InputFile& file, const std::string& format)
+{
+    if (format == "openexr") return read_exr_raster(file.path());
+    if (format == "png") return read_png_raster(file.path());
+    if (format == "targa") return read_tga(file.path());
+    if (format == "bmp") check_bmp(file);
+    return read_with_module(file, format);
 }
 
 }  // namespace
+
+std::shared_ptr<const Raster> read_raster(const std::string& path)
+{
+    InputFile file(path);
+    const std::string format = find_format(file);
+    try {
+        return std::make_shared<const Raster>(read_format(file, format));
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
+    }
+}
 
 Image read_image(const std::string& path, Encoding encoding)
 {
     InputFile file(path);
     const std::string format = find_format(file);
     if (format == "openexr") return read_exr(path);
-    if (format == "png") return read_png(path, encoding);
-    if (format == "targa") return read_tga(path, encoding);
-    if (format == "bmp") check_bmp(file);
-    return read_with_module(file, format, encoding);
+    return to_image(read_format(file, format), encoding);
 }
 
 }  // namespace lancer

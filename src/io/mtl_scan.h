@@ -1,5 +1,6 @@
-// Material files (MTL) before they are parsed: where they are, and which keys each material gives. The parser behind
-// load_obj has no "was it given" (an absent Kd is black) and takes any text for a number.
+// Material files (MTL): which keys each material gives, with checked values. What they mean together is decided in
+// mtl_material.h. tinyobjloader reads these files too, but has no "was it given" (an absent Kd is black) and takes any
+// text for a number.
 #pragma once
 
 #include <cstdint>
@@ -7,28 +8,41 @@
 #include <string_view>
 #include <vector>
 
+#include "core/color.h"
 #include "core/error.h"
-#include "io/obj_scan.h"
+#include "io/mtl_map.h"
 
 namespace lancer {
+
+template <class T>
+struct MtlValue {
+    T value{};
+    uint32_t line = 0;  // 0: not given, or not usable and warned about
+    explicit operator bool() const { return line != 0; }
+};
+
+enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, bump, normal };
 
 struct MtlEntry {
     std::string name;
     uint32_t line = 0;
-    size_t begin = 0;                   // of its part of MtlScan::text
-    uint32_t kd_line = 0, ke_line = 0;  // 0: not given, or not usable and warned about
+    MtlValue<Color> kd, ks, tf;                       // in [0, 1]
+    MtlValue<Color> ke;                               // finite, >= 0
+    MtlValue<float> ns;                               // finite, >= 0
+    MtlValue<float> ni;                               // in [0.001, 10]
+    MtlValue<float> d, tr, pr, pm;                    // in [0, 1]
+    MtlValue<int> illum;                              // 0 to 10
+    std::vector<std::pair<MtlMapKind, MtlMap>> maps;  // each kind at most once
+
+    const MtlMap* map(MtlMapKind kind) const
+    {
+        for (const auto& [k, m] : maps)
+            if (k == kind) return &m;
+        return nullptr;
+    }
 };
 
-struct MtlScan {
-    std::vector<MtlEntry> materials;  // in the order of the file
-    std::string text;                 // the same materials for the parser: names replaced by numbers, values checked
-};
-
-MtlScan scan_mtl(std::string_view text, const std::string& file, Diagnostics& diagnostics);
-
-// The files named by mtllib statements, each once, relative to the OBJ file. A name may contain spaces, be one of
-// several, or differ in upper and lower case; what is not found becomes a warning.
-std::vector<std::string> find_material_files(const std::string& obj_file,
-                                             const std::vector<ObjSummary::Name>& libraries, Diagnostics& diagnostics);
+// The materials in the order of the file.
+std::vector<MtlEntry> scan_mtl(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -1,18 +1,20 @@
 // tinyobjloader does the parsing, through its callbacks: they keep the order of faces and materials, cost no memory
-// per face and do not wrap the number of corners at 256. What it is fed has been checked in obj_scan and mtl_scan.
+// per face and do not wrap the number of corners at 256. What it is fed has been checked in obj_scan.
 #include "io/obj.h"
 
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 #include "core/hash.h"
 #include "core/names.h"
-#include "io/mtl_scan.h"
+#include "io/mtl_library.h"
 #include "io/obj_scan.h"
+#include "io/text_file.h"
 #include "io/triangulate.h"
 
 namespace lancer {
@@ -21,82 +23,8 @@ namespace {
 static_assert(sizeof(tinyobj::real_t) == sizeof(double), "the library for double must be linked");
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr Color grey{0.8f, 0.8f, 0.8f};
-
-float to_range(double v, float low, float high, bool& changed)
-{
-    const auto clamped = std::clamp(v, static_cast<double>(low), static_cast<double>(high));
-    changed = changed || clamped != v;
-    return static_cast<float>(clamped);
-}
-
-MaterialDescription describe_material(const MtlEntry& entry, const tinyobj::material_t& values, const std::string& file,
-                                      Diagnostics& diagnostics)
-{
-    MaterialDescription m;
-    m.name = entry.name;
-    m.where = {file, entry.line, 0};
-    bool changed = false;
-    const auto& kd = values.diffuse;
-    const auto& ke = values.emission;
-    if (entry.ke_line) {
-        constexpr float most = std::numeric_limits<float>::max();
-        m.emission = {to_range(ke[0], 0, most, changed), to_range(ke[1], 0, most, changed),
-                      to_range(ke[2], 0, most, changed)};
-        if (changed) diagnostics.warning({file, entry.ke_line, 0}, "Ke below 0 or beyond float clamped");
-        changed = false;
-    }
-    // A lamp that says nothing of its own colour reflects nothing; any other material must be seen somehow.
-    m.base_color = is_black(m.emission) ? grey : Color{};
-    if (entry.kd_line) {
-        m.base_color = {to_range(kd[0], 0, 1, changed), to_range(kd[1], 0, 1, changed), to_range(kd[2], 0, 1, changed)};
-        if (changed) diagnostics.warning({file, entry.kd_line, 0}, "Kd outside [0, 1] clamped");
-    }
-    return m;
-}
-
-// The materials of all files by name.
-class MaterialLibrary {
-public:
-    void add_file(const std::string& path, std::string_view text, Diagnostics& diagnostics)
-    {
-        const MtlScan scan = scan_mtl(text, path, diagnostics);
-        constexpr size_t at_once = 1000;  // the parser's materials take kilobytes each
-        for (size_t begin = 0; begin < scan.materials.size(); begin += at_once) {
-            const size_t end = std::min(begin + at_once, scan.materials.size());
-            const std::vector<tinyobj::material_t> values = parse(scan, begin, end);
-            for (size_t i = 0; i < std::min(values.size(), end - begin); ++i) {
-                const MtlEntry& entry = scan.materials[begin + i];
-                if (index_.try_emplace(entry.name, static_cast<uint32_t>(materials_.size())).second)
-                    materials_.push_back(describe_material(entry, values[i], path, diagnostics));
-                else
-                    diagnostics.warning({path, entry.line, 0},
-                                        "material of this name exists already; the first is used");
-            }
-        }
-    }
-    const MaterialDescription* find(const std::string& name) const
-    {
-        const auto found = index_.find(name);
-        return found == index_.end() ? nullptr : &materials_[found->second];
-    }
-
-private:
-    static std::vector<tinyobj::material_t> parse(const MtlScan& scan, size_t begin, size_t end)
-    {
-        const size_t from = scan.materials[begin].begin;
-        const size_t to = end == scan.materials.size() ? scan.text.size() : scan.materials[end].begin;
-        std::istringstream stream(scan.text.substr(from, to - from));
-        std::map<std::string, int> index;
-        std::vector<tinyobj::material_t> values;
-        std::string warnings, errors;
-        tinyobj::LoadMtl(&index, &values, &stream, &warnings, &errors);
-        return values;
-    }
-
-    std::map<std::string, uint32_t, std::less<>> index_;
-    std::vector<MaterialDescription> materials_;
-};
+constexpr Vec2 broken_uv{std::numeric_limits<float>::infinity(), 0};
+bool is_broken(Vec2 uv) { return uv.x == broken_uv.x; }
 
 // Something that happened to some of the elements of a kind, in the order of the file.
 struct Tally {
@@ -107,12 +35,27 @@ struct Tally {
     }
 };
 
+// For each usemtl name its material; none: the default.
+using UsedMaterials = std::vector<std::optional<MaterialDescription>>;
+
+bool reads_textures(const std::optional<MaterialDescription>& m)
+{
+    return m && (m->base_color_map || m->roughness_map || m->metallic_map || m->opacity_map || m->bump_map ||
+                 m->normal_map || m->emission_map);
+}
+
 class MeshBuilder {
 public:
-    // For each usemtl name its material, or null for the default.
-    MeshBuilder(const ObjSummary& summary, std::vector<const MaterialDescription*> materials, MeshData& mesh)
-        : summary_(summary), materials_(std::move(materials)), mesh_(mesh), slots_(materials_.size() + 1, none)
+    // uvs: whether to keep texture coordinates.
+    MeshBuilder(const ObjSummary& summary, const UsedMaterials& materials, bool uvs, MeshData& mesh)
+        : summary_(summary), materials_(materials), mesh_(mesh), slots_(materials_.size() + 1, none), keeps_uvs_(uvs)
     {
+        if (uvs) {
+            mesh_.uvs.reserve(summary.texcoords);
+            mesh_.uv_triangles.reserve(summary.triangles);
+            for (const auto& m : materials_) textured_.push_back(reads_textures(m));
+        }
+        textured_.resize(materials_.size() + 1);
         mesh_.positions.reserve(summary.vertices);
         mesh_.normals.reserve(summary.face_normals ? summary.normals : 0);
         mesh_.triangles.reserve(summary.triangles);
@@ -127,8 +70,11 @@ private:
     void feed(std::string_view text, ObjFeed::Part part);
     void add_vertex(Vec3d p);
     void add_normal(Vec3d n);
+    void add_uv(double u, double v);
     void add_face(const tinyobj::index_t* corners, size_t n);
     bool add_triangle(const std::array<uint32_t, 3>& corners);
+    void add_normals(const std::array<uint32_t, 3>& corners);
+    void add_uvs(const std::array<uint32_t, 3>& corners);
     uint32_t material_slot();
 
     static size_t resolve(int index, size_t so_far)
@@ -137,15 +83,17 @@ private:
     }
 
     const ObjSummary& summary_;
-    const std::vector<const MaterialDescription*> materials_;
+    const UsedMaterials& materials_;
     MeshData& mesh_;
     std::vector<uint32_t> slots_;  // of materials_ and of the default, in mesh_.materials
     size_t material_ = 0;          // in slots_
-    uint64_t vertices_ = 0, normals_ = 0, faces_ = 0;
-    bool has_normals_ = false;
-    Tally non_finite_, zero_normals_, zero_area_, partial_normals_;
+    const bool keeps_uvs_;
+    std::vector<bool> textured_;  // as slots_
+    uint64_t vertices_ = 0, normals_ = 0, uvs_ = 0, faces_ = 0;
+    bool has_normals_ = false, has_uvs_ = false;
+    Tally non_finite_, zero_normals_, broken_uvs_, zero_area_, partial_normals_, partial_uvs_, missing_uvs_;
     Triangulator triangulate_;
-    std::vector<uint32_t> face_, face_normals_;
+    std::vector<uint32_t> face_, face_normals_, face_uvs_;
     std::vector<Vec3d> polygon_;
 };
 
@@ -158,7 +106,7 @@ void MeshBuilder::read(std::string_view text)
 
 void MeshBuilder::feed(std::string_view text, ObjFeed::Part part)
 {
-    vertices_ = normals_ = faces_ = 0;
+    vertices_ = normals_ = uvs_ = faces_ = 0;
     tinyobj::callback_t callbacks;
     using Real = tinyobj::real_t;
     callbacks.vertex_cb = [](void* self, Real x, Real y, Real z, Real) {
@@ -167,13 +115,15 @@ void MeshBuilder::feed(std::string_view text, ObjFeed::Part part)
     callbacks.normal_cb = [](void* self, Real x, Real y, Real z) {
         static_cast<MeshBuilder*>(self)->add_normal({x, y, z});
     };
+    if (keeps_uvs_)
+        callbacks.texcoord_cb = [](void* self, Real u, Real v, Real) { static_cast<MeshBuilder*>(self)->add_uv(u, v); };
     callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int n) {
         static_cast<MeshBuilder*>(self)->add_face(corners, static_cast<size_t>(n));
     };
     callbacks.usemtl_cb = [](void* self, const char* number, int) {
         static_cast<MeshBuilder*>(self)->material_ = std::stoul(number);
     };
-    ObjFeed buffer(text, summary_, part);
+    ObjFeed buffer(text, summary_, part, keeps_uvs_);
     std::istream stream(&buffer);
     std::string warnings, errors;
     tinyobj::LoadObjWithCallback(stream, callbacks, this, nullptr, &warnings, &errors);
@@ -195,14 +145,25 @@ void MeshBuilder::add_normal(Vec3d n)
     mesh_.normals.push_back(size > 0 ? to_float(normalize(n / size)) : Vec3{});
 }
 
+// Kept until the end likewise; what is not two finite numbers arrives here beyond float.
+void MeshBuilder::add_uv(double u, double v)
+{
+    if (uvs_++ < mesh_.uvs.size()) return;
+    constexpr double largest = std::numeric_limits<float>::max();
+    const bool usable = std::abs(u) <= largest && std::abs(v) <= largest;
+    if (!usable) broken_uvs_.add(mesh_.uvs.size());
+    mesh_.uvs.push_back(usable ? Vec2{static_cast<float>(u), static_cast<float>(v)} : broken_uv);
+}
+
 void MeshBuilder::add_face(const tinyobj::index_t* corners, size_t n)
 {
     const uint64_t face = faces_++;
     if (n < 3 || vertices_ > mesh_.positions.size()) return;
     face_.clear();
     face_normals_.clear();
+    face_uvs_.clear();
     polygon_.clear();
-    size_t with_normal = 0;
+    size_t with_normal = 0, with_uv = 0;
     for (size_t i = 0; i < n; ++i) {
         face_.push_back(static_cast<uint32_t>(resolve(corners[i].vertex_index, vertices_)));
         uint32_t normal = none;
@@ -211,9 +172,17 @@ void MeshBuilder::add_face(const tinyobj::index_t* corners, size_t n)
             normal = static_cast<uint32_t>(resolve(corners[i].normal_index, normals_));
         }
         face_normals_.push_back(normal);
+        uint32_t uv = none;
+        if (keeps_uvs_ && corners[i].texcoord_index != 0) {
+            ++with_uv;
+            uv = static_cast<uint32_t>(resolve(corners[i].texcoord_index, uvs_));
+        }
+        face_uvs_.push_back(uv);
     }
     if (std::any_of(face_.begin(), face_.end(), [&](uint32_t v) { return v >= mesh_.positions.size(); })) return;
     if (with_normal != 0 && with_normal != n) partial_normals_.add(face);
+    if (with_uv != 0 && with_uv != n) partial_uvs_.add(face);
+    if (with_uv == 0 && textured_[std::min(material_, materials_.size())]) missing_uvs_.add(face);
     for (const uint32_t v : face_) polygon_.push_back(mesh_.positions[v]);
     bool any = false;
     if (n == 3)
@@ -241,7 +210,13 @@ bool MeshBuilder::add_triangle(const std::array<uint32_t, 3>& corners)
         mesh_.face_material.resize(mesh_.triangles.size() - 1, 0);
         mesh_.face_material.push_back(slot);
     }
-    if (!summary_.face_normals) return true;
+    if (summary_.face_normals) add_normals(corners);
+    if (keeps_uvs_) add_uvs(corners);
+    return true;
+}
+
+void MeshBuilder::add_normals(const std::array<uint32_t, 3>& corners)
+{
     std::array<uint32_t, 3> normals;
     bool usable = true;
     for (size_t i = 0; i < 3; ++i) {
@@ -251,7 +226,19 @@ bool MeshBuilder::add_triangle(const std::array<uint32_t, 3>& corners)
     if (!usable) normals.fill(MeshData::no_normal);
     has_normals_ = has_normals_ || usable;
     mesh_.normal_triangles.push_back(normals);
-    return true;
+}
+
+void MeshBuilder::add_uvs(const std::array<uint32_t, 3>& corners)
+{
+    std::array<uint32_t, 3> uvs;
+    bool usable = true;
+    for (size_t i = 0; i < 3; ++i) {
+        uvs[i] = face_uvs_[corners[i]];
+        usable = usable && uvs[i] < mesh_.uvs.size() && !is_broken(mesh_.uvs[uvs[i]]);
+    }
+    if (!usable) uvs.fill(MeshData::no_uv);
+    has_uvs_ = has_uvs_ || usable;
+    mesh_.uv_triangles.push_back(uvs);
 }
 
 // Materials enter the mesh when the first triangle needs them.
@@ -259,12 +246,12 @@ uint32_t MeshBuilder::material_slot()
 {
     uint32_t& slot = slots_[std::min(material_, materials_.size())];
     if (slot != none) return slot;
-    const MaterialDescription* const material = material_ < materials_.size() ? materials_[material_] : nullptr;
+    const bool is_known = material_ < materials_.size() && materials_[material_];
     uint32_t& default_slot = slots_.back();
-    if (material || default_slot == none) {
+    if (is_known || default_slot == none) {
         slot = static_cast<uint32_t>(mesh_.materials.size());
-        mesh_.materials.push_back(material ? *material : MaterialDescription{});
-        if (material) return slot;
+        mesh_.materials.push_back(is_known ? *materials_[material_] : MaterialDescription{});
+        if (is_known) return slot;
         mesh_.materials.back().name = "default";
         mesh_.materials.back().where = {mesh_.file, 0, 0};
         default_slot = slot;
@@ -282,12 +269,17 @@ bool MeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
     };
     warn(ObjStatement::normal, zero_normals_, "normal of zero length ignored");
     warn(ObjStatement::face, partial_normals_, "face with normals at some corners only: they are ignored there");
+    warn(ObjStatement::texcoord, broken_uvs_, "vt is not finite numbers; faces that use it get no texture coordinates");
+    warn(ObjStatement::face, partial_uvs_,
+         "face with texture coordinates at some corners only: they are ignored there");
+    warn(ObjStatement::face, missing_uvs_, "face without texture coordinates has a material with a texture");
     warn(ObjStatement::face, zero_area_, "zero-area face dropped");
     if (non_finite_.count) {
         diagnostics.error(at(ObjStatement::vertex, non_finite_), "a coordinate is not a finite number");
         return false;
     }
-    if (vertices_ != summary_.vertices || normals_ != summary_.normals || faces_ != summary_.faces) {
+    if (vertices_ != summary_.vertices || normals_ != summary_.normals || faces_ != summary_.faces ||
+        (keeps_uvs_ && uvs_ != summary_.texcoords)) {
         diagnostics.error({mesh_.file, 0, 0}, "the file could not be parsed to its end", ErrorKind::failed);
         return false;
     }
@@ -299,31 +291,36 @@ bool MeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
         mesh_.normals = {};
         mesh_.normal_triangles = {};
     }
-    // Nothing refers to these any more; every normal of a mesh has unit length.
+    if (!has_uvs_) {
+        mesh_.uvs = {};
+        mesh_.uv_triangles = {};
+    }
+    // Nothing refers to these any more; every normal of a mesh has unit length and every coordinate is finite.
     std::replace(mesh_.normals.begin(), mesh_.normals.end(), Vec3{}, Vec3{0, 0, 1});
+    std::replace_if(mesh_.uvs.begin(), mesh_.uvs.end(), is_broken, Vec2{});
     return true;
 }
 
-// Null for each name that no material file defines, with a warning.
-std::vector<const MaterialDescription*> resolve_materials(const ObjSummary& summary, const MaterialLibrary& library,
-                                                          const std::string& file, Diagnostics& diagnostics)
+// None for each name that no material file defines, with a warning.
+UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& library, const std::string& file,
+                                 Diagnostics& diagnostics)
 {
-    std::vector<const MaterialDescription*> found;
+    UsedMaterials used;
     constexpr uint64_t most_named = 10;
     uint64_t unknown = 0;
     for (const ObjSummary::Name& use : summary.materials) {
-        found.push_back(library.find(use.name));
-        if (found.back()) continue;
+        used.push_back(library.describe(use.name, diagnostics));
+        if (used.back()) continue;
         const std::string what =
             ++unknown <= most_named ? "unknown material " + in_quotes(use.name) : "unknown material";
         diagnostics.warning({file, use.line, 0}, what + "; the default grey is used", use.count);
     }
-    return found;
+    return used;
 }
 
 }  // namespace
 
-std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics)
+std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
     const FileContent content = read_file(path);
     const auto fail = [&](const std::string& message, ErrorKind kind) {
@@ -342,7 +339,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
     mesh->file = path;
     mesh->content_hash = hash_bytes(content.bytes, 0);
     MaterialLibrary library;
-    for (const std::string& file : find_material_files(path, summary->libraries, diagnostics)) {
+    for (const std::string& file : find_material_files(path, summary->libraries, options.assets, diagnostics)) {
         const FileContent material_file = read_file(file);
         if (!material_file.problem.empty() || !material_file.is_text()) {
             diagnostics.warning({file, 0, 0}, "ignored: " + (material_file.problem.empty() ? "it holds NUL bytes"
@@ -351,9 +348,12 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
         }
         mesh->material_files.push_back(file);
         mesh->content_hash = hash_bytes(material_file.bytes, mesh->content_hash);
-        library.add_file(file, material_file.text(), diagnostics);
+        library.add_file(file, material_file.text(), options.assets, diagnostics);
     }
-    MeshBuilder builder(*summary, resolve_materials(*summary, library, path, diagnostics), *mesh);
+    const UsedMaterials materials = describe_materials(*summary, library, path, diagnostics);
+    const bool uvs =
+        summary->texcoords > 0 && (options.uvs || std::any_of(materials.begin(), materials.end(), reads_textures));
+    MeshBuilder builder(*summary, materials, uvs, *mesh);
     builder.read(text);
     if (!builder.finish(text, diagnostics)) return nullptr;
     return mesh;

@@ -28,7 +28,7 @@ Statement parse_statement(std::string_view line)
     if (word == "v") return {ObjStatement::vertex, without_comment(line)};
     if (word == "f") return {ObjStatement::face, without_comment(line)};
     if (word == "vn") return {ObjStatement::normal, without_comment(line)};
-    if (word == "vt") return {ObjStatement::texcoord, line};
+    if (word == "vt") return {ObjStatement::texcoord, without_comment(line)};
     if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
     if (word == "usemtl") return {ObjStatement::use_material, name_argument(line)};
     if (word == "mtllib") return {ObjStatement::library, name_argument(line)};
@@ -46,6 +46,18 @@ void assign_face(std::string& out, std::string_view corners)
         while (word.ends_with('/')) word.remove_suffix(1);
         (out += ' ') += word;
     }
+}
+
+// One or two numbers; a third is for solid textures.
+void assign_uv(std::string& out, std::string_view arguments)
+{
+    const std::string_view u = take_word(arguments), v = take_word(arguments);
+    const bool usable =
+        classify_number(u) == NumberKind::finite && (v.empty() || classify_number(v) == NumberKind::finite);
+    if (usable)
+        out.assign("vt ").append(u).append(" ").append(v.empty() ? "0" : v);
+    else
+        out = "vt 1e300 0";
 }
 
 // The same warning of many lines.
@@ -282,7 +294,8 @@ uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
     TextLines lines(text);
     while (lines.next()) {
         const Statement s = parse_statement(lines.line());
-        if (s.kind == kind && !s.arguments.empty() && index-- == 0) return lines.number();
+        const bool counts = !s.arguments.empty() || kind == ObjStatement::texcoord;
+        if (s.kind == kind && counts && index-- == 0) return lines.number();
     }
     return 0;
 }
@@ -291,10 +304,13 @@ ObjFeed::int_type ObjFeed::underflow()
 {
     while (lines_.next()) {
         const Statement s = parse_statement(lines_.line());
-        if (s.arguments.empty() && s.kind != ObjStatement::use_material) continue;
+        const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord;
+        if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv) continue;
         const bool coordinates = s.kind == ObjStatement::vertex || s.kind == ObjStatement::normal;
-        if (part_ == Part::vertices && !coordinates) continue;
-        if (coordinates)
+        if (part_ == Part::vertices && !coordinates && !is_uv) continue;
+        if (is_uv)
+            assign_uv(buffer_, s.arguments);
+        else if (coordinates)
             buffer_.assign(s.kind == ObjStatement::vertex ? "v " : "vn ").append(s.arguments);
         else if (s.kind == ObjStatement::face)
             assign_face(buffer_, s.arguments);

@@ -41,16 +41,18 @@ struct ObjSummary {
 std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& file, Diagnostics& diagnostics,
                                    const ObjLimits& limits = {});
 
-// The line of the index-th statement v, vn or f (one with corners); for messages only: it searches from the start.
+// The line of the index-th statement v, vn, vt or f (one with corners); for messages only: it searches from the start.
 enum class ObjStatement { vertex, normal, texcoord, face, use_material, library, line_or_point, ignored, unknown };
 uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index);
 
 // The statements v, vn, f and usemtl of a text that passed scan_obj, without comments and continuations, materials
-// as numbers (index into ObjSummary::materials).
+// as numbers (index into ObjSummary::materials). With uvs also vt: two numbers, beyond float for one that is not
+// usable.
 class ObjFeed : public std::streambuf {
 public:
     enum class Part { all, vertices };
-    ObjFeed(std::string_view text, const ObjSummary& summary, Part part) : lines_(text), summary_(&summary), part_(part)
+    ObjFeed(std::string_view text, const ObjSummary& summary, Part part, bool uvs)
+        : lines_(text), summary_(&summary), part_(part), uvs_(uvs)
     {
     }
 
@@ -61,6 +63,7 @@ private:
     TextLines lines_;
     const ObjSummary* summary_;
     Part part_;
+    bool uvs_;
     std::string buffer_;
 };
 

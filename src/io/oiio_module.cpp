@@ -11,6 +11,8 @@
 struct LancerOiioPicture {
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
+    int channels = 0;  // the first ones, handed out
+    LancerOiioKind kind = lancer_oiio_bytes;
 };
 
 namespace {
@@ -34,6 +36,19 @@ bool succeeded(bool ok, OIIO::ImageInput& input, LancerOiioInfo* info)
     if (ok && !input.has_error()) return true;
     set_message(info, error_of(input));
     return false;
+}
+
+// Grey or RGB, and the alpha behind it. In 32-bit bitmaps the fourth byte is more often nothing than alpha.
+int find_channels(const OIIO::ImageSpec& spec, const std::string& format)
+{
+    const int colors = spec.nchannels < 3 ? 1 : 3;
+    return colors + (spec.alpha_channel == colors && format != "bmp" ? 1 : 0);
+}
+
+LancerOiioKind find_kind(const OIIO::ImageSpec& spec)
+{
+    if (spec.format.is_floating_point()) return lancer_oiio_floats;
+    return spec.format == OIIO::TypeDesc::UINT8 ? lancer_oiio_bytes : lancer_oiio_integers;
 }
 
 LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiioInfo* info)
@@ -69,25 +84,23 @@ LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiio
     }
     info->width = spec.width;
     info->height = spec.height;
-    info->channels = spec.nchannels < 3 ? 1 : 3;
-    info->is_integer = spec.format.is_floating_point() ? 0 : 1;
+    info->channels = picture->channels = find_channels(spec, format);
+    info->kind = picture->kind = find_kind(spec);
     info->block_rows = std::max(spec.tile_height, 1);
     return picture.release();
 }
 
-bool read_rows(LancerOiioPicture& picture, int32_t y0, int32_t y1, float* rgb, LancerOiioInfo* info)
+bool read_rows(LancerOiioPicture& picture, int32_t y0, int32_t y1, void* values, LancerOiioInfo* info)
 {
     OIIO::ImageInput& input = *picture.input;
     const OIIO::ImageSpec& spec = picture.spec;
-    const int channels = spec.nchannels < 3 ? 1 : 3;
-    constexpr OIIO::stride_t pixel = 3 * sizeof(float);
-    const OIIO::stride_t row = pixel * spec.width;
+    const bool is_bytes = picture.kind == lancer_oiio_bytes;
+    const OIIO::TypeDesc type = is_bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
     const int begin = spec.y + y0, end = spec.y + y1;
-    const bool ok =
-        spec.tile_width > 0
-            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0, channels,
-                               OIIO::TypeDesc::FLOAT, rgb, pixel, row)
-            : input.read_scanlines(0, 0, begin, end, spec.z, 0, channels, OIIO::TypeDesc::FLOAT, rgb, pixel, row);
+    const bool ok = spec.tile_width > 0
+                        ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
+                                           picture.channels, type, values)
+                        : input.read_scanlines(0, 0, begin, end, spec.z, 0, picture.channels, type, values);
     return succeeded(ok, input, info);
 }
 
@@ -107,10 +120,10 @@ LancerOiioPicture* lancer_oiio_open(const char* path, const char* format, Lancer
     }
 }
 
-int32_t lancer_oiio_read_rows(LancerOiioPicture* picture, int32_t y0, int32_t y1, float* rgb, LancerOiioInfo* info)
+int32_t lancer_oiio_read_rows(LancerOiioPicture* picture, int32_t y0, int32_t y1, void* values, LancerOiioInfo* info)
 {
     try {
-        return read_rows(*picture, y0, y1, rgb, info) ? 1 : 0;
+        return read_rows(*picture, y0, y1, values, info) ? 1 : 0;
     } catch (const std::exception& e) {
         set_message(info, e.what());
         return 0;

@@ -10,19 +10,22 @@ struct LancerOiioPicture;  // an open file
 
 struct LancerOiioInfo {
     int32_t width, height;
-    int32_t channels;    // what read_rows hands out: 1 (grey) or 3; alpha is dropped, the colour below it kept
-    int32_t is_integer;  // 1: stored as integers, here scaled to 0 to 1; 0: stored as floats
+    int32_t channels;    // what read_rows hands out: 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
+    int32_t kind;        // one of the kinds below
     int32_t block_rows;  // read_rows wants y0 to be a multiple of this
     char message[256];   // the reason, after a failure
 };
 
+// What read_rows hands out: bytes as stored; floats of 0 to 1 where more than 8 bits are stored; floats as stored.
+enum LancerOiioKind : int32_t { lancer_oiio_bytes, lancer_oiio_integers, lancer_oiio_floats };
+
 // Changes with every change of this file: a module left over from another build is refused.
-constexpr int32_t lancer_oiio_current_version = 1;
+constexpr int32_t lancer_oiio_current_version = 2;
 
 int32_t lancer_oiio_version();
 // Opens with the decoder of this name and no other; allocates nothing for the pixels. Null: see info->message.
 LancerOiioPicture* lancer_oiio_open(const char* path, const char* format, LancerOiioInfo* info);
-// Rows y0 to y1 (half-open) into rgb, 3 floats apart for each pixel. 0: see info->message.
-int32_t lancer_oiio_read_rows(LancerOiioPicture* picture, int32_t y0, int32_t y1, float* rgb, LancerOiioInfo* info);
+// Rows y0 to y1 (half-open), channels interleaved, into bytes or floats as info->kind says. 0: see info->message.
+int32_t lancer_oiio_read_rows(LancerOiioPicture* picture, int32_t y0, int32_t y1, void* values, LancerOiioInfo* info);
 void lancer_oiio_close(LancerOiioPicture* picture);
 }

@@ -11,7 +11,6 @@
 #include <csetjmp>
 #include <cstring>
 #include <exception>
-#include <limits>
 
 #include "io/atomic_file.h"
 #include "io/input_file.h"
@@ -92,9 +91,10 @@ bool encode(png_structp png, png_infop info, const Window& data, bool crop, png_
 
 struct Layout {
     png_uint_32 width = 0, height = 0;
+    uint32_t channels = 0;
     int depth = 0, passes = 0;
     size_t stored_row_bytes = 0;  // in the file, after decompression
-    size_t row_bytes = 0;         // as handed out: 3 channels of 8 or 16 bits
+    size_t row_bytes = 0;         // as handed out: channels of 8 or 16 bits
 };
 
 bool decode_header(png_structp png, png_infop info, Layout* layout)
@@ -109,14 +109,13 @@ bool decode_header(png_structp png, png_infop info, Layout* layout)
     layout->height = png_get_image_height(png, info);
     layout->stored_row_bytes = png_get_rowbytes(png, info);
     png_set_expand(png);
-    png_set_gray_to_rgb(png);
-    png_set_strip_alpha(png);
     if (png_get_bit_depth(png, info) == 16 && std::endian::native == std::endian::little) png_set_swap(png);
     layout->passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     layout->depth = png_get_bit_depth(png, info);
     layout->row_bytes = png_get_rowbytes(png, info);
-    return png_get_channels(png, info) == 3;
+    layout->channels = png_get_channels(png, info);
+    return true;
 }
 
 bool decode_rows(png_structp png, png_bytepp rows)
@@ -170,17 +169,6 @@ std::vector<png_bytep> row_pointers(std::vector<Byte>& bytes, size_t row_bytes, 
     return result;
 }
 
-template <class T>
-void to_pixels(const std::vector<uint8_t>& bytes, Encoding encoding, std::vector<Color>& pixels)
-{
-    const std::vector<float> table = make_linear_table(encoding, size_t{std::numeric_limits<T>::max()} + 1);
-    T v[3];
-    for (size_t i = 0; i < pixels.size(); ++i) {
-        std::memcpy(v, bytes.data() + i * sizeof v, sizeof v);
-        pixels[i] = {table[v[0]], table[v[1]], table[v[2]]};
-    }
-}
-
 }  // namespace
 
 void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, const PngOptions& options)
@@ -218,14 +206,14 @@ void write_png(const std::string& path, const Image& image, const Metadata& meta
     file.commit();
 }
 
-Image read_png(const std::string& path, Encoding encoding)
+Raster read_png_raster(const std::string& path)
 {
     InputFile file(path);
     Reader reader;
     reader.context.in = &file;
     if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
     const auto broken = [&](const char* reason) {
-        return file.invalid(std::string("not a valid PNG file: ") + (*reason ? reason : "unknown channels"));
+        return file.invalid(std::string("not a valid PNG file: ") + reason);
     };
     Layout layout;
     if (!decode_header(reader.png, reader.info, &layout)) throw broken(reader.context.message);
@@ -241,14 +229,22 @@ Image read_png(const std::string& path, Encoding encoding)
     std::vector<uint8_t> bytes(layout.row_bytes * layout.height);
     std::vector<png_bytep> rows = row_pointers(bytes, layout.row_bytes, layout.height);
     if (!decode_rows(reader.png, rows.data())) throw broken(reader.context.message);
-    Image image = make_image(static_cast<int32_t>(layout.width), static_cast<int32_t>(layout.height));
-    if (layout.depth == 16) {
-        to_pixels<uint16_t>(bytes, encoding, image.pixels);
-    } else {
-        to_pixels<uint8_t>(bytes, encoding, image.pixels);
+    Raster raster = {
+        .width = layout.width, .height = layout.height, .channels = layout.channels, .bytes = {}, .floats = {}};
+    if (layout.depth == 8) {
+        raster.bytes = std::move(bytes);
+        return raster;
     }
-    return image;
+    raster.floats.resize(raster.value_count());
+    for (size_t i = 0; i < raster.floats.size(); ++i) {
+        uint16_t v = 0;
+        std::memcpy(&v, bytes.data() + i * sizeof v, sizeof v);
+        raster.floats[i] = static_cast<float>(v) / 65535;
+    }
+    return raster;
 }
+
+Image read_png(const std::string& path, Encoding encoding) { return to_image(read_png_raster(path), encoding); }
 
 std::string png_version() { return png_get_libpng_ver(nullptr); }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/image.h"
+#include "core/raster.h"
 #include "core/srgb.h"
 #include "io/metadata.h"
 
@@ -26,6 +27,9 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = 
 // Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
 // partial picture; a missing one missing_input.
 Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
+
+// The same as its file stores it: palettes looked up, fewer than 8 bits widened, a transparent colour made alpha.
+Raster read_png_raster(const std::string& path);
 
 // "1.6.39", of the library that is loaded.
 std::string png_version();

@@ -53,15 +53,25 @@ std::string syntax_message(std::string_view description)
     return "invalid TOML in " + std::string(description.substr(prefix.size()));
 }
 
-void load_meshes(const std::vector<MeshFile>& files, const MeshLoader& load, SceneDescription& scene,
-                 Diagnostics& diagnostics)
+bool reads_textures(const MaterialDescription& m)
 {
+    return m.base_color_map || m.roughness_map || m.metallic_map || m.opacity_map || m.bump_map || m.normal_map ||
+           m.emission_map || m.weight_map;
+}
+
+void load_meshes(const std::vector<MeshFile>& files, const MeshLoader& load, const AssetFolder& assets,
+                 SceneDescription& scene, Diagnostics& diagnostics)
+{
+    // What an override gives to a material of a mesh is known only when it is applied.
+    const bool uvs =
+        !scene.overrides.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), reads_textures);
+    const MeshOptions options{.assets = &assets, .uvs = uvs};
     std::map<std::string, std::shared_ptr<const MeshData>> loaded;
     for (size_t i = 0; i < files.size(); ++i) {
         const AssetFolder::Found& file = files[i].file;
         if (file.path.empty()) continue;
         const auto [entry, is_new] = loaded.try_emplace(file.identity);
-        if (is_new) entry->second = load(file.path, diagnostics);
+        if (is_new) entry->second = load(file.path, diagnostics, options);
         scene.meshes[i].data = entry->second;
         // No caller should meet a null that nobody has reported.
         if (!entry->second && !diagnostics.has_errors()) {
@@ -91,7 +101,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& path, con
     TomlProblems problems(path);
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
-    load_meshes(files, options.mesh_loader, scene, diagnostics);
+    load_meshes(files, options.mesh_loader, assets, scene, diagnostics);
     return scene;
 }
 

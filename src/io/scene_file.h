@@ -8,12 +8,14 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "io/mesh_options.h"
 #include "scene/description.h"
 
 namespace lancer {
 
 // Loads one mesh file. What is wrong with it goes to the diagnostics; may return null if there was an error.
-using MeshLoader = std::function<std::shared_ptr<const MeshData>(const std::string& path, Diagnostics&)>;
+using MeshLoader =
+    std::function<std::shared_ptr<const MeshData>(const std::string& path, Diagnostics&, const MeshOptions&)>;
 
 struct SceneFileOptions {
     std::string asset_root = {};  // empty: only files in the folder of the scene file may be named in it

@@ -83,8 +83,11 @@ FileContent read_file(const std::string& path)
     return content;
 }
 
-TextLines::TextLines(std::string_view text)
-    : position_(text.data()), end_(text.data() + text.size()), newline_(find_byte(position_, end_, '\n'))
+TextLines::TextLines(std::string_view text, Rule ends_in_name)
+    : ends_in_name_(ends_in_name),
+      position_(text.data()),
+      end_(text.data() + text.size()),
+      newline_(find_byte(position_, end_, '\n'))
 {
     has_return_ = find_byte(position_, end_, '\r') != end_;
     has_backslash_ = find_byte(position_, end_, '\\') != end_;
@@ -114,6 +117,7 @@ bool TextLines::next()
     line_ = trim(physical_line());
     first_ = count_;
     if (!has_backslash_ || !line_.ends_with('\\') || line_.starts_with('#')) return true;
+    if (ends_in_name_ && ends_in_name_(line_)) return true;
     joined_.clear();
     while (line_.ends_with('\\') && position_ != end_) {
         joined_.append(line_.substr(0, line_.size() - 1)) += ' ';
@@ -161,6 +165,15 @@ NumberKind classify_number(std::string_view word)
     while (p != end && is_digit(*p)) ++p;
     if (p != end) return not_a_number;
     return classify_range(word, {exponent, static_cast<size_t>(end - exponent)});
+}
+
+double number_value(std::string_view word)
+{
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    // Too small for double leaves zero.
+    std::from_chars(word.data(), word.data() + word.size(), value);
+    return value;
 }
 
 }  // namespace lancer

@@ -20,10 +20,12 @@ struct FileContent {
 FileContent read_file(const std::string& path);
 
 // Walks over lines that end in LF, CR LF or CR. A backslash at the end of a line joins it with the next one, except
-// in a line that is a comment. Lines are given without white space at both ends.
+// in a line that is a comment or in which it belongs to a name. Lines are given without white space at both ends.
 class TextLines {
 public:
-    explicit TextLines(std::string_view text);
+    using Rule = bool (*)(std::string_view line);
+    // ends_in_name: whether the backslash at the end of this line is part of a name.
+    explicit TextLines(std::string_view text, Rule ends_in_name = nullptr);
     bool next();  // false at the end
     std::string_view line() const { return line_; }
     uint32_t number() const { return first_; }  // of the first line, if several were joined
@@ -31,6 +33,7 @@ public:
 private:
     std::string_view physical_line();
 
+    Rule ends_in_name_;
     const char *position_, *end_;
     const char* newline_;  // the first LF at or after position_, or end_
     bool has_return_, has_backslash_;
@@ -61,5 +64,8 @@ enum class NumberKind { finite, not_finite, not_a_number };
 // Which of these a word is: a decimal number like -1, .5, 2. or 3e-7; a number or name beyond the range of double
 // ("1e400", "inf", "nan"); or something else. Numbers too small for double are finite: zero.
 NumberKind classify_number(std::string_view word);
+
+// The value of a word that is a finite number.
+double number_value(std::string_view word);
 
 }  // namespace lancer

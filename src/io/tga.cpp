@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "io/input_file.h"
 
@@ -18,6 +17,7 @@ struct Header {
     uint8_t palette_bits;
     uint16_t width, height;
     uint8_t bits;
+    uint8_t alpha_bits;
     bool right_first, top_first;
 };
 
@@ -41,6 +41,7 @@ Header read_header(InputFile& file)
             .width = word(12),
             .height = word(14),
             .bits = b[16],
+            .alpha_bits = static_cast<uint8_t>(b[17] & 15),
             .right_first = (b[17] & 0x10) != 0,
             .top_first = (b[17] & 0x20) != 0};
 }
@@ -64,31 +65,39 @@ void check(const InputFile& file, const Header& h)
     if (least > file.size()) throw file.invalid("the file is too short for a picture of " + size + " pixels");
 }
 
-// A colour as stored, in integers of its depth; the table makes it linear. 5-bit parts are widened to 8.
-Color to_color(const uint8_t* bytes, uint8_t bits, const std::vector<float>& table)
+// 1 or 3 channels, one more with alpha.
+uint32_t channels_of(const Header& h)
 {
-    if (bits == 24 || bits == 32) return {table[bytes[2]], table[bytes[1]], table[bytes[0]]};
-    const uint32_t word = bytes[0] | uint32_t{bytes[1]} << 8;
-    const auto part = [&](uint32_t shift) { return table[((word >> shift & 31) * 255 + 15) / 31]; };
-    return {part(10), part(5), part(0)};
+    const uint8_t bits = h.type == 1 ? h.palette_bits : h.bits;
+    const bool can_have_alpha = h.type == 3 ? bits == 16 : bits == 32 || bits == 16;
+    return (h.type == 3 ? 1u : 3u) + (can_have_alpha && h.alpha_bits > 0 ? 1u : 0u);
+}
+
+using Pixel = std::array<uint8_t, 4>;  // as many as there are channels
+
+Pixel to_color(const Pixel& stored, uint8_t bits)
+{
+    if (bits == 24 || bits == 32) return {stored[2], stored[1], stored[0], stored[3]};
+    const uint32_t word = stored[0] | uint32_t{stored[1]} << 8;
+    const auto part = [&](uint32_t shift) { return static_cast<uint8_t>(((word >> shift & 31) * 255 + 15) / 31); };
+    return {part(10), part(5), part(0), static_cast<uint8_t>(word & 0x8000 ? 255 : 0)};
 }
 
 class Decoder {
 public:
-    Decoder(InputFile& file, const Header& header, Encoding encoding)
-        : file_(file), header_(header), table_(make_linear_table(encoding, 256))
+    Decoder(InputFile& file, const Header& header) : file_(file), header_(header)
     {
         file_.seek(18 + uint64_t{header_.id_length});
         if (!header_.has_palette) return;
-        std::array<uint8_t, 4> bytes = {};
+        Pixel stored = {};
         for (uint32_t i = 0; i < header_.palette_count; ++i) {
-            read_exactly(file_, bytes.data(), byte_count(header_.palette_bits));
-            palette_.push_back(to_color(bytes.data(), header_.palette_bits, table_));
+            read_exactly(file_, stored.data(), byte_count(header_.palette_bits));
+            palette_.push_back(to_color(stored, header_.palette_bits));
         }
     }
 
     // The next pixel in the order of the file.
-    Color next()
+    Pixel next()
     {
         if (!header_.run_length) return read_pixel();
         if (left_ == 0) {
@@ -96,19 +105,19 @@ public:
             read_exactly(file_, &packet, 1);
             left_ = (packet & 127) + 1;
             repeated_ = (packet & 128) != 0;
-            if (repeated_) color_ = read_pixel();
+            if (repeated_) pixel_ = read_pixel();
         }
         --left_;
-        return repeated_ ? color_ : read_pixel();
+        return repeated_ ? pixel_ : read_pixel();
     }
 
 private:
-    Color read_pixel()
+    Pixel read_pixel()
     {
-        std::array<uint8_t, 4> b = {};
+        Pixel b = {};
         read_exactly(file_, b.data(), byte_count(header_.bits));
-        if (header_.type == 2) return to_color(b.data(), header_.bits, table_);
-        if (header_.type == 3) return {table_[b[0]], table_[b[0]], table_[b[0]]};     // a second byte is alpha
+        if (header_.type == 2) return to_color(b, header_.bits);
+        if (header_.type == 3) return b;
         const uint32_t index = (b[0] | uint32_t{b[1]} << 8) - header_.palette_first;  // below the first: wraps, refused
         if (index >= palette_.size()) throw file_.invalid("not a valid Targa file: a colour beyond its palette");
         return palette_[index];
@@ -116,30 +125,32 @@ private:
 
     InputFile& file_;
     const Header& header_;
-    std::vector<float> table_;
-    std::vector<Color> palette_;
+    std::vector<Pixel> palette_;
     int left_ = 0;  // pixels of the present packet still to come
     bool repeated_ = false;
-    Color color_;
+    Pixel pixel_ = {};
 };
 
 }  // namespace
 
-Image read_tga(const std::string& path, Encoding encoding)
+Raster read_tga(const std::string& path)
 {
     InputFile file(path);
     const Header header = read_header(file);
     check(file, header);
-    Decoder decoder(file, header, encoding);
-    Image image = make_image(header.width, header.height);
-    for (int32_t row = 0; row < header.height; ++row) {
-        const int32_t y = header.top_first ? row : header.height - 1 - row;
-        for (int32_t column = 0; column < header.width; ++column) {
-            const int32_t x = header.right_first ? header.width - 1 - column : column;
-            image.at(x, y) = decoder.next();
+    Decoder decoder(file, header);
+    Raster raster = {
+        .width = header.width, .height = header.height, .channels = channels_of(header), .bytes = {}, .floats = {}};
+    raster.bytes.resize(raster.value_count());
+    for (size_t row = 0; row < header.height; ++row) {
+        const size_t y = header.top_first ? row : header.height - 1 - row;
+        for (size_t column = 0; column < header.width; ++column) {
+            const size_t x = header.right_first ? header.width - 1 - column : column;
+            const Pixel pixel = decoder.next();
+            std::copy_n(pixel.begin(), raster.channels, &raster.bytes[(y * header.width + x) * raster.channels]);
         }
     }
-    return image;
+    return raster;
 }
 
 }  // namespace lancer

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "core/image.h"
-#include "core/srgb.h"
+#include "core/raster.h"
 
 namespace lancer {
 
-// Palette, true colour (15, 16, 24, 32 bits) or grey, plain or run-length encoded, any corner first. Alpha is dropped.
-// A broken or truncated file is ErrorKind::invalid_input, never a partial picture; a missing one missing_input.
-Image read_tga(const std::string& path, Encoding encoding = Encoding::srgb);
+// Palette, true colour (15, 16, 24, 32 bits) or grey, plain or run-length encoded, any corner first; 5-bit parts are
+// widened to 8. Alpha where the header says how many bits of it there are. A broken or truncated file is
+// ErrorKind::invalid_input, never a partial picture; a missing one missing_input.
+Raster read_tga(const std::string& path);
 
 }  // namespace lancer

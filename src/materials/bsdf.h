@@ -39,6 +39,13 @@ concept Bsdf = std::is_trivially_copyable_v<B> && requires(const B b, Vec3 wo, V
     {
         b.only_delta()
         } -> std::convertible_to<bool>;  // no smooth lobe: sampling lights is in vain
+    {
+        b.transmits()
+        } -> std::convertible_to<bool>;  // some smooth lobe has wi.z < 0: lights behind the surface count
+    {
+        b.reflectance()
+        }
+        -> std::same_as<Color>;  // about the part of even light that is sent back or on: the albedo that denoisers want
 };
 
 }  // namespace lancer

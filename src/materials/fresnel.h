@@ -1,23 +1,26 @@
-// Reflectance of the boundary between two dielectrics. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
-// section 9.3.5, rearranged so that nothing cancels as the index tends to 1.
+// Reflectance of the boundary between two dielectrics, and of metals. Pharr, Jakob, Humphreys, "Physically Based
+// Rendering", 4th ed., sections 9.3.5 and 9.3.6, rearranged so that nothing cancels as the index tends to 1.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/color.h"
 #include "core/vec.h"
 
 namespace lancer {
 
-struct Fresnel {
-    float reflectance;  // of unpolarised light, in [0, 1]; transmittance is 1 - reflectance
-    float cos_t;        // of the refracted direction, >= 0; 0 under total internal reflection
+template <class T>
+struct FresnelT {
+    T reflectance;  // of unpolarised light, in [0, 1]; transmittance is 1 - reflectance
+    T cos_t;        // of the refracted direction, >= 0; 0 under total internal reflection
 };
+using Fresnel = FresnelT<float>;
 
 // cos_i and sin2_i, cosine and squared sine of one angle, each with its own full precision; eta: index beyond the
 // boundary over index before it, > 0. In double: for an index far from 1 the angles that are not reflected totally are
 // so few that float cannot tell g^2 from 0.
-inline Fresnel fresnel_dielectric(double cos_i, double sin2_i, double eta)
+inline FresnelT<double> fresnel_dielectric_double(double cos_i, double sin2_i, double eta)
 {
     // g = eta cos_t, from g^2 = cos_i^2 + (eta^2 - 1) = eta^2 - sin_i^2: the one that cancels less. With
     // k = eta^2 - 1 the amplitudes are
@@ -29,7 +32,12 @@ inline Fresnel fresnel_dielectric(double cos_i, double sin2_i, double eta)
     const double g = std::sqrt(g2), sum = cos_i + g;
     const double rs = k / (sum * sum);
     const double rp = k * (cos_i * g - sin2_i) / (sum * (eta * eta * cos_i + g));
-    return {static_cast<float>(std::min(1.0, 0.5 * (rs * rs + rp * rp))), static_cast<float>(g / eta)};
+    return {std::min(1.0, 0.5 * (rs * rs + rp * rp)), g / eta};
+}
+inline Fresnel fresnel_dielectric(double cos_i, double sin2_i, double eta)
+{
+    const auto [reflectance, cos_t] = fresnel_dielectric_double(cos_i, sin2_i, eta);
+    return {static_cast<float>(reflectance), static_cast<float>(cos_t)};
 }
 
 // cos_i: in [0, 1].
@@ -45,5 +53,34 @@ inline Fresnel fresnel_dielectric(Vec3 wo, float eta)
     const double x = wo.x, y = wo.y;
     return fresnel_dielectric(std::min(1.0, static_cast<double>(wo.z)), x * x + y * y, eta);
 }
+
+// Reflectance of a metal of complex index eta + i k over that of the outside, for unpolarised light. eta, k >= 0; cos_i
+// in [0, 1].
+inline double fresnel_conductor(double cos_i, double eta, double k)
+{
+    const double cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
+    // (a + i b)^2 = (eta + i k)^2 - sin^2, and r_s = (cos - a - i b) / (cos + a + i b).
+    const double real = sin2 < 0.5 ? (eta - k) * (eta + k) - sin2 : cos2 + (eta - 1) * (eta + 1) - k * k;
+    const double imaginary = 2 * eta * k;
+    const double sum = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
+    // Of the two forms of a^2 = (sum + real) / 2 the one that does not cancel.
+    const double a2 = real >= 0 ? 0.5 * (sum + real) : 0.5 * imaginary * imaginary / (sum - real);
+    const double a = std::sqrt(a2);
+    const double across = 2 * a * cos_i, s = sum + cos2;
+    const double along = across * sin2, p = cos2 * sum + sin2 * sin2;
+    if (!(s + across > 0) || !(p + along > 0)) return 1;  // grazing along what is hardly there
+    const double rs = (s - across) / (s + across), rp = (p - along) / (p + along);
+    return std::clamp(0.5 * rs * (1 + rp), 0.0, 1.0);
+}
+
+// Schlick's approximation, from the reflectance at normal incidence to 1 at grazing.
+inline Color fresnel_schlick(Color f0, double cos_i)
+{
+    const auto m = static_cast<float>(1 - std::clamp(cos_i, 0.0, 1.0));
+    const float m2 = m * m, w = m2 * m2 * m;
+    return f0 * (1 - w) + Color{w, w, w};
+}
+// Its mean over the hemisphere, weighted by the cosine.
+inline Color mean_schlick(Color f0) { return f0 * (20.0f / 21) + Color{1, 1, 1} * (1.0f / 21); }
 
 }  // namespace lancer

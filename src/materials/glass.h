@@ -1,22 +1,37 @@
-// The smooth boundary of a dielectric: reflects and refracts by the exact Fresnel equations, with total internal
-// reflection. Pharr, Jakob, Humphreys, 4th ed., section 9.5.
+// The boundary of a dielectric: reflects and refracts by the exact Fresnel equations, with total internal reflection.
+// Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets that do the same, Walter et al.,
+// "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; what facets pass on to each other is lost.
 #pragma once
 
-#include "materials/bsdf.h"
 #include "materials/fresnel.h"
+#include "materials/microfacet.h"
 #include "materials/texture.h"
 
 namespace lancer {
 
 struct GlassBsdf {
     Color tint;
-    float eta;  // index beyond the surface over index on wo's side
+    float eta;        // index beyond the surface over index on wo's side
+    float alpha = 0;  // 0: smooth
 
-    static constexpr bool only_delta() { return true; }
-    static BsdfValue eval(Vec3, Vec3) { return {}; }
-    std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2) const
+    bool only_delta() const { return alpha == 0; }
+    bool transmits() const { return alpha != 0; }
+    Color reflectance() const { return tint; }
+
+    BsdfValue eval(Vec3 wo, Vec3 wi) const
+    {
+        if (only_delta() || wo.z <= 0 || wi.z == 0) return {};
+        return eval_rough(unit_in_double(wo), wi);
+    }
+    std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};
+        return only_delta() ? sample_smooth(wo, u) : sample_rough(wo, u, v);
+    }
+
+private:
+    std::optional<BsdfSample> sample_smooth(Vec3 wo, float u) const
+    {
         const auto [reflectance, cos_t] = fresnel_dielectric(wo, eta);
         if (u < reflectance)
             return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = tint, .pdf = reflectance, .delta = true};
@@ -25,15 +40,66 @@ struct GlassBsdf {
         return BsdfSample{
             .wi = wi, .weight = tint * (scale * scale), .pdf = 1 - reflectance, .delta = true, .eta = eta};
     }
+    FresnelT<double> fresnel(double cos) const
+    {
+        return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), static_cast<double>(eta));
+    }
+    BsdfValue value(double f_cos, double pdf) const
+    {
+        return {tint * static_cast<float>(f_cos), static_cast<float>(pdf)};
+    }
+
+    BsdfValue eval_rough(Vec3d wo, Vec3 w) const
+    {
+        const Ggx ggx{static_cast<double>(alpha)};
+        const Vec3d wi = unit_in_double(w);
+        if (w.z > 0) {
+            const FacetReflection facets = eval_facets(ggx, wo, wi);
+            const double reflected = fresnel(facets.cos_h).reflectance;
+            return value(reflected * facets.f_cos, reflected * facets.pdf);
+        }
+        // The facet that refracts wo to wi: its normal is along wo + eta wi, on wo's side of the surface.
+        const double n = static_cast<double>(eta);
+        const Vec3d sum = wo + n * wi;
+        const double length2 = dot(sum, sum), scale = std::copysign(1 / std::sqrt(length2), sum.z);
+        const double cos_o = scale * dot(wo, sum), cos_i = scale * dot(wi, sum);
+        if (!(cos_o > 0 && cos_i < 0)) return {};
+        // Solid angle of normals over that of wi. The squared sum of Walter et al. is length2.
+        const double jacobian = -cos_i * n * n / length2;
+        const double through = (1 - fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
+        return value(4 * through * ggx.visibility(wo, wi) * -wi.z / (n * n), 2 * through / (wo.z + ggx.spread(wo)));
+    }
+    std::optional<BsdfSample> sample_rough(Vec3 w, float u, Vec2 v) const
+    {
+        const Ggx ggx{static_cast<double>(alpha)};
+        const Vec3d wo = unit_in_double(w), h = ggx.sample_visible(wo, v);
+        const double cos_o = std::min(1.0, dot(wo, h)), n = static_cast<double>(eta);
+        const auto [reflectance, cos_t] = fresnel(cos_o);
+        const bool through = !(u < static_cast<float>(reflectance));
+        const Vec3d turned = through ? h * (cos_o / n - cos_t) - wo / n : mirrored(wo, h);
+        const Vec3 wi = to_float(turned);
+        if (wi.z == 0 || (wi.z < 0) != through) return {};
+        const BsdfValue f = eval_rough(wo, wi);
+        if (!(f.pdf > 0)) return {};
+        return BsdfSample{.wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = through ? eta : 1};
+    }
 };
 static_assert(Bsdf<GlassBsdf>);
 
 struct Glass {
     static constexpr const char* name = "glass";
     ColorParam tint;
-    float ior;  // inside (behind the geometric normal) over outside
+    float ior;                 // inside (behind the geometric normal) over outside
+    FloatParam roughness = 0;  // perceptual
 
-    GlassBsdf at(const ShadingPoint& p) const { return {p.eval(tint), p.front ? ior : 1 / ior}; }
+    GlassBsdf at(const ShadingPoint& p) const
+    {
+        // Facets turn what goes through by about alpha times the index's distance from 1. Where float cannot tell that
+        // from nothing the boundary is smooth: one of index 1 is not there, however rough.
+        const float alpha = alpha_of_roughness(p.eval(roughness));
+        const bool bends = alpha * std::min(1.0f, std::abs(ior - 1)) >= least_alpha;
+        return {p.eval(tint), p.front ? ior : 1 / ior, bends ? alpha : 0};
+    }
 };
 
 }  // namespace lancer

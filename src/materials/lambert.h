@@ -11,6 +11,8 @@ struct LambertBsdf {
     Color albedo;
 
     static constexpr bool only_delta() { return false; }
+    static constexpr bool transmits() { return false; }
+    Color reflectance() const { return albedo; }
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {
         if (wo.z <= 0 || wi.z <= 0) return {};

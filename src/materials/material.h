@@ -1,16 +1,19 @@
 // The list of materials. A new one is a header and a word here; the laws in tests/materials pick it up unasked.
-// A material is parameters; at a hit it becomes a BSDF, a small value with everything looked up.
+// A material is parameters; at a hit it becomes a BSDF, a small value with everything looked up. It may refer to its
+// material, which must live as long.
 #pragma once
 
 #include <variant>
 
 #include "materials/glass.h"
 #include "materials/lambert.h"
+#include "materials/metal.h"
 #include "materials/mirror.h"
+#include "materials/plastic.h"
 
 namespace lancer {
 
-using Material = std::variant<Lambert, Mirror, Glass>;
+using Material = std::variant<Lambert, Mirror, Metal, Glass, Plastic>;
 
 // Radiance that a surface sends out by itself.
 struct Emission {

@@ -10,6 +10,8 @@ struct MirrorBsdf {
     Color tint;
 
     static constexpr bool only_delta() { return true; }
+    static constexpr bool transmits() { return false; }
+    Color reflectance() const { return tint; }
     static BsdfValue eval(Vec3, Vec3) { return {}; }
     std::optional<BsdfSample> sample(Vec3 wo, float, Vec2) const
     {

@@ -1,21 +1,16 @@
 // What varies over a surface: images and checkers, and the parameters of materials that they modulate.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
-#include <memory>
 #include <variant>
-#include <vector>
 
 #include "core/color.h"
 #include "core/raster.h"
-#include "core/srgb.h"
 #include "core/vec.h"
+#include "materials/mip_pyramid.h"
 
 namespace lancer {
-
-// Which channel a texture of one number is taken from. automatic: alpha if the picture has one that is not 1
-// everywhere, else the first; for opacity only.
-enum class Channel : uint8_t { color, red, green, blue, alpha, luminance, automatic };
 
 enum class Wrap : uint8_t { repeat, clamp };
 
@@ -29,34 +24,56 @@ struct ImageUse {
     friend bool operator==(const ImageUse&, const ImageUse&) = default;
 };
 
+// A picture on a surface. Trilinear: between texels, and between levels of the pyramid, by the width of the footprint.
 class ImageTexture {
 public:
     ImageTexture(const Raster& raster, const ImageUse& use);
-    // uv: of the surface; width: side of the square in uv that shall be averaged over, 0 for the finest level.
+    // uv: of the surface; width: side of the square in uv that shall be averaged over, 0 for the finest level. A uv
+    // that is not finite gives some colour of the picture.
     Color eval(Vec2 uv, float width) const;
-    // Growth of the first channel along +u and +v, per texel of the finest level.
+    // Of the first channel, per texel of the finest level, towards +u and +v of the surface: a difference over one
+    // texel of the level that the footprint asks for.
     Vec2 slope(Vec2 uv, float width) const;
+    // The average of the finest level.
+    Color mean() const { return adjusted(pyramid_.mean); }
     // Of the finest level.
-    uint32_t width() const { return width_; }
-    uint32_t height() const { return height_; }
+    uint32_t width() const { return pyramid_.levels[0].width; }
+    uint32_t height() const { return pyramid_.levels[0].height; }
     const ImageUse& use() const { return use_; }
-    uint64_t bytes() const { return pixels_.size() * sizeof(Color); }
+    uint64_t bytes() const { return pyramid_.bytes(); }
+    // How many numbers of the picture were not finite; they count as 0.
+    uint64_t not_finite() const { return pyramid_.not_finite; }
 
 private:
+    struct Detail {
+        uint32_t level;
+        float next;  // part of the next coarser level; 0 at the coarsest
+    };
+    Detail detail(float width) const;
+    double picture_u(float u) const;
+    double picture_v(float v) const;
+    Color adjusted(Color c) const;
+
     ImageUse use_;
-    uint32_t width_, height_;
-    std::vector<Color> pixels_;
+    MipPyramid pyramid_;
+    float footprint_scale_;  // texels of the finest level per unit of uv, along the finer axis
 };
 
 // Squares of two colours: `even` where floor(u) + floor(v) is even.
 struct Checker {
     Color even{1, 1, 1}, odd{};
     Vec2 scale{1, 1}, offset{0, 0};  // as for images
+    // In double, where the product of two floats is exact. `odd` where uv is not finite.
     Color eval(Vec2 uv, float) const
     {
-        const auto cell = [](float x) { return std::floor(x); };
-        const float sum = cell(uv.x * scale.x + offset.x) + cell(uv.y * scale.y + offset.y);
-        return std::fmod(sum, 2.0f) == 0 ? even : odd;
+        const auto parity = [](double x) {
+            const double cell = std::floor(x);
+            return cell - 2 * std::floor(cell * 0.5);
+        };
+        const auto place = [](float x, float factor, float shift) {
+            return static_cast<double>(x) * static_cast<double>(factor) + static_cast<double>(shift);
+        };
+        return parity(place(uv.x, scale.x, offset.x)) == parity(place(uv.y, scale.y, offset.y)) ? even : odd;
     }
 };
 

@@ -3,13 +3,22 @@
 #include <atomic>
 
 #include "core/parallel.h"
+#include "scene/holes.h"
 
 namespace lancer {
+namespace {
+
+// The scene stands where it will stay.
+std::unique_ptr<Accelerator> build_accelerator(Scene& scene, const RenderSettings& settings)
+{
+    bind_holes(scene);
+    return make_accelerator(settings.accel, scene.geometry, settings.isa);
+}
+
+}  // namespace
 
 Renderer::Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics)
-    : scene_(std::move(scene)),
-      settings_(settings),
-      accel_(make_accelerator(settings_.accel, scene_.geometry, settings_.isa))
+    : scene_(std::move(scene)), settings_(settings), accel_(build_accelerator(scene_, settings_))
 {
     Diagnostics unheard;
     scene_.complete(diagnostics ? *diagnostics : unheard);

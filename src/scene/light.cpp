@@ -2,16 +2,14 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
+#include "scene/environment.h"
+#include "scene/holes.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
 namespace lancer {
 namespace {
 
-const Emission& emission_of(const Scene& scene, const TriangleLight& l)
-{
-    return scene.emission[scene.shading[l.mesh].material_of(l.triangle)];
-}
 ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
 
 // Each samples as seen from `org`, where the shadow ray will start.
@@ -24,6 +22,11 @@ std::optional<LightSample> sample(const Scene&, const PointLight& light, const S
         .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
 }
 
+std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, const Surface&, Vec3, Vec2)
+{
+    return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
+}
+
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const TrianglePoint q = triangle_point(scene, light.instance, light.mesh, light.triangle, square_to_triangle(u));
@@ -32,13 +35,15 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     if (!(d2 > 0)) return {};
     const Vec3 wi = d / std::sqrt(d2);
     const float c = -dot(wi, q.n);
-    const Color radiance = emission_of(scene, light).towards(c > 0, point_at(scene, q.uv));
+    const uint32_t material = scene.shading[light.mesh].material_of(light.triangle);
+    const ShadingPoint point = point_at(scene, q.uv);
+    const Color radiance = scene.emission[material].towards(c > 0, point) * opacity_at(scene, material, point);
     if (c == 0 || is_black(radiance)) return {};
     return LightSample{.wi = wi,
                        .point = q.p,
                        .p_error = q.p_error,
                        .n = q.n,
-                       .radiance = radiance,
+                       .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
                        .pdf = d2 / (std::abs(c) * q.area)};
 }
 
@@ -47,16 +52,18 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
 std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
-    const Emission& emission = scene.emission[scene.sphere_material[light.sphere]];
+    const uint32_t material = scene.sphere_material[light.sphere];
+    const Emission& emission = scene.emission[material];
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
         const Vec3 point = to_float(s.center + n * s.radius);
+        const ShadingPoint place = point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(n)) : Vec2{});
         return LightSample{.wi = wi,
                            .point = point,
                            .p_error = sphere_point_error(s, point),
                            .n = to_float(n),
-                           .radiance = emission.radiance.value,
+                           .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
                            .pdf = pdf};
     };
     if (d2 <= r2) {
@@ -80,24 +87,38 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
 // A constant sky: by the cosine at the surface, which is all that varies.
 std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
-    const Vec3 local = square_to_cosine_hemisphere(u);
-    const float pdf = pdf_cosine_hemisphere(local.z);
+    if (scene.environment_map) {
+        const EnvironmentSample s = scene.environment_map->sample(u);
+        if (!(s.pdf > 0)) return {};
+        return LightSample{.wi = s.wi, .infinite = true, .radiance = s.radiance, .pdf = s.pdf};
+    }
+    // The density of the direction as it is after rounding, which pdf_environment() sees.
+    const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
+    const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
     if (!(pdf > 0)) return {};
-    return LightSample{
-        .wi = Frame(from.ns).to_world(local), .infinite = true, .radiance = scene.environment, .pdf = pdf};
+    return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
 }
 
 }  // namespace
 
-std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u)
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
     const LightTable& table = scene.lights;
     if (table.pick.empty()) return {};
-    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(pick);
-    // Where every ray on this side starts: the density that pdf_light() finds for such a ray is then the same. From
+    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(lengthened(pick, u.x));
+    // Where every ray on a side starts: the density that pdf_light() finds for such a ray is then the same. From
     // from.p itself the two could disagree even on which side of a sphere they are.
-    const Vec3 org = ray_origin(from, from.n);
-    auto s = std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+    const auto sampled_from = [&](Vec3 side) {
+        const Vec3 org = ray_origin(from, side);
+        return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+    };
+    auto s = sampled_from(from.n);
+    if (s && dot(s->wi, from.side) < 0 && through) {
+        s = sampled_from(-from.n);
+        if (s && dot(s->wi, from.side) >= 0) return {};
+    } else if (s && dot(s->wi, from.side) <= 0) {
+        return {};
+    }
     if (s) s->pdf *= table.pick.probability(id);
     return s;
 }
@@ -115,6 +136,8 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Vec3d to_center = s.center - to_double(from);
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    // From outside only the near side is sampled; rays find the far one through holes in the near.
+    if (d2 > r2 && !at.front && scene.geometry.holes.spheres) return 0;
     if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
     const Vec3d d = to_double(at.p) - to_double(from);
     const double c = std::abs(dot(to_double(wi), to_double(at.n)));
@@ -124,7 +147,8 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
-    return scene.lights.pick.probability(scene.environment_light) * pdf_cosine_hemisphere(dot(normal, wi));
+    const float choice = scene.lights.pick.probability(scene.environment_light);
+    return choice * (scene.environment_map ? scene.environment_map->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
 }
 
 }  // namespace lancer

@@ -18,15 +18,19 @@ struct PointLight {
     Vec3 position;
     Color intensity;  // per square scene unit
 };
+struct DirectionalLight {
+    Vec3 wi;           // towards it, unit
+    Color irradiance;  // on a surface that faces it
+};
 struct SphereLight {
     uint32_t sphere;  // its emission is that of its material
 };
 struct TriangleLight {
     uint32_t instance, mesh, triangle;
 };
-struct EnvironmentLight {};  // constant; its radiance is Scene::environment
+struct EnvironmentLight {};  // Scene::environment_map, or the constant Scene::environment
 
-using Light = std::variant<PointLight, SphereLight, TriangleLight, EnvironmentLight>;
+using Light = std::variant<PointLight, DirectionalLight, SphereLight, TriangleLight, EnvironmentLight>;
 
 struct LightTable {
     std::vector<Light> lights;
@@ -38,14 +42,16 @@ struct LightSample {
     Vec3 point{}, p_error{};  // on the light; unused if infinite
     Vec3 n{};                 // normal of the light there, for the offset of the shadow ray's end; 0 for a point light
     bool infinite = false;
-    Color radiance;      // arriving if nothing is in between; for a point light intensity / distance^2
-    float pdf = 0;       // per solid angle, choice of the light included; 1 x choice for a point light
+    Color radiance;      // arriving if nothing is in between; of a delta light the irradiance on what faces it
+    float pdf = 0;       // per solid angle, choice of the light included; 1 x choice for a delta light
     bool delta = false;  // no BSDF sample can meet it
 };
 
 // A light chosen by power and a point on it, as seen from where rays leave the surface on the side of from.n. Nothing
-// if it cannot send light there.
-std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
+// if it cannot send light there. through: light shall also come through the surface; what lies behind it is then
+// sampled as seen from where rays leave on the other side.
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u,
+                                        bool through = false);
 
 // Density, per solid angle at `from`, with which sample_light() would have found the emitter at `at`, hit along wi
 // (unit); 0 if it is in no list of lights. from: the origin of the ray that hit it.

@@ -1,10 +1,45 @@
 #include "scene/light_table.h"
 
+#include <utility>
+
+#include "core/parallel.h"
+#include "scene/environment.h"
+
 namespace lancer {
 namespace {
 
 // What lights are weighed by: luminance in double, which no radiance overflows.
 double power_of(Color c) { return luminance(c.r, c.g, c.b); }
+
+// What a textured emitter is said to give at least, of what it would give without its texture: however the estimate
+// fails, no place that shines is out of reach of light sampling.
+constexpr double least_emission = 0.01;
+
+// The mean over a triangle of what one side of it emits, as far as choosing lights must know it: 16 equal parts, the
+// texture averaged over each.
+double mean_emission(const Scene& scene, const TriangleLight& light, const ColorParam& radiance)
+{
+    const double plain = power_of(radiance.value);
+    if (radiance.texture == no_texture) return plain;
+    const auto uv_at = [&](Vec2 at) {
+        return triangle_point(scene, light.instance, light.mesh, light.triangle, at).uv;
+    };
+    const Vec2 a = uv_at({0, 0}), ab = uv_at({1, 0}) - a, ac = uv_at({0, 1}) - a;
+    ShadingPoint part{.uv_width = std::sqrt(std::abs(ab.x * ac.y - ab.y * ac.x) / 32),
+                      .textures = scene.textures.data()};
+    double sum = 0;
+    const auto add = [&](float s, float t) {
+        part.uv = a + ab * (s / 12) + ac * (t / 12);
+        sum += std::max(0.0, power_of(part.eval(radiance)));
+    };
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; i + j < 4; ++j) {
+            const auto s = static_cast<float>(3 * i), t = static_cast<float>(3 * j);
+            add(s + 1, t + 1);
+            if (i + j < 3) add(s + 2, t + 2);
+        }
+    return std::max(sum / 16, least_emission * plain);
+}
 
 class Lister {
 public:
@@ -12,7 +47,10 @@ public:
 
     void list()
     {
+        const double r = std::max(scene_.bounds.radius(), 1.0);
+        disk_ = pi_d * r * r;
         for (const PointLight& light : scene_.point_lights) add(light, 4 * pi_d * power_of(light.intensity));
+        for (const DirectionalLight& light : scene_.directional_lights) add(light, disk_ * power_of(light.irradiance));
         list_spheres();
         list_meshes();
         list_environment();
@@ -33,7 +71,8 @@ private:
             scene_.sphere_light.push_back(e.is_dark() ? Scene::none : next());
             if (e.is_dark()) continue;
             const double r = scene_.geometry.spheres[i].radius;
-            add(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(e.radiance.value) * (e.both_sides ? 2 : 1));
+            const Color radiance = e.towards(true, {.textures = scene_.textures.data()});  // without uv: one for all
+            add(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(radiance) * (e.both_sides ? 2 : 1));
         }
     }
     void list_meshes()
@@ -61,31 +100,61 @@ private:
         if (next == 0) rank.clear();
         return rank;
     }
+    // Their powers are set in parallel: a scene can have millions of them, each with its texture to look up.
     uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
     {
         const uint32_t first = next();
         const MeshShading& s = scene_.shading[mesh];
-        for (uint32_t i = 0; i < s.emitter_rank.size(); ++i) {
-            if (s.emitter_rank[i] == Scene::none) continue;
-            const Emission& e = scene_.emission[s.material_of(i)];
-            const double area = static_cast<double>(triangle_point(scene_, instance, mesh, i, {}).area);
-            add(TriangleLight{instance, mesh, i}, area * pi_d * power_of(e.radiance.value) * (e.both_sides ? 2 : 1));
-        }
+        for (uint32_t i = 0; i < s.emitter_rank.size(); ++i)
+            if (s.emitter_rank[i] != Scene::none) add(TriangleLight{instance, mesh, i}, 0);
+        constexpr uint32_t block = 1024;
+        parallel_for((next() - first + block - 1) / block, [&](size_t b) {
+            const uint32_t begin = first + static_cast<uint32_t>(b) * block;
+            for (uint32_t id = begin; id < std::min(begin + block, next()); ++id) powers_[id] = triangle_power(id);
+        });
         return first;
+    }
+    double triangle_power(uint32_t id) const
+    {
+        const auto& light = std::get<TriangleLight>(scene_.lights.lights[id]);
+        const Emission& e = scene_.emission[scene_.shading[light.mesh].material_of(light.triangle)];
+        const double area =
+            static_cast<double>(triangle_point(scene_, light.instance, light.mesh, light.triangle, {}).area);
+        return area * pi_d * mean_emission(scene_, light, e.radiance) * (e.both_sides ? 2 : 1);
     }
     void list_environment()
     {
-        if (is_black(scene_.environment)) return;
+        const EnvironmentMap* map = scene_.environment_map.get();
+        if (map ? map->is_black() : is_black(scene_.environment)) return;
         scene_.environment_light = next();
-        const double r = std::max(scene_.bounds.radius(), 1.0);
-        add(EnvironmentLight{}, r * r * 4 * pi_d * pi_d * power_of(scene_.environment));
+        add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
     }
 
     Scene& scene_;
     std::vector<double> powers_;  // of each light
+    double disk_ = 0;             // area that the scene shows to a light infinitely far away
 };
 
 }  // namespace
+
+void receive_environment(Scene& scene, Diagnostics& diagnostics)
+{
+    if (!scene.pending_environment) return;
+    Scene::PendingEnvironment pending = *std::exchange(scene.pending_environment, {});
+    const LightDescription& light = pending.what;
+    try {
+        if (!pending.image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+        std::shared_ptr<const Raster> picture = pending.image.get();
+        pending.image = {};  // the last to hold the picture shall be who makes texels of it
+        scene.environment_map =
+            std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
+    } catch (const Error& e) {
+        return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
+    }
+    scene.environment = {};
+    if (const uint64_t bad = scene.environment_map->bad_texels())
+        diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);
+}
 
 void build_light_table(Scene& scene) { Lister(scene).list(); }
 

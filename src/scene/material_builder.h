@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 
 #include "materials/material.h"
 #include "scene/description.h"
@@ -13,8 +15,16 @@ struct MaterialOptions {
     bool multiscatter = false;  // compensate GGX for the light that it loses between its facets
 };
 
-// The BSDF of a description that is neither a mix nor partly metallic. id_of: the id of a texture.
-Material make_material(const MaterialDescription& description, const MaterialOptions& options,
-                       const std::function<uint32_t(const TextureUse&)>& id_of);
+class MaterialBuilder {
+public:
+    explicit MaterialBuilder(const MaterialOptions& options) : options_(options) {}
+
+    // The BSDF of a description that is neither a mix nor partly metallic. id_of: the id of a texture.
+    Material make(const MaterialDescription& description, const std::function<uint32_t(const TextureUse&)>& id_of);
+
+private:
+    MaterialOptions options_;
+    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // of each index, for rough plastics to share
+};
 
 }  // namespace lancer

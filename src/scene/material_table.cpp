@@ -14,7 +14,7 @@ MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, 
       scene_(scene),
       diagnostics_(diagnostics),
       images_(images),
-      options_{.multiscatter = description.render.multiscatter.value_or(false)},
+      builder_({.multiscatter = description.render.multiscatter.value_or(false)}),
       ids_(description.materials.size(), Scene::none),
       used_(description.materials.size()),
       in_progress_(description.materials.size()),
@@ -104,14 +104,14 @@ uint32_t MaterialTable::add(const MaterialDescription& m)
     const float metallic = m.metallic.value_or(is_metal ? 1.0f : 0.0f);
     const bool has_metallic = is_metal || m.type == MaterialType::plastic;
     if (!has_metallic || (metallic == (is_metal ? 1.0f : 0.0f) && !m.metallic_map))
-        return add_plain(m, make_material(m, options_, id_of));
+        return add_plain(m, builder_.make(m, id_of));
     MaterialDescription part = m;
     part.emission = {};
     for (TextureUse* use : {&part.emission_map, &part.bump_map, &part.normal_map, &part.opacity_map}) use->reset();
     part.type = MaterialType::plastic;
-    const uint32_t plastic = add_plain(part, make_material(part, options_, id_of));
+    const uint32_t plastic = add_plain(part, builder_.make(part, id_of));
     part.type = MaterialType::metal;
-    const uint32_t metal = add_plain(part, make_material(part, options_, id_of));
+    const uint32_t metal = add_plain(part, builder_.make(part, id_of));
     return add_mix(m, plastic, metal, {metallic, texture(m.metallic_map)});
 }
 

@@ -37,7 +37,7 @@ private:
     Scene& scene_;
     Diagnostics& diagnostics_;
     const RasterSource& images_;
-    MaterialOptions options_;
+    MaterialBuilder builder_;
     std::map<std::string, size_t> index_;  // of names, in d_.materials
     std::vector<uint32_t> ids_;            // of d_.materials, or none
     std::vector<bool> used_, in_progress_, override_used_;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/names.h"
+#include "scene/environment.h"
 #include "scene/light_table.h"
 #include "scene/material_table.h"
 #include "scene/texture_table.h"
@@ -15,7 +16,7 @@ constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyon
 class Builder {
 public:
     Builder(const SceneDescription& d, Diagnostics& diagnostics, const RasterSource& images)
-        : d_(d), diagnostics_(diagnostics), placement_(d), materials_(d, scene_, diagnostics, images)
+        : d_(d), diagnostics_(diagnostics), images_(images), placement_(d), materials_(d, scene_, diagnostics, images)
     {
     }
 
@@ -163,17 +164,35 @@ private:
     {
         const double s2 = scene_.normalisation.scale * scene_.normalisation.scale;
         for (const auto& l : d_.lights) {
-            if (l.type == LightType::point && !is_black(l.power)) {
+            if (is_black(l.power)) continue;
+            if (l.type == LightType::point) {
                 const Vec3d p = scene_.normalisation.to_scene(l.position);
                 check_near(p, l.where, "this light");
                 scene_.point_lights.push_back({to_float(p), l.power * static_cast<float>(s2)});
             }
-            if (l.type == LightType::environment) scene_.environment += l.power;
+            if (l.type == LightType::directional) {
+                const Vec3d d = -l.direction / max_component(abs(l.direction));  // whose square is no 0 or infinity
+                scene_.directional_lights.push_back({to_float(normalize(d)), l.power});
+            }
+            if (l.type == LightType::environment) add_environment(l);
+        }
+    }
+    // Constant ones add up; of pictures there can be one.
+    void add_environment(const LightDescription& l)
+    {
+        if (l.file.empty()) {
+            scene_.environment += l.power;
+        } else if (scene_.pending_environment) {
+            diagnostics_.error(l.where, "a second environment with a file; the first stands at " +
+                                            to_string(scene_.pending_environment->what.where));
+        } else {
+            scene_.pending_environment = {l, images_ ? images_(l.file) : RasterFuture{}};
         }
     }
 
     const SceneDescription& d_;
     Diagnostics& diagnostics_;
+    const RasterSource& images_;
     Placement placement_;
     Scene scene_;
     MaterialTable materials_;
@@ -198,12 +217,16 @@ void Scene::complete(Diagnostics& diagnostics)
 {
     if (is_complete) return;
     receive_textures(*this, diagnostics);
+    receive_environment(*this, diagnostics);
+    diagnostics.throw_if_errors();
     build_light_table(*this);
     is_complete = true;
     bool emits = !lights.lights.empty();
     for (const uint32_t m : plane_material) emits = emits || !emission[m].is_dark();
     if (!emits) diagnostics.warning({file, 0, 0}, "nothing emits light: the picture will be black");
 }
+
+Color Scene::radiance_from(Vec3 dir) const { return environment_map ? environment_map->eval(dir) : environment; }
 
 ShadingPoint Scene::shading_point(const Surface& s) const
 {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct MeshShading {
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
 };
 
+class EnvironmentMap;
+
 struct Scene {
     static constexpr uint32_t none = UINT32_MAX;
 
@@ -48,8 +52,10 @@ struct Scene {
     LightTable lights;
     std::vector<uint32_t> mesh_first_light, instance_first_light, sphere_light;  // ids in lights, or none
     uint32_t environment_light = none;
-    Color environment{};                   // radiance of what no ray hits
-    std::vector<PointLight> point_lights;  // as the description lists them
+    Color environment{};  // radiance of what no ray hits, where there is no map; else the map holds it
+    std::shared_ptr<const EnvironmentMap> environment_map;
+    std::vector<PointLight> point_lights;              // as the description lists them
+    std::vector<DirectionalLight> directional_lights;  // likewise
 
     std::string file;  // of the description
     Normalisation normalisation;
@@ -62,6 +68,11 @@ struct Scene {
         RasterFuture image;
     };
     std::vector<Pending> pending;
+    struct PendingEnvironment {
+        LightDescription what;
+        RasterFuture image;
+    };
+    std::optional<PendingEnvironment> pending_environment;
     bool is_complete = false;
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
 
@@ -69,11 +80,14 @@ struct Scene {
     // scene uses, but does not wait for them. Problems go to diagnostics; throws Error if there are any.
     static Scene begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
     // Waits for the pictures and makes the textures, then lists the lights. A picture that could not be read is a
-    // warning, and its texture stands for 1. Geometry does not change: an accelerator may have been built before.
+    // warning, and its texture stands for 1; but an environment that could not be read would leave the picture black,
+    // and is thrown as an Error. Geometry does not change: an accelerator may have been built before.
     void complete(Diagnostics& diagnostics);
     // Both at once.
     static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
 
+    // What arrives along a ray that leaves the scene towards `dir` (unit).
+    Color radiance_from(Vec3 dir) const;
     // The place as materials see it.
     ShadingPoint shading_point(const Surface& surface) const;
     // The material that scatters at a place where `material` may be a mix. u in [0, 1) decides.

@@ -87,7 +87,7 @@ Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
             smooth = true;
         }
-    if (const auto uvs = corner_uvs(shading, triangle)) s.uv = (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
+    s.uv = texture_uv(shading, triangle, uv);
     if (instance != Hit::no_instance) {
         const Instance& placing = scene.geometry.instances[instance];
         const Transform& m = placing.to_world;
@@ -144,15 +144,13 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
     return to_float(moved);
 }
 
-// Longitude and latitude, both to [0, 1]: u grows from -z over +x, v from -y to +y. n: unit, outwards.
 void map_sphere(Surface& s, const Sphere& sphere, float width, std::optional<Tangents>& tangents)
 {
     const double x = static_cast<double>(s.n.x), y = static_cast<double>(s.n.y), z = static_cast<double>(s.n.z);
     const double around = std::sqrt(x * x + z * z);
-    s.uv = {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
-            static_cast<float>(0.5 + std::atan2(y, around) / pi_d)};
-    const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * std::max(around, 1e-3);
-    s.uv_width = width * static_cast<float>(1 / std::sqrt(area));
+    s.uv = sphere_uv(s.n);
+    const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * around;
+    s.uv_width = area > 0 ? width * static_cast<float>(1 / std::sqrt(area)) : 1;
     if (!(around > 0)) return;
     tangents = Tangents{to_float(Vec3d{z, 0, -x} / around), to_float(Vec3d{-y * x / around, around, -y * z / around})};
 }
@@ -170,10 +168,25 @@ void map_plane(Surface& s, const Normalisation& normalisation, Vec3d n, float wi
 
 }  // namespace
 
+Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
+{
+    const auto uvs = corner_uvs(shading, triangle);
+    if (!uvs) return {};
+    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
+    return (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
+}
+
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
     const Placed s = place(scene, instance, mesh, triangle, uv);
     return {s.p, s.p_error, s.n, s.area, s.uv};
+}
+
+Vec2 sphere_uv(Vec3 n)
+{
+    const double x = static_cast<double>(n.x), y = static_cast<double>(n.y), z = static_cast<double>(n.z);
+    return {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
+            static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
 }
 
 Vec3 sphere_point_error(const Sphere& s, Vec3 p)

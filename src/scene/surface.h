@@ -7,6 +7,7 @@
 namespace lancer {
 
 struct Scene;
+struct MeshShading;
 
 struct Surface {
     Vec3 p;
@@ -39,6 +40,10 @@ inline Vec3 ray_origin(const Surface& s, Vec3 w)
     return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : offset_origin(s.origin, s.p_error, s.n, s.n);
 }
 
+// Texture coordinates of a sphere: longitude and latitude, both to [0, 1]; u grows from -z over -x, +z and +x, v from
+// -y to +y. n: unit, outwards.
+Vec2 sphere_uv(Vec3 n);
+
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
 Vec3 sphere_point_error(const Sphere& sphere, Vec3 p);
 
@@ -50,5 +55,8 @@ struct TrianglePoint {
 };
 // uv: barycentric weights of the second and third corner.
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
+
+// Texture coordinates there; {} where the mesh keeps none.
+Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv);
 
 }  // namespace lancer

@@ -64,5 +64,39 @@ TEST(Discrete, TheSumOf2To25EqualWeightsIsExact)
     EXPECT_EQ(d.sample(1 - 0x1p-24f), n - 2);
 }
 
+// A thousand indices that share a millionth: the 17 numbers of 24 bits that lead to them choose all of them alike.
+TEST(Discrete, LengthenedNumbersReachWhatIsRare)
+{
+    std::vector<double> weights(1001, 1e-9);
+    weights[0] = 1;
+    const Discrete d(weights);
+    std::vector<uint64_t> observed(1001);
+    Random random(52);
+    for (int i = 0; i < 200000; ++i) {
+        const float u = 1 - static_cast<float>(1 + random.below(20)) * 0x1p-24f;
+        const double longer = lengthened(u, random.unit());
+        ASSERT_GE(longer, static_cast<double>(u));
+        ASSERT_LT(longer, static_cast<double>(u) + 0x1p-24);
+        ++observed[d.sample(longer)];
+    }
+    observed.erase(observed.begin());
+    EXPECT_GT(chi_square_uniform(observed).p, 0.01);
+}
+
+// By the first of two numbers and by both: lengthening keeps a pair of them uniform in the square.
+TEST(Discrete, LengthenedPairsAreUniform)
+{
+    std::vector<uint64_t> fine(256), joint(1024);
+    Random random(53);
+    for (int i = 0; i < 400000; ++i) {
+        const Vec2 u = random.unit2();
+        const double below = (lengthened(u.x, u.y) - static_cast<double>(u.x)) * 0x1p24;
+        ++fine[static_cast<size_t>(below * 256)];
+        ++joint[static_cast<size_t>(below * 32) * 32 + static_cast<size_t>(u.y * 32)];
+    }
+    EXPECT_GT(chi_square_uniform(fine).p, 0.01);
+    EXPECT_GT(chi_square_uniform(joint).p, 0.01);
+}
+
 }  // namespace
 }  // namespace lancer

@@ -81,6 +81,8 @@ TEST(Agreement, InstancedEmitters)
     expect_all_ways_agree(d, "instances", 16);
 }
 
+TEST(Agreement, CutOutsAndGauze) { expect_all_ways_agree(holes_scene(), "holes", 16); }
+
 // An emitting mesh that reflects, in a corner of an emitting sphere's inside: light sampling from emitters to
 // themselves.
 TEST(Agreement, EmittersLightEachOther)

@@ -1,12 +1,9 @@
 #include "io/image_read.h"
 
-#include <cstdint>
-#include <cstring>
-#include <initializer_list>
-#include <string_view>
 #include <thread>
 
 #include "io/exr.h"
+#include "io/image_files.h"
 #include "io/png.h"
 #include "io/temp_folder.h"
 
@@ -14,69 +11,6 @@ namespace lancer {
 namespace {
 
 using std::string_literals::operator""s;
-
-// Little-endian bytes of numbers of the type asked for.
-template <class T>
-std::string pack(std::initializer_list<T> values)
-{
-    std::string bytes;
-    for (const T v : values) bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
-    return bytes;
-}
-
-// Each of the following is a picture of 2 x 2 steps, top row first: (255, 0, 0) (0, 255, 0) | (0, 0, 255) (188, 100,
-// 7).
-const std::string top = "\xff\0\0\0\xff\0"s, bottom = "\0\0\xff\xbc\x64\x07"s;
-
-std::string ppm() { return "P6\n2 2\n255\n" + top + bottom; }
-
-// Rows bottom up, blue first, each padded to 4 bytes.
-std::string bmp()
-{
-    return "BM" + pack<uint32_t>({70, 0, 54, 40, 2, 2}) + pack<uint16_t>({1, 24}) +
-           pack<uint32_t>({0, 16, 2835, 2835, 0, 0}) + "\xff\0\0\x07\x64\xbc\0\0"s + "\0\0\xff\0\xff\0\0\0"s;
-}
-
-// Blue first; bit 5 of the last byte of the header says that the top row comes first.
-std::string tga(bool top_first)
-{
-    const std::string first = "\0\0\xff\0\xff\0"s, second = "\xff\0\0\x07\x64\xbc"s;
-    return "\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18"s + (top_first ? "\x20" + first + second : "\0"s + second + first);
-}
-
-// One directory at 8; the pixels come behind it and the list of bits for each sample.
-std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels)
-{
-    constexpr uint16_t entries = 10;
-    constexpr uint32_t bits_at = 8 + 2 + 12 * entries + 4, pixels_at = bits_at + 6;
-    const auto entry = [](uint16_t tag, uint32_t value) {
-        return pack<uint16_t>({tag, 4}) + pack<uint32_t>({1, value});
-    };
-    const std::string sample_bits =
-        samples == 1 ? entry(258, bits) : pack<uint16_t>({258, 3}) + pack<uint32_t>({samples, bits_at});
-    return "II*\0"s + pack<uint32_t>({8}) + pack<uint16_t>({entries}) + entry(256, 2) + entry(257, 2) + sample_bits +
-           entry(259, 1) + entry(262, samples == 1 ? 1 : 2) + entry(273, pixels_at) + entry(277, samples) +
-           entry(278, 2) + entry(279, static_cast<uint32_t>(pixels.size())) + entry(339, sample_format) +
-           pack<uint32_t>({0}) + pack<uint16_t>({bits, bits, bits}) + pixels;
-}
-
-// 8 x 8 of grey 188: all quantizers 1, a DC coefficient of 8 * (188 - 128) = 480 (one code for "9 bits", then its
-// bits), then "end of block".
-std::string jpeg()
-{
-    return "\xff\xd8\xff\xdb\0\x43\0"s + std::string(64, '\1') + "\xff\xc0\0\x0b\x08\0\x08\0\x08\1\1\x11\0"s +
-           "\xff\xc4\0\x14\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x09"s +
-           "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"s + "\xff\xda\0\x08\1\1\0\0\x3f\0\x78\x1f\xff\xd9"s;
-}
-
-// (1, 2, 0.5) (0, 0, 0) | (100, 0, 0) (0.25, 0.5, 0.75), each with one exponent for its three mantissas.
-std::string hdr()
-{
-    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\x40\x80\x20\x82\0\0\0\0\xc8\0\0\x87\x40\x80\xc0\x80"s;
-}
-
-// Floats, rows bottom up; the negative number says little-endian.
-std::string pfm() { return "PF\n2 2\n-1.0\n" + pack<float>({100, 0, 0, 0.25f, 0.5f, 0.75f, 1, 2, 0.5f, 0, 0, 0}); }
 
 Color decoded(double r, double g, double b)
 {

@@ -50,11 +50,11 @@ TEST_F(Mtl, MaterialValuesAreChecked)
         EXPECT_EQ(m->materials[i].base_color, (Color{0.8f, 0.8f, 0.8f}));
         EXPECT_EQ(m->materials[i].emission, Color{});
     }
-    EXPECT_THAT(warnings(), ElementsAre("a.mtl:6: warning: Kd is not three finite numbers; ignored (3 times)",
-                                        "a.mtl:7: warning: Ke is not three finite numbers; ignored (2 times)",
-                                        "a.mtl:1: warning: statement before the first newmtl ignored",
+    EXPECT_THAT(warnings(), ElementsAre("a.mtl:3: warning: Kd outside [0, 1] clamped (2 times)",
                                         "a.mtl:4: warning: Ke below 0 or beyond float clamped",
-                                        "a.mtl:3: warning: Kd outside [0, 1] clamped (2 times)"));
+                                        "a.mtl:6: warning: Kd is not three finite numbers; ignored (3 times)",
+                                        "a.mtl:7: warning: Ke is not three finite numbers; ignored (2 times)",
+                                        "a.mtl:1: warning: statement before the first newmtl ignored"));
 }
 
 TEST_F(Mtl, UnknownAndRepeatedMaterialsAreCounted)

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdlib>
 
 #include "obj_test_support.h"
 
@@ -22,26 +21,21 @@ void expect_valid(const MeshData& m)
         for (const uint32_t i : t) right = right && i < m.positions.size();
     for (const Triangle& t : m.normal_triangles)
         for (const uint32_t i : t) right = right && (i == MeshData::no_normal || i < m.normals.size());
+    right = right && m.uv_triangles.size() == (m.uvs.empty() ? 0 : m.triangles.size());
+    for (const Vec2& uv : m.uvs) right = right && std::isfinite(uv.x) && std::isfinite(uv.y);
+    for (const Triangle& t : m.uv_triangles)
+        for (const uint32_t i : t) right = right && (i == MeshData::no_uv || i < m.uvs.size());
     for (const uint32_t i : m.face_material) right = right && i < m.materials.size();
     for (const MaterialDescription& d : m.materials) {
         right = right && is_finite(d.base_color) && is_finite(d.emission) && max_component(d.base_color) <= 1;
         right = right && std::min({d.base_color.r, d.base_color.g, d.base_color.b, d.emission.r, d.emission.g,
                                    d.emission.b}) >= 0;
+        const auto is_part = [](float x) { return x >= 0 && x <= 1; };
+        right = right && is_part(d.roughness) && is_part(d.opacity) && is_part(d.metallic.value_or(0));
+        right = right && is_part(max_component(d.specular)) && d.ior >= 0.001f && d.ior <= 10;
+        right = right && std::isfinite(d.bump_scale);
     }
     EXPECT_TRUE(right) << m.file;
-}
-
-// Real and broken files are not part of the source; the tests pass without them.
-fs::path shared_folder()
-{
-    const char* const named = std::getenv("LANCER_SHARED");
-    if (named) return named;
-    fs::path up = fs::path(LANCER_SOURCE_DIR);
-    for (int i = 0; i < 2; ++i) {
-        up = up.parent_path();
-        if (fs::is_directory(up / "shared")) return up / "shared";
-    }
-    return {};
 }
 
 TEST(ObjFiles, BrokenFilesGiveAMeshOrAnError)
@@ -114,7 +108,10 @@ TEST_F(ObjMutations, MutatedFilesNeverBreakTheReader)
         "v 0.5 0.5 1e0 1 0 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 1 -2 3\n"
         "usemtl red\nf 1/1/1 2/2/2 3//1\nf 1 2 \\\n 3 4 # q\nusemtl lamp\r\nf -1 -2 -3\nf 1 2 3 4 5\n"
         "s off\ng x\nl 1 2\nf 5//2 4//1 1//-1\n";
-    const std::string mtl = "newmtl red\nKd 1 0 0 # Red\nNs 10\nmap_Kd a.png\n\nnewmtl lamp\nKe 1 2 3\nillum 2\n";
+    const std::string mtl =
+        "newmtl red\nKd 1 0 0 # Red\nNs 10\nKs .5 .4 .3\nNi 1.5\nillum 3\nmap_Kd -s 2 2 1 -o 0 .5 a.png\n"
+        "bump -bm 2 -imfchan r a.png\n\nnewmtl lamp\nKe 1 2 3\nillum 2\nd .5\nTr .5\nmap_d a.png\nPr .3\nPm .2\n";
+    write("a.png", "");
     const std::string pieces[] = {"0",
                                   "-1",
                                   "99999999999",
@@ -131,6 +128,10 @@ TEST_F(ObjMutations, MutatedFilesNeverBreakTheReader)
                                   "usemtl ",
                                   "newmtl ",
                                   "Kd ",
+                                  "map_Kd ",
+                                  "-bm ",
+                                  "Tf 1e39 ",
+                                  "vt ",
                                   "-",
                                   "e",
                                   std::string(1, '\0'),

@@ -384,9 +384,9 @@ TEST_F(SceneMistakes, FilesThatCannotBeRead)
 TEST_F(SceneMistakes, ALoaderThatReturnsNothingIsReported)
 {
     write("a.obj", "");
-    options_.mesh_loader = [](const std::string&, Diagnostics&) { return nullptr; };
+    options_.mesh_loader = [](const std::string&, Diagnostics&, const MeshOptions&) { return nullptr; };
     EXPECT_EQ(problems("[[mesh]]\nfile = \"a.obj\""), "s.toml:2:8: error: mesh file 'a.obj' could not be loaded");
-    options_.mesh_loader = [](const std::string& file, Diagnostics& d) {
+    options_.mesh_loader = [](const std::string& file, Diagnostics& d, const MeshOptions&) {
         d.error({file, 7}, "bad face");
         return nullptr;
     };

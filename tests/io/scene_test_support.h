@@ -21,7 +21,7 @@ protected:
         folder_ = std::filesystem::temp_directory_path() /
                   ("lancer_" + std::string(test.name()) + "_" + std::to_string(getpid()));
         std::filesystem::create_directories(folder_);
-        options_.mesh_loader = [this](const std::string& path, Diagnostics&) {
+        options_.mesh_loader = [this](const std::string& path, Diagnostics&, const MeshOptions&) {
             loaded_.push_back(without_folder(path));
             auto data = std::make_shared<MeshData>();
             data->file = path;

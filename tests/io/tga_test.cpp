@@ -24,7 +24,7 @@ std::vector<Color> read_steps(const std::string& bytes)
 {
     const TempFolder folder;
     write_bytes(folder.file("a.tga"), bytes);
-    std::vector<Color> pixels = read_tga(folder.file("a.tga"), Encoding::linear).pixels;
+    std::vector<Color> pixels = to_image(read_tga(folder.file("a.tga")), Encoding::linear).pixels;
     for (Color& c : pixels) c = {c.r * 255, c.g * 255, c.b * 255};
     return pixels;
 }

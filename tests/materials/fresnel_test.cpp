@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <vector>
 
 namespace lancer {
@@ -103,6 +104,62 @@ TEST(Fresnel, SameFromBothSides)
             // cos_t is rounded; near grazing on the way out R changes by 4 / cos times that.
             EXPECT_NEAR(in.reflectance, out.reflectance, 1e-6 / static_cast<double>(c * c)) << eta << " " << c;
         }
+}
+
+// Amplitudes of Fresnel's equations with a complex index, as books have them.
+double exact_conductor(double cos_i, double eta, double k)
+{
+    using Complex = std::complex<long double>;
+    const long double c = cos_i;
+    const Complex n{eta, k}, n2 = n * n, root = std::sqrt((n - Complex(1)) * (n + Complex(1)) + c * c);
+    const Complex s = (c - root) / (c + root), p = (n2 * c - root) / (n2 * c + root);
+    return static_cast<double>((std::norm(s) + std::norm(p)) / 2);
+}
+
+TEST(FresnelConductor, IsExact)
+{
+    for (const double eta : {0.05, 0.143, 0.999999, 1.0, 1.5, 4.0, 100.0})
+        for (const double k : {0.0, 1e-6, 0.1, 1.6, 4.0, 10.0, 300.0})
+            for (const float c : cosines()) {
+                const double r = fresnel_conductor(static_cast<double>(c), eta, k);
+                ASSERT_TRUE(r >= 0 && r <= 1) << eta << " " << k << " " << c;
+                ASSERT_NEAR(r, exact_conductor(static_cast<double>(c), eta, k), 1e-9) << eta << " " << k << " " << c;
+            }
+}
+
+TEST(FresnelConductor, WithoutAbsorptionIsADielectric)
+{
+    for (const float eta : {1.0f, 1.5f, 2.42f, 1 / 1.5f, 0.1f})
+        for (const float c : cosines()) {
+            const double metal = fresnel_conductor(static_cast<double>(c), static_cast<double>(eta), 0);
+            EXPECT_NEAR(metal, static_cast<double>(fresnel_dielectric(c, eta).reflectance), 1e-7) << eta << " " << c;
+        }
+}
+
+TEST(FresnelConductor, IsANumberEvenForNothing)
+{
+    for (const double eta : {0.0, 1e-30, 1.0, 1e10})
+        for (const double k : {0.0, 1e-30, 1.0, 1e10})
+            for (const double c : {0.0, 1e-45, 0.5, 1.0}) {
+                const double r = fresnel_conductor(c, eta, k);
+                EXPECT_TRUE(r >= 0 && r <= 1) << eta << " " << k << " " << c;
+            }
+}
+
+TEST(Schlick, FromNormalToGrazingAndItsMean)
+{
+    const Color f0{0.04f, 0.5f, 1};
+    EXPECT_EQ(fresnel_schlick(f0, 1), f0);
+    EXPECT_EQ(fresnel_schlick(f0, 0), (Color{1, 1, 1}));
+    EXPECT_NEAR(fresnel_schlick(f0, 0.5).r, 0.04 + 0.96 / 32, 1e-7);
+    Color mean{};
+    constexpr int n = 1000;
+    for (int i = 0; i < n; ++i) {
+        const double c = (i + 0.5) / n;
+        mean += fresnel_schlick(f0, c) * static_cast<float>(2 * c / n);
+    }
+    for (const auto channel : {&Color::r, &Color::g, &Color::b})
+        EXPECT_NEAR(mean.*channel, mean_schlick(f0).*channel, 1e-5);
 }
 
 }  // namespace

@@ -36,32 +36,64 @@ constexpr std::array<double, 5> node{0.04691007703066800, 0.23076534494715845, 0
 constexpr std::array<double, 5> node_weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                             0.23931433524968324, 0.11846344252809454};
 
-// The sphere of directions in cells of equal size in cos(theta) and phi.
+// The sphere of directions in cells of equal size in phi and in the root of cos(theta), so that they are small near the
+// horizon, where lobes seen from grazing are thin.
 constexpr size_t rings = 32, sectors = 24;
 
 size_t cell_of(Vec3 w)
 {
-    const double z = std::clamp(0.5 * (static_cast<double>(w.z) + 1), 0.0, 1.0);
+    const double z = 0.5 * (1 + std::copysign(std::sqrt(std::abs(static_cast<double>(w.z))), static_cast<double>(w.z)));
     const double phi = std::atan2(static_cast<double>(w.y), static_cast<double>(w.x)) / (2 * std::numbers::pi);
     const auto at = [](double x, size_t n) { return std::min(n - 1, static_cast<size_t>(x * static_cast<double>(n))); };
     return at(z, rings) * sectors + at(phi < 0 ? phi + 1 : phi, sectors);
 }
 
-// Integral of f(wi) over each cell.
+// Integral of f(wi) over a piece of the sphere: `root` and `turn` are the coordinates that the cells divide, from -1 to
+// 1 and from 0 to 1. In quarters, and these again, until that changes nothing: near grazing lobes have thin peaks.
+struct Piece {
+    double root, turn, root_size, turn_size;
+};
+template <class F>
+double integrate_once(const F& f, const Piece& p)
+{
+    double sum = 0;
+    for (size_t a = 0; a < 5; ++a)
+        for (size_t b = 0; b < 5; ++b) {
+            const double root = p.root + node[a] * p.root_size, z = root * std::abs(root), r = std::sqrt(1 - z * z);
+            const double phi = 2 * std::numbers::pi * (p.turn + node[b] * p.turn_size);
+            sum += node_weight[a] * node_weight[b] * std::abs(root) *
+                   f(to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), z}));
+        }
+    return sum * 4 * std::numbers::pi * p.root_size * p.turn_size;
+}
+template <class F>
+double integrate_piece(const F& f, const Piece& p, double whole, int depth)
+{
+    const double h = 0.5 * p.root_size, w = 0.5 * p.turn_size;
+    std::array<Piece, 4> quarters;
+    std::array<double, 4> parts;
+    double sum = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        quarters[i] = {p.root + (i & 1 ? h : 0), p.turn + (i & 2 ? w : 0), h, w};
+        sum += parts[i] = integrate_once(f, quarters[i]);
+    }
+    if (depth == 0 || std::abs(sum - whole) < 1e-6) return sum;
+    sum = 0;
+    for (size_t i = 0; i < 4; ++i) sum += integrate_piece(f, quarters[i], parts[i], depth - 1);
+    return sum;
+}
+
+// Over each cell.
 template <class F>
 std::vector<double> integrate_cells(const F& f)
 {
     std::vector<double> cells(rings * sectors);
     for (size_t i = 0; i < rings; ++i)
-        for (size_t j = 0; j < sectors; ++j)
-            for (size_t a = 0; a < 5; ++a)
-                for (size_t b = 0; b < 5; ++b) {
-                    const double z = 2 * (static_cast<double>(i) + node[a]) / rings - 1, r = std::sqrt(1 - z * z);
-                    const double phi = 2 * std::numbers::pi * (static_cast<double>(j) + node[b]) / sectors;
-                    const double solid_angle = 4 * std::numbers::pi / (rings * sectors);
-                    cells[i * sectors + j] += node_weight[a] * node_weight[b] * solid_angle *
-                                              f(to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), z}));
-                }
+        for (size_t j = 0; j < sectors; ++j) {
+            const Piece p{2.0 * static_cast<double>(i) / rings - 1, static_cast<double>(j) / sectors, 2.0 / rings,
+                          1.0 / sectors};
+            cells[i * sectors + j] = integrate_piece(f, p, integrate_once(f, p), 6);
+        }
     return cells;
 }
 
@@ -78,7 +110,8 @@ TYPED_TEST(MaterialLaws, FrequenciesAreThoseOfTheDensities)
     constexpr int count = 100000;
     stats::Family family;
     Random random(1);
-    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto& sample, const Place& p, const auto& bsdf) {
+        if (sample.narrow) return;
         std::vector<double> expected =
             integrate_cells([&](Vec3 wi) { return static_cast<double>(bsdf.eval(p.wo, wi).pdf); });
         std::vector<uint64_t> observed(expected.size());
@@ -135,17 +168,24 @@ TYPED_TEST(MaterialLaws, WeightIsValueOverDensity)
     });
 }
 
-TYPED_TEST(MaterialLaws, OnlyDeltaMeansNoSmoothLobe)
+TYPED_TEST(MaterialLaws, LobesAreWhereTheyAreSaidToBe)
 {
     Random random(3);
     for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
-        bool smooth = false;
+        bool smooth = false, through = false;
         for (int i = 0; i < 1000; ++i) {
             const float u = random.unit();
             const auto s = bsdf.sample(p.wo, u, random.unit2());
-            smooth = smooth || (s && !s->delta) || bsdf.eval(p.wo, random.unit_vector()).pdf > 0;
+            const Vec3 wi = s && !s->delta ? s->wi : random.unit_vector();
+            const bool shines = bsdf.eval(p.wo, wi).pdf > 0;
+            smooth = smooth || (s && !s->delta) || shines;
+            through = through || (shines && wi.z < 0);
         }
         EXPECT_EQ(bsdf.only_delta(), !smooth) << name;
+        // Seen from above nothing is reflected totally.
+        if (through || p.wo.z > 0.9f) {
+            EXPECT_EQ(bsdf.transmits(), through) << name;
+        }
     });
 }
 
@@ -155,44 +195,68 @@ TYPED_TEST(MaterialLaws, WhiteFurnace)
 {
     stats::Family family;
     Random random(4);
-    for_each_bsdf<TypeParam>([&](const std::string& name, const Sample<TypeParam>& sample, const Place& p,
-                                 const auto& bsdf) {
-        stats::Tally energy;
-        float most = 0;
-        for (int i = 0; i < 10000; ++i) {
-            const float u = random.unit();
-            const auto s = bsdf.sample(p.wo, u, random.unit2());
-            const float e = s ? max_component(s->weight) * (s->eta * s->eta) : 0;
-            energy.add(static_cast<double>(e));
-            most = std::max(most, e);
-        }
-        EXPECT_LE(energy.mean - 5 * energy.error(), 1 + static_cast<double>(rounding)) << name;
-        if (sample.lossless) family.add(stats::mean_p(energy, 1, static_cast<double>(rounding)), name);
-        const double smooth = sum(
-            integrate_cells([&](Vec3 wi) { return static_cast<double>(max_component(bsdf.eval(p.wo, wi).f_cos)); }));
-        EXPECT_LE(smooth, 1 + 1e-5) << name;
-        if (bsdf.only_delta()) {
-            EXPECT_EQ(smooth, 0) << name;
-        }
-    });
+    for_each_bsdf<TypeParam>(
+        [&](const std::string& name, const Sample<TypeParam>& sample, const Place& p, const auto& bsdf) {
+            stats::Tally energy;
+            float most = 0;
+            for (int i = 0; i < 10000; ++i) {
+                const float u = random.unit();
+                const auto s = bsdf.sample(p.wo, u, random.unit2());
+                const float e = s ? max_component(s->weight) * (s->eta * s->eta) : 0;
+                energy.add(static_cast<double>(e));
+                most = std::max(most, e);
+            }
+            const double bound = sample.tolerance + static_cast<double>(rounding);
+            EXPECT_LE(energy.mean - 5 * energy.error(), 1 + bound) << name;
+            if (sample.lossless) family.add(stats::mean_p(energy, 1, bound), name);
+            if (sample.narrow) return;
+            const float eta = eta_through(bsdf);
+            const double smooth = sum(integrate_cells([&](Vec3 wi) {
+                const float e = max_component(bsdf.eval(p.wo, wi).f_cos);
+                return static_cast<double>(wi.z < 0 ? e * (eta * eta) : e);
+            }));
+            EXPECT_LE(smooth, 1 + 1e-5 + sample.tolerance) << name;
+            if (bsdf.only_delta()) {
+                EXPECT_EQ(smooth, 0) << name;
+            }
+        });
     if (std::none_of(samples<TypeParam>().begin(), samples<TypeParam>().end(),
                      [](const auto& s) { return s.lossless; }))
         family.add(1, "no lossless parameter set");
 }
 
+// Also through the surface: seen from the other side its z axis is turned round, and what f says of radiance it says of
+// radiance over the squared index.
 TYPED_TEST(MaterialLaws, SmoothLobesAreReciprocal)
 {
     Random random(5);
-    for (const Sample<TypeParam>& s : samples<TypeParam>())
+    for (const Sample<TypeParam>& s : samples<TypeParam>()) {
+        int lit = 0;
         for (int i = 0; i < 20000; ++i) {
-            const auto bsdf = s.material.at({.front = i % 2 == 0});
+            const bool front = i % 2 == 0;
+            const auto bsdf = s.material.at({.front = front});
             Vec3 a = random.unit_vector(), b = random.unit_vector();
-            a.z = std::abs(a.z), b.z = std::abs(b.z);
+            a.z = std::abs(a.z);
+            if (const auto w = bsdf.sample(a, random.unit(), {0.3f, 0.6f}); i % 4 < 2 && w) b = w->wi;
             if (a.z == 0 || b.z == 0) continue;
-            const Color there = bsdf.eval(a, b).f_cos / b.z, back = bsdf.eval(b, a).f_cos / a.z;
+            const bool through = b.z < 0;
+            const auto other = s.material.at({.front = front != through});
+            const Vec3 from = through ? -b : b, to = through ? -a : a;
+            const float eta = through ? eta_through(bsdf) : 1;
+            const Color there = bsdf.eval(a, b).f_cos * (eta * eta / std::abs(b.z));
+            const Color back = other.eval(from, to).f_cos / a.z;
+            lit += is_black(there) ? 0 : 1;
+            // 1 / ior is rounded: a step aside for a narrow lobe, and much near the critical angle of a facet.
+            const float floor = is_black(there) || !through ? 0 : 1e-6f + 4e-7f / alpha_of(bsdf) * there.g;
             for (const auto channel : {&Color::r, &Color::g, &Color::b})
-                ASSERT_NEAR(there.*channel, back.*channel, rounding * there.*channel) << s.name;
+                ASSERT_NEAR(there.*channel, back.*channel, rounding * there.*channel + floor)
+                    << s.name << " " << a.z << " " << b.z;
         }
+        const auto bsdf = s.material.at({});
+        if (!is_black(bsdf.reflectance()) && !bsdf.only_delta()) {
+            EXPECT_GT(lit, 5000) << s.name;
+        }
+    }
 }
 
 // The way back of a delta lobe: from where it went it returns where it came from, as likely, and, in energy, with the

@@ -16,6 +16,8 @@ struct Sample {
     M material;
     bool lossless = false;   // albedo 1 in every direction
     bool transmits = false;  // light may go through
+    double tolerance = 0;    // of the albedo, where tables take part in it
+    bool narrow = false;     // has a smooth lobe too narrow for the cells of the laws; lobes_test looks at it closely
 };
 
 template <class M>
@@ -41,7 +43,90 @@ inline std::vector<Sample<Glass>> samples<Glass>()
             {"almost nothing", {white, 1.0001f}, true, true},
             {"diamond", {white, 2.42f}, true, true},
             {"germanium", {white, 4}, true, true},
-            {"green", {{0.2f, 0.9f, 0.4f}, 1.6f}, false, true}};
+            {"green", {{0.2f, 0.9f, 0.4f}, 1.6f}, false, true},
+            {"frosted", {white, 1.5f, 0.8f}, false, true},
+            {"ground", {{0.2f, 0.9f, 0.4f}, 1.8f, 1}, false, true},
+            {"frosted bubble", {white, 1 / 1.33f, 0.7f}, false, true},
+            {"frosted nothing", {white, 1, 0.7f}, true, true},
+            {"hardly frosted", {white, 1.5f, 0.05f}, false, true, 0, true},
+            {"least frosted", {white, 1.5f, 0.004f}, false, true, 0, true}};
+}
+
+// Measured, of gold.
+inline Conductor gold() { return make_conductor({0.143f, 0.375f, 1.442f}, {3.983f, 2.386f, 1.603f}); }
+// What the tables of albedos promise.
+inline constexpr double table_error = 0.005;
+
+template <>
+inline std::vector<Sample<Metal>> samples<Metal>()
+{
+    const Color white{1, 1, 1}, copper{0.95f, 0.64f, 0.54f};
+    const AlbedoTable* table = &AlbedoTable::white();
+    return {{"white mirror", {white, 0}, true},
+            {"white", {white, 1}},
+            {"white compensated", {white, 1, {}, table}, true, false, table_error},
+            {"white compensated half", {white, 0.7f, {}, table}, true, false, table_error},
+            {"white compensated fine", {white, 0.1f, {}, table}, true, false, table_error, true},
+            {"copper", {copper, 0.6f}},
+            {"copper compensated", {copper, 0.8f, {}, table}, false, false, table_error},
+            {"gold", {white, 0.7f, gold()}},
+            {"gold compensated", {white, 1, gold(), table}, false, false, table_error},
+            {"gold mirror", {{0.9f, 1, 0.8f}, 0, gold()}},
+            {"black", {{0, 0, 0}, 0.8f}},
+            {"black gold compensated", {{0, 0, 0}, 0.8f, gold(), table}},
+            {"hardly rough", {copper, 0.05f}, false, false, 0, true},
+            {"least rough", {copper, 0.004f}, false, false, 0, true}};
+}
+
+inline Plastic make_plastic(Color base, float roughness, float ior, Color specular = {1, 1, 1})
+{
+    return {base,
+            roughness,
+            ior,
+            specular,
+            mean_transmittance(ior),
+            roughness == 0 ? nullptr : std::make_shared<const AlbedoTable>(ior)};
+}
+template <>
+inline std::vector<Sample<Plastic>> samples<Plastic>()
+{
+    const Color white{1, 1, 1}, red{0.8f, 0.1f, 0.05f};
+    static const std::vector<Sample<Plastic>> all{
+        {"white smooth", make_plastic(white, 0, 1.5f), true, false, 1e-5},
+        {"white diamond", make_plastic(white, 0, 2.42f), true, false, 1e-5},
+        {"white", make_plastic(white, 0.7f, 1.5f), true, false, table_error},
+        {"white roughest", make_plastic(white, 1, 2), true, false, table_error},
+        {"white fine", make_plastic(white, 0.1f, 1.5f), true, false, table_error, true},
+        {"red smooth", make_plastic(red, 0, 1.5f)},
+        {"red", make_plastic(red, 0.6f, 1.4f, {0.5f, 0.6f, 1}), false, false, table_error},
+        {"red bubble", make_plastic(red, 0.8f, 0.75f), false, false, table_error},
+        {"without a coat", make_plastic(red, 0.8f, 1)},
+        {"coat alone", make_plastic({0, 0, 0}, 0.8f, 1.5f), false, false, table_error},
+        {"smooth coat alone", make_plastic({0, 0, 0}, 0, 1.5f)},
+        {"base alone", make_plastic(red, 0.8f, 1.5f, {0, 0, 0}), false, false, table_error},
+        {"nothing", make_plastic({0, 0, 0}, 0.8f, 1.5f, {0, 0, 0})},
+        {"least rough", make_plastic(red, 0.004f, 1.5f), false, false, table_error, true}};
+    return all;
+}
+
+// Index beyond the surface over index before it, of what lets light through.
+template <class B>
+float eta_through(const B& bsdf)
+{
+    if constexpr (requires { bsdf.eta; })
+        return bsdf.eta;
+    else
+        return 1;
+}
+
+// Roughness of its facets, where that is told.
+template <class B>
+float alpha_of(const B& bsdf)
+{
+    if constexpr (requires { bsdf.alpha; })
+        return bsdf.alpha;
+    else
+        return 1;
 }
 
 struct Place {

@@ -3,6 +3,7 @@
 
 #include "integrators/transport.h"
 #include "support/random.h"
+#include "support/rasters.h"
 #include "support/significance.h"
 #include "support/stage.h"
 
@@ -196,6 +197,98 @@ TEST(PointLight, IntensityOverDistanceSquared)
     EXPECT_LE(length(s->wi - Vec3{0, 1, 0}), 1e-6f);
     EXPECT_NEAR(s->radiance.r, 1 / 256.0, 1e-6 / 256);
     EXPECT_NEAR(s->radiance.b, 100 / 256.0, 1e-4 / 256);
+}
+
+TEST(DirectionalLight, IsADirectionAndAnIrradiance)
+{
+    // Lengths of directions do not matter, however extreme.
+    for (const double size : {1.0, 1e-200, 1e200}) {
+        SceneDescription d;
+        d.spheres.push_back(sphere_of({0, 0, 0}, 3));
+        d.lights = {directional_of({1, 10, 100}, Vec3d{1, -2, 2} * size)};
+        const Scene scene = build_scene(d);
+        const auto s = sample_light(scene, receiver({0, 1, 0}, {0, 1, 0}), 0.7f, {0.3f, 0.9f});
+        ASSERT_TRUE(s);
+        EXPECT_TRUE(s->delta && s->infinite);
+        EXPECT_EQ(s->pdf, 1);
+        EXPECT_LE(length(s->wi - Vec3{-1, 2, -2} / 3.0f), 1e-7f);
+        EXPECT_EQ(s->radiance, (Color{1, 10, 100}));
+        EXPECT_FALSE(sample_light(scene, receiver({0, -1, 0}, {0, -1, 0}), 0.7f, {}));
+        EXPECT_TRUE(sample_light(scene, receiver({0, -1, 0}, {0, -1, 0}), 0.7f, {}, true));
+    }
+}
+
+// What falls on a disk as large as the scene is what lights from infinitely far away are weighed by.
+TEST(Lights, FromInfinityAreChosenByWhatTheSceneReceives)
+{
+    SceneDescription d;
+    d.spheres.push_back(sphere_of({0, 0, 0}, 3));
+    d.lights = {light_of(LightType::point, {1, 1, 1}, {0, 20, 0}), directional_of({2, 2, 2}, {0, -1, 0}),
+                sky_map_of({0.5f, 0.5f, 0.5f}), sky_of({0.1f, 0.1f, 0.1f})};
+    const Scene scene = build_scene(d, picture_source(make_raster(8, 4, [](uint32_t, uint32_t) {
+                                        return Color{1, 1, 1};
+                                    })));
+    const double disk = std::numbers::pi * 27;  // of the sphere's bounding box
+    const std::array<double, 3> power{4 * std::numbers::pi, disk * 2, disk * 4 * std::numbers::pi * 0.6};
+    for (uint32_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(scene.lights.pick.probability(i), power[i] / (power[0] + power[1] + power[2]), 1e-6) << i;
+}
+
+// Ten thousand lights of powers from 1 to 1e8: those rarer than any number of 24 bits get their samples too.
+TEST(Lights, ManyOfVeryDifferentPower)
+{
+    SceneDescription d;
+    d.spheres.push_back(sphere_of({0, 0, 0}, 1));
+    Random random(6);
+    double expected = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Vec3d at = Vec3d{0, 3, 0} + random.point(-0.5, 0.5);
+        const double r2 = dot(at, at), intensity = i % 2 ? std::pow(10.0, random.uniform(0, 8)) : 1;
+        const auto power = static_cast<float>(intensity);
+        d.lights.push_back(light_of(LightType::point, {power, power, power}, at));
+        expected += static_cast<double>(power) * at.y / (r2 * std::sqrt(r2));
+    }
+    const Scene scene = build_scene(d);
+    double sum = 0, least = 1;
+    for (uint32_t i = 0; i < 10000; ++i) {
+        const auto p = static_cast<double>(scene.lights.pick.probability(i));
+        sum += p, least = std::min(least, p);
+    }
+    EXPECT_NEAR(sum, 1, 1e-6);
+    EXPECT_LT(least, 0x1p-28);
+    const Surface from = receiver(to_float(scene.normalisation.to_scene({0, 0, 0})), {0, 1, 0});
+    stats::Tally all;
+    for (int i = 0; i < 500000; ++i) {
+        const float pick = random.unit();
+        const auto s = sample_light(scene, from, pick, random.unit2());
+        ASSERT_TRUE(s);
+        all.add(static_cast<double>(s->radiance.r * dot(s->wi, from.n) / s->pdf));
+    }
+    EXPECT_LE(all.error() / all.mean, 1e-3);
+    EXPECT_GE(stats::mean_p(all, expected, 1e-5), 0.01);
+}
+
+// A pattern that the estimate of a textured emitter's power cannot see: never chosen would be never lit.
+TEST(TriangleLight, TexturesDecideItsPowerButNeverRuleItOut)
+{
+    const auto lamp = [](Vec2 scale, Color even, Color odd) {
+        MaterialDescription m = make_emitter("lamp", {2, 2, 2});
+        m.emission_map = TextureDescription{
+            .where = {}, .type = TextureType::checker, .file = {}, .use = {.scale = scale}, .even = even, .odd = odd};
+        MeshData data = *make_mesh_data({{0, 0, 1}, {1, 0, -1}, {-1, 0, -1}}, {{0, 1, 2}}, m);
+        data.uvs = {{0, 0}, {0.999f, 0}, {0, 0.999f}};
+        data.uv_triangles = {{0, 1, 2}};
+        return make_mesh(std::make_shared<const MeshData>(data));
+    };
+    const Color white{1, 1, 1}, half{0.5f, 0.5f, 0.5f};
+    SceneDescription d;
+    d.meshes = {lamp({1, 1}, white, {}), lamp({1, 1}, half, {}), lamp({1, 1}, {}, white), lamp({4, 1}, white, {})};
+    const Scene scene = build_scene(d);
+    const auto p = [&](uint32_t i) { return scene.lights.pick.probability(i); };
+    EXPECT_NEAR(p(1) / p(0), 0.5, 1e-6);
+    EXPECT_NEAR(p(2) / p(0), 0.01, 1e-6) << "dark all over: the least there is";
+    // Columns of widths 7, 5, 3 and 1 sixteenths, every other one lit.
+    EXPECT_NEAR(p(3) / p(0), 10 / 16.0, 1e-6);
 }
 
 // How often each light is chosen is its share of the power, and what sample_light() divides by.

@@ -11,7 +11,7 @@ namespace lancer {
 
 // Three bytes or one for each pixel, from f(x, y, channel) in [0, 1] over the centres of a size x size picture.
 template <class F>
-std::shared_ptr<const Raster> make_raster(uint32_t size, uint32_t channels, const F& f)
+std::shared_ptr<const Raster> make_bytes(uint32_t size, uint32_t channels, const F& f)
 {
     Raster r;
     r.width = r.height = size;
@@ -30,22 +30,22 @@ inline std::shared_ptr<const Raster> make_picture(const std::string& name)
     const auto waves = [](double x, double y) {
         return 0.5 + 0.25 * (std::sin(5 * turn * x) + std::cos(3 * turn * y));
     };
-    if (name == "waves") return make_raster(64, 1, [&](double x, double y, uint32_t) { return waves(x, y); });
+    if (name == "waves") return make_bytes(64, 1, [&](double x, double y, uint32_t) { return waves(x, y); });
     if (name == "colours")
-        return make_raster(32, 3, [&](double x, double y, uint32_t c) {
+        return make_bytes(32, 3, [&](double x, double y, uint32_t c) {
             return 0.5 + 0.4 * std::sin(turn * (x * (c + 1) + y * (3 - c)));
         });
     // A slope of one towards +u everywhere, and one of a half away from +v.
     if (name == "tilted normals")
-        return make_raster(8, 3, [&](double, double, uint32_t c) {
+        return make_bytes(8, 3, [&](double, double, uint32_t c) {
             return 0.5 + 0.5 * (c == 0 ? -1 : c == 1 ? 0.5 : 1) / 1.5;
         });
     if (name == "flat normals")
-        return make_raster(8, 3, [&](double, double, uint32_t c) { return c == 2 ? 1.0 : 127.5 / 255; });
+        return make_bytes(8, 3, [&](double, double, uint32_t c) { return c == 2 ? 1.0 : 127.5 / 255; });
     // Heights that rise by one 255th from texel to texel.
-    if (name == "ramp") return make_raster(256, 1, [&](double x, double, uint32_t) { return (x * 256 - 0.5) / 255; });
+    if (name == "ramp") return make_bytes(256, 1, [&](double x, double, uint32_t) { return (x * 256 - 0.5) / 255; });
     if (name == "discs")
-        return make_raster(
+        return make_bytes(
             32, 1, [&](double x, double y, uint32_t) { return std::hypot(x - 0.5, y - 0.5) < 0.35 ? 0.0 : 1.0; });
     return nullptr;
 }

@@ -14,6 +14,7 @@ struct RenderRequest {
     unsigned threads = 1;
     uint32_t tile = 16;
     RenderSettings settings{};
+    RasterSource images = test_picture;
 };
 
 struct Rendered {
@@ -25,7 +26,7 @@ inline Rendered render(const SceneDescription& d, const RenderRequest& r)
 {
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
     with_threads(r.threads, [&] {
-        const Renderer renderer(build_scene(d), r.settings);
+        const Renderer renderer(build_scene(d, r.images), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
         const std::vector<Tile> tiles = make_tiles(out.film.crop, r.tile);
         uint32_t begin = 0;

@@ -149,6 +149,20 @@ inline LightDescription light_of(LightType type, Color power, Vec3d position = {
     l.power = power;
     return l;
 }
+// irradiance: on what faces it; direction: the way that its light goes.
+inline LightDescription directional_of(Color irradiance, Vec3d direction)
+{
+    LightDescription l = light_of(LightType::directional, irradiance);
+    l.direction = direction;
+    return l;
+}
+inline LightDescription sky_map_of(Color factor, Vec3d rotate_deg = {}, Location where = {})
+{
+    LightDescription l = light_of(LightType::environment, factor, {}, 1, std::move(where));
+    l.file = "sky";
+    l.rotate_deg = rotate_deg;
+    return l;
+}
 inline LightDescription sky_of(Color radiance) { return light_of(LightType::environment, radiance); }
 inline InstanceDescription instance_of(std::string mesh, TransformDescription transform, Location where = {})
 {
@@ -288,6 +302,57 @@ inline SceneDescription textured_scene()
     return d;
 }
 
+// A surface that stops a part of the rays; with `squares` only on every other of so many squares along each side.
+inline MaterialDescription make_gauze(std::string name, Color albedo, float opacity, float squares = 0)
+{
+    MaterialDescription m = make_lambert(std::move(name), albedo);
+    m.opacity = opacity;
+    if (squares > 0) {
+        TextureDescription checker;
+        checker.type = TextureType::checker;
+        checker.use.scale = {squares, squares};
+        m.opacity_map = checker;
+    }
+    return m;
+}
+// Cut-outs and fractional opacity on all that can have it: meshes with and without a texture, one with both solid and
+// half-open faces, instances, spheres, a plane, and lights of which a part is missing.
+inline SceneDescription holes_scene()
+{
+    SceneDescription d;
+    d.materials = {make_gauze("half", {0.7f, 0.6f, 0.3f}, 0.5f), make_gauze("wall", {0.4f, 0.5f, 0.6f}, 0.7f)};
+    MaterialDescription bulb = make_gauze("bulb", {}, 0.6f);
+    bulb.emission = {5, 5, 6};
+    bulb.emission_both_sides = true;
+    d.materials.push_back(bulb);
+    d.meshes.push_back(make_mesh(make_quad({-2, -0.7, 2}, {2, -0.7, 2}, {2, -0.7, -2}, {-2, -0.7, -2},
+                                           make_lambert("floor", {0.6f, 0.6f, 0.5f}))));
+    d.planes.push_back(plane_of({0, 0, -2}, {0, 0.1, 1}, "wall"));
+    d.spheres.push_back(sphere_of({-0.9, -0.3, 0.2}, 0.4, "half"));
+    d.spheres.push_back(sphere_of({-1.2, 1.3, 0.6}, 0.5, "bulb"));
+    // A screen of squares before the rest.
+    d.meshes.push_back(
+        make_mesh(make_mapped_quad({-0.5, -0.6, 0.9}, {0.6, -0.6, 0.8}, {0.6, 0.3, 0.8}, {-0.5, 0.3, 0.9}, {1, 1},
+                                   make_gauze("screen", {0.2f, 0.6f, 0.3f}, 1, 7))));
+    MeshData box = *make_cube(make_lambert("solid", {0.7f, 0.3f, 0.2f}));
+    box.materials.push_back(make_gauze("veil", {0.5f, 0.5f, 0.5f}, 0.3f));
+    for (uint32_t i = 0; i < box.triangles.size(); ++i) box.face_material.push_back(i / 2 % 2);
+    d.meshes.push_back(
+        make_mesh(std::make_shared<const MeshData>(box), {{0.9, -0.2, -0.2}, {0, 30, 0}, {0.3, 0.4, 0.3}}));
+    MeshDescription shell = make_mesh(make_uv_sphere(6, 9, 0.1, make_gauze("shell", {0.6f, 0.6f, 0.8f}, 0.4f)));
+    shell.name = "shell";
+    d.meshes.push_back(std::move(shell));
+    d.instances.push_back(instance_of("shell", {{0, 0.1, -0.5}, {20, 30, 40}, {0.5, 0.4, 0.3}}));
+    d.instances.push_back(instance_of("shell", {{1.1, 0.6, 0.3}, {0, 70, 10}, {-0.3, 0.3, 0.4}}));
+    MaterialDescription lamp = make_gauze("lamp", {0.3f, 0.3f, 0.3f}, 0.8f, 3);
+    lamp.emission = {6, 5, 4};
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-0.1, 1.5, -0.8}, {1.3, 1.5, -0.8}, {1.3, 1.5, 0.6}, {-0.1, 1.5, 0.6}, {1, 1}, lamp)));
+    d.lights.push_back(sky_of({0.3f, 0.35f, 0.45f}));
+    d.camera = make_camera({0.2, 0.9, 4}, {0, 0, 0}, 40);
+    return d;
+}
+
 struct NamedScene {
     const char* name;
     SceneDescription description;
@@ -300,6 +365,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"lights", lights_scene()});
     all.push_back({"instances", instances_scene()});
     all.push_back({"textured", textured_scene()});
+    all.push_back({"holes", holes_scene()});
     return all;
 }
 
@@ -332,10 +398,10 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     return d;
 }
 
-inline Scene build_scene(const SceneDescription& d)
+inline Scene build_scene(const SceneDescription& d, const RasterSource& images = test_picture)
 {
     Diagnostics diagnostics;
-    return Scene::build(d, diagnostics, test_picture);
+    return Scene::build(d, diagnostics, images);
 }
 
 // The camera of the description, or the one fitted to what it shows.

@@ -14,12 +14,14 @@ struct Shot {
     SamplerKind sampler = SamplerKind::sobol;
     AccelKind accel = AccelKind::embree;
     uint64_t seed = 0;
+    RasterSource images = test_picture;
 };
 
 inline Film shoot(const SceneDescription& d, const Shot& shot)
 {
     RenderRequest r;
     r.width = shot.width, r.height = shot.height, r.spp = {shot.spp}, r.threads = 2;
+    r.images = shot.images;
     r.settings.integrator = shot.integrator;
     r.settings.accel = shot.accel;
     r.settings.kernel.sampler = shot.sampler;

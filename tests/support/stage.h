@@ -4,6 +4,7 @@
 #include "core/ray.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
+#include "scene/holes.h"
 #include "scene/surface.h"
 #include "support/scenes.h"
 
@@ -12,9 +13,13 @@ namespace lancer {
 struct Stage {
     Scene scene;
     List list{scene.geometry};
-    std::unique_ptr<Accelerator> embree = make_embree(scene.geometry, "avx2");
+    std::unique_ptr<Accelerator> embree;
 
-    explicit Stage(const SceneDescription& d) : scene(build_scene(d)) {}
+    explicit Stage(const SceneDescription& d, const RasterSource& images = test_picture) : scene(build_scene(d, images))
+    {
+        bind_holes(scene);
+        embree = make_embree(scene.geometry, "avx2");
+    }
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 

@@ -1,0 +1,128 @@
+// Metal: GGX microfacets of a conductor, given by its complex index of refraction or by its colour at normal incidence.
+// Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007. On both sides of the surface.
+// What facets reflect more than once is lost, or made up for by the lobe of Kulla and Conty, "Revisiting Physically
+// Based Shading at Imageworks", SIGGRAPH 2017 courses.
+#pragma once
+
+#include "materials/albedo_table.h"
+#include "materials/fresnel.h"
+#include "materials/microfacet.h"
+#include "materials/texture.h"
+
+namespace lancer {
+
+// A complex index of refraction for each channel.
+struct Conductor {
+    Color eta, k;
+    Color normal, mean;  // its reflectance at normal incidence and under even light
+
+    Color reflectance(double cos) const
+    {
+        const auto at = [=](float n, float absorption) {
+            return static_cast<float>(fresnel_conductor(cos, static_cast<double>(n), static_cast<double>(absorption)));
+        };
+        return {at(eta.r, k.r), at(eta.g, k.g), at(eta.b, k.b)};
+    }
+};
+// eta, k: finite, >= 0.
+inline Conductor make_conductor(Color eta, Color k)
+{
+    Conductor c{.eta = eta, .k = k, .normal = {}, .mean = {}};
+    c.normal = c.reflectance(1);
+    const auto mean = [](float n, float absorption) {
+        return static_cast<float>(cosine_mean([=](double cos) {
+            return fresnel_conductor(cos, static_cast<double>(n), static_cast<double>(absorption));
+        }));
+    };
+    c.mean = {mean(eta.r, k.r), mean(eta.g, k.g), mean(eta.b, k.b)};
+    return c;
+}
+
+class MetalBsdf {
+public:
+    // color: F0, or the tint of the conductor if there is one. alpha: 0 for a mirror. compensation: nothing, or
+    // AlbedoTable::white().
+    MetalBsdf(Color color, const Conductor* conductor, float alpha, const AlbedoTable* compensation)
+        : color_(color), alpha_(alpha), conductor_(conductor)
+    {
+        if (!compensation || alpha == 0) return;
+        compensation_ = compensation;
+        mean_missing_ = compensation->mean_missing(alpha);
+        // The light that leaves after two reflections or more, of what does not leave after the first.
+        const Color f = conductor ? color * conductor->mean : mean_schlick(color);
+        const auto series = [this](float x) { return x * x * (1 - mean_missing_) / (1 - x * mean_missing_); };
+        multiple_ = {series(f.r), series(f.g), series(f.b)};
+        mean_ = max_component(f);
+    }
+
+    bool only_delta() const { return alpha_ == 0; }
+    static constexpr bool transmits() { return false; }
+    Color reflectance() const { return conductor_ ? color_ * conductor_->normal : color_; }
+
+    BsdfValue eval(Vec3 wo, Vec3 wi) const
+    {
+        if (only_delta() || wo.z <= 0 || wi.z <= 0) return {};
+        return eval_lobes(unit_in_double(wo), wi, missing(wo.z));
+    }
+    std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
+    {
+        if (wo.z <= 0) return {};
+        if (only_delta())
+            return BsdfSample{
+                .wi = {-wo.x, -wo.y, wo.z}, .weight = fresnel(static_cast<double>(wo.z)), .pdf = 1, .delta = true};
+        const Vec3d o = unit_in_double(wo);
+        const float missing_o = missing(wo.z);
+        std::optional<Vec3> wi = square_to_hemisphere(v);
+        if (u >= probability_of_multiple(missing_o)) wi = sample_facets({alpha_}, o, v);
+        if (!wi) return {};
+        const BsdfValue f = eval_lobes(o, *wi, missing_o);
+        if (!(f.pdf > 0)) return {};
+        return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf};
+    }
+
+private:
+    Color fresnel(double cos) const
+    {
+        return conductor_ ? color_ * conductor_->reflectance(cos) : fresnel_schlick(color_, cos);
+    }
+    float missing(float cos) const { return compensation_ ? compensation_->loss(cos, alpha_) : 0; }
+    float probability_of_multiple(float missing_o) const
+    {
+        const float multiple = missing_o * max_component(multiple_);
+        return multiple > 0 ? multiple / (multiple + (1 - missing_o) * mean_) : 0;
+    }
+    BsdfValue eval_lobes(Vec3d o, Vec3 wi, float missing_o) const
+    {
+        const FacetReflection facets = eval_facets({alpha_}, o, unit_in_double(wi));
+        BsdfValue f{fresnel(facets.cos_h) * static_cast<float>(facets.f_cos), static_cast<float>(facets.pdf)};
+        if (!compensation_) return f;
+        // Uniform rather than by the cosine: what is missing grows towards grazing.
+        const float p = probability_of_multiple(missing_o);
+        f.f_cos += multiple_ * (missing_o * missing(wi.z) / mean_missing_ * wi.z * (1 / pi));
+        f.pdf += p * (pdf_hemisphere - f.pdf);
+        return f;
+    }
+
+    Color color_;
+    float alpha_;
+    const Conductor* conductor_;
+    const AlbedoTable* compensation_ = nullptr;
+    float mean_missing_ = 1, mean_ = 0;
+    Color multiple_{};
+};
+static_assert(Bsdf<MetalBsdf>);
+
+struct Metal {
+    static constexpr const char* name = "metal";
+    ColorParam color;      // F0, by Schlick's approximation; with a conductor its tint
+    FloatParam roughness;  // perceptual
+    std::optional<Conductor> conductor{};
+    const AlbedoTable* compensation = nullptr;  // AlbedoTable::white(): with multiple scattering
+
+    MetalBsdf at(const ShadingPoint& p) const
+    {
+        return {p.eval(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
+    }
+};
+
+}  // namespace lancer

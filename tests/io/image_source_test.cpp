@@ -1,0 +1,90 @@
+// Pictures in the background: each file once, errors through the future, nothing kept, clean ends.
+#include "io/image_source.h"
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "io/image_files.h"
+#include "io/temp_folder.h"
+
+namespace lancer {
+namespace {
+
+TEST(ImageSource, AFileAskedForTwiceIsReadOnce)
+{
+    const TempFolder folder;
+    write_bytes(folder.file("a.tga"), tga(true));
+    ImageSource source(4);
+    const RasterFuture first = source.request(folder.file("a.tga")), second = source.request(folder.file("a.tga"));
+    EXPECT_EQ(first.get(), second.get());
+    const RasterFuture later = source.request(folder.file("a.tga"));  // arrived, and still held
+    EXPECT_EQ(later.get(), first.get());
+    EXPECT_EQ(first.get()->bytes.size(), 12u);
+}
+
+TEST(ImageSource, APictureLivesAsLongAsSomebodyHoldsIt)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("a.tga");
+    write_bytes(path, tga(true));
+    ImageSource source(1);
+    RasterFuture future = source.request(path);
+    std::weak_ptr<const Raster> raster = future.get();
+    EXPECT_FALSE(raster.expired());
+    future = {};
+    // The worker lets go of it a moment after it has said so; the next picture comes after that.
+    write_bytes(folder.file("b.tga"), tga(false));
+    source.request(folder.file("b.tga")).get();
+    EXPECT_TRUE(raster.expired());
+    // It is read anew, as the file is now.
+    write_bytes(path, tga(true).replace(18, 1, "\x33"));
+    EXPECT_EQ(source.request(path).get()->bytes[2], 0x33);
+}
+
+TEST(ImageSource, ErrorsComeThroughTheFuture)
+{
+    const TempFolder folder;
+    write_bytes(folder.file("broken.tga"), tga(true).substr(0, 20));
+    ImageSource source(2);
+    const RasterFuture broken = source.request(folder.file("broken.tga")), none = source.request(folder.file("none"));
+    expect_error(ErrorKind::invalid_input, folder.file("broken.tga"), "ends too early", [&] { broken.get(); });
+    expect_error(ErrorKind::missing_input, folder.file("none"), "No such file", [&] { none.get(); });
+}
+
+TEST(ImageSource, EndsWellWhenNobodyWaits)
+{
+    const TempFolder folder;
+    std::vector<RasterFuture> futures;
+    for (int i = 0; i < 40; ++i) write_bytes(folder.file(std::to_string(i) + ".tga"), tga(true));
+    for (const unsigned threads : {0u, 1u, 3u}) {
+        const ImageSource unused(threads);
+        ImageSource source(threads);
+        const RasterSource ask = source.source();
+        for (int i = 0; i < 40; ++i) futures.push_back(ask(folder.file(std::to_string(i) + ".tga")));
+    }
+    // Read, or said not to be.
+    for (const RasterFuture& f : futures) {
+        try {
+            EXPECT_EQ(f.get()->bytes.size(), 12u);
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find("nobody waited"), std::string::npos) << e.what();
+        }
+    }
+}
+
+TEST(ImageSource, ManyMayAskAtOnce)
+{
+    const TempFolder folder;
+    for (int i = 0; i < 8; ++i) write_bytes(folder.file(std::to_string(i) + ".tga"), tga(i % 2));
+    ImageSource source(3);
+    std::vector<std::shared_ptr<const Raster>> rasters(400);
+    with_threads(4, [&] {
+        parallel_for(rasters.size(),
+                     [&](size_t i) { rasters[i] = source.request(folder.file(std::to_string(i % 8) + ".tga")).get(); });
+    });
+    // All are held, so each of the files has given one picture.
+    for (size_t i = 8; i < rasters.size(); ++i) EXPECT_EQ(rasters[i], rasters[i % 8]);
+}
+
+}  // namespace
+}  // namespace lancer
