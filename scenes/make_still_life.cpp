@@ -98,7 +98,7 @@ void write_twigs(const std::string& path)
             cards.push_back(leaf_card(along(stem, t), way, {0.2, 0.6, 0.75}, size, 0.85 * size, 0.5, random));
         }
     }
-    write_cards(obj, cards, "beech_leaf_1");
+    write_cards(obj, cards, "beech_twig");
 }
 
 // A cloth on the table that hangs over its front edge, at z = 0; uv in centimetres over its length and width.

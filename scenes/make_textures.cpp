@@ -28,27 +28,38 @@ double paint_leaf(const Leaf& l, double x, double y, Rgb& color)
     return 0.4 + 0.6 * side;
 }
 
-// A twig of a beech with ten leaves; the outline is in its alpha.
-void write_beech(const std::string& path)
+// Where a twig starts, which way it grows (0 is up the picture) and how long it is; without leaves if bare.
+struct Twig {
+    double x, y, angle, size;
+    bool bare = false;
+};
+
+// Twigs of a beech, each with ten leaves or none; the outline is in the picture's alpha.
+void write_beech(const std::string& path, const std::vector<Twig>& twigs)
 {
     Random random(201);
     std::vector<Leaf> leaves;
-    for (int i = 0; i < 10; ++i) {
-        const double t = i == 9 ? 0.66 : 0.02 + 0.068 * i, side = i == 9 ? 0 : (i % 2 ? 1 : -1);
-        const double g = random.in(0.85, 1.12);
-        leaves.push_back({0.5 + 0.004 * side,
-                          t,
-                          side * random.in(0.85, 1.15),
-                          i == 9 ? 0.34 : random.in(0.36, 0.42),
-                          {random.in(0.42, 0.52) * g, random.in(0.60, 0.66) * g, random.in(0.20, 0.26) * g}});
-    }
+    for (const Twig& twig : twigs)
+        for (int i = 0; i < (twig.bare ? 0 : 10); ++i) {
+            const double t = i == 9 ? 0.66 : 0.02 + 0.068 * i, side = i == 9 ? 0 : (i % 2 ? 1 : -1);
+            const double g = random.in(0.85, 1.12), along = t * twig.size;
+            leaves.push_back({twig.x + along * std::sin(twig.angle),
+                              twig.y + along * std::cos(twig.angle),
+                              twig.angle + side * random.in(0.85, 1.15),
+                              (i == 9 ? 0.34 : random.in(0.36, 0.42)) * twig.size,
+                              {random.in(0.42, 0.52) * g, random.in(0.60, 0.66) * g, random.in(0.20, 0.26) * g}});
+        }
     std::reverse(leaves.begin(), leaves.end());
+    const auto is_wood = [](const Twig& twig, double x, double y) {
+        const double dx = x - twig.x, dy = y - twig.y, c = std::cos(twig.angle), s = std::sin(twig.angle);
+        const double t = (dy * c + dx * s) / twig.size, across = dx * c - dy * s;
+        return t > 0 && t < 0.7 && std::fabs(across - 0.01 * twig.size * std::sin(9 * t)) < 0.008;
+    };
     Picture p = cut_out(256, 256, {0.47, 0.62, 0.23}, [&](double x, double y, Rgb& c) {
-        bool found = false;
-        if (std::fabs(x - 0.5 - 0.01 * std::sin(9 * y)) < 0.008 && y < 0.7) found = true, c = {0.33, 0.25, 0.17};
         for (const Leaf& l : leaves)
             if (paint_leaf(l, x, y, c) >= 0) return true;
-        return found;
+        c = {0.33, 0.25, 0.17};
+        return std::any_of(twigs.begin(), twigs.end(), [&](const Twig& twig) { return is_wood(twig, x, y); });
     });
     write_png(path, p, 64);
 }
@@ -269,7 +280,14 @@ int main(int argc, char** argv)
         return 2;
     }
     const std::string folder = std::string(argv[1]) + "/";
-    write_beech(folder + "beech.png");
+    write_beech(folder + "beech.png", {{0.5, 0, 0, 1}});
+    write_beech(folder + "beech_spray.png", {{0.5, 0.56, 0, 0.44},
+                                             {0.5, 0.46, 0.8, 0.42},
+                                             {0.5, 0.36, -0.8, 0.44},
+                                             {0.5, 0.22, 0.95, 0.46},
+                                             {0.5, 0.10, -1.0, 0.47},
+                                             {0.5, 0.0, 1.15, 0.42},
+                                             {0.5, 0.0, 0.0, 0.85, true}});
     write_spruce(folder + "spruce.png", folder + "spruce_mask.png");
     write_fern_mask(folder + "fern_mask.png");
     write_bark(folder + "bark.png");
