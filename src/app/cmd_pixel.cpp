@@ -94,9 +94,10 @@ int run_pixel(int argc, char** argv)
         throw Error(
             ErrorKind::usage, {},
             format_text("pixel %u %u lies outside of the picture of %ux%u", options->x, options->y, s.width, s.height));
-    build_prepared(p, options->picture, diagnostics);
     with_threads(s.threads, [&] {
-        const Renderer renderer(std::move(p.scene), to_render_settings(s, 1));
+        begin_prepared(p, diagnostics);
+        const auto made = make_renderer(p, options->picture, 1, diagnostics);
+        const Renderer& renderer = *made;
         const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height);
         Report report(renderer, p.description);
         const Color radiance =

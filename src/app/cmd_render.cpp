@@ -33,7 +33,7 @@ private:
     template <class F>
     auto timed(const char* phase, F&& f);
     void load();
-    void describe();
+    void describe(const Renderer& renderer);
     void render(const Renderer& renderer);
     void add_pass(const Film& film, const PassResult& result, SampleRange range, double since);
     void write(const Film& film);
@@ -44,9 +44,11 @@ private:
 
     const RenderOptions& options_;
     Signals signals_;
+    Diagnostics diagnostics_;
     Prepared prepared_;
     Settings settings_;
     RunStats stats_;
+    Normalisation normalisation_;  // of the scene, once it is built
 };
 
 template <class F>
@@ -63,8 +65,7 @@ auto Run::timed(const char* phase, F&& f)
 
 void Run::load()
 {
-    Diagnostics diagnostics;
-    timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics, options_.quiet); });
+    timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     spare_inputs(options_, prepared_.description);
     settings_ = prepared_.settings;
     settings_.spp = options_.spp.value_or(settings_.spp);
@@ -74,10 +75,9 @@ void Run::load()
             throw Error(ErrorKind::usage, {},
                         format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
     }
-    timed("build scene", [&] { build_prepared(prepared_, options_.picture, diagnostics); });
 }
 
-void Run::describe()
+void Run::describe(const Renderer& renderer)
 {
     const Settings& s = settings_;
     stats_.context = {.version = LANCER_VERSION,
@@ -89,8 +89,8 @@ void Run::describe()
                       .cpu = cpu_model(),
                       .command_line = options_.command_line,
                       .load_average = load_average()};
-    const Scene& scene = prepared_.scene;
-    stats_.scene = {.file = options_.picture.scene,
+    const Scene& scene = renderer.scene();
+    stats_.scene = {.file = options_.picture.scene.file,
                     .content_hash = prepared_.description.content_hash,
                     .triangles = scene.triangle_count(),
                     .meshes = scene.geometry.meshes.size(),
@@ -99,6 +99,7 @@ void Run::describe()
                     .planes = scene.geometry.planes.size(),
                     .lights = scene.lights.lights.size(),
                     .materials = scene.materials.size(),
+                    .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings};
     stats_.settings = {.width = s.width,
                        .height = s.height,
@@ -116,7 +117,10 @@ void Run::describe()
                        .isa = s.isa,
                        .nee = s.direct.nee,
                        .mis = s.direct.mis,
-                       .hash = to_hex(hash_bytes(reproducing_options(s) + " --spp " + std::to_string(s.spp)))};
+                       .multiscatter = s.multiscatter,
+                       .terminator = s.terminator,
+                       .hash = to_hex(hash_bytes(reproducing_options(s) + " --camera " + options_.picture.scene.camera +
+                                                 " --spp " + std::to_string(s.spp)))};
 }
 
 void Run::add_pass(const Film& film, const PassResult& result, SampleRange range, double since)
@@ -136,6 +140,8 @@ void Run::render(const Renderer& renderer)
     const Settings& s = settings_;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height);
     Film film(s.width, s.height, s.crop);
+    if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
+    normalisation_ = renderer.scene().normalisation;
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
     timed("render", [&] {
         Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp, film.pixels.size());
@@ -165,7 +171,10 @@ void Run::render(const Renderer& renderer)
     timed("write", [&] { write(film); });
 }
 
-void Run::write(const Film& film) { write_outputs(options_, to_image(film), make_metadata(stats_)); }
+void Run::write(const Film& film)
+{
+    write_outputs(options_, to_image(film), aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+}
 
 void Run::write_stats()
 {
@@ -192,10 +201,9 @@ void Run::say_dropped() const
 {
     const auto& first = stats_.counters.first_dropped;
     if (!first) return;
-    std::string command = "lancer pixel " + in_shell_quotes(options_.picture.scene) +
-                          format_text(" %u %u %u ", first->x, first->y, first->sample) + reproducing_options(settings_);
-    if (!options_.picture.asset_root.empty())
-        command += " --asset-root " + in_shell_quotes(options_.picture.asset_root);
+    std::string command = "lancer pixel " + in_shell_quotes(options_.picture.scene.file) +
+                          format_text(" %u %u %u ", first->x, first->y, first->sample) +
+                          reproducing_options(settings_) + options_text(options_.picture.scene);
     print_problem(format_text("warning: dropped samples, as they were not finite: %zu; to see the first one:\n  ",
                               stats_.counters.dropped) +
                   command);
@@ -218,13 +226,13 @@ int Run::execute()
 {
     probe_outputs(options_);
     load();
-    describe();
     with_threads(settings_.threads, [&] {
+        timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
+        prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
         const auto renderer = timed("build accelerator", [&] {
-            return std::make_unique<Renderer>(std::move(prepared_.scene),
-                                              to_render_settings(settings_, options_.batch));
+            return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_);
         });
-        stats_.scene.accelerator_bytes = renderer->accelerator().stats().bytes;
+        describe(*renderer);
         if (options_.verbose) say_settings();
         render(*renderer);
     });

@@ -8,6 +8,8 @@ constexpr int exit_done = 0, exit_failed = 1, exit_usage = 2, exit_invalid = 65,
 
 int run_render(int argc, char** argv);
 int run_compare(int argc, char** argv);
+int run_check(int argc, char** argv);
+int run_info(int argc, char** argv);
 int run_pixel(int argc, char** argv);
 
 }  // namespace lancer

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
+#include "app/asset_files.h"
 #include "app/console.h"
 #include "app/paths.h"
 #include "core/names.h"
@@ -18,26 +18,20 @@ namespace {
 
 bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
 
-SceneDescription load_bare_mesh(const std::string& path, const std::string& asset_root, Diagnostics& diagnostics)
+void choose_camera(SceneDescription& scene, const std::string& name)
 {
-    const AssetFolder assets(path, asset_root);
-    SceneDescription scene;
-    scene.file = path;
-    scene.render.where = {path};
-    MeshDescription mesh;
-    mesh.where = {path};
-    mesh.data = load_obj(path, diagnostics, {.assets = &assets});
-    scene.meshes.push_back(mesh);
-    return scene;
-}
-
-// Not the names but what is in the files decides; the same file twice counts once.
-void hash_meshes(SceneDescription& scene)
-{
-    std::set<const MeshData*> seen;
-    for (const MeshDescription& mesh : scene.meshes)
-        if (mesh.data && seen.insert(mesh.data.get()).second)
-            scene.content_hash = scene.content_hash * 0x9e3779b97f4a7c15u + mesh.data->content_hash;
+    if (name.empty()) return;
+    std::vector<std::string> known;
+    for (const CameraDescription& camera : scene.cameras) {
+        if (camera.name == name) {
+            scene.camera = camera;
+            return;
+        }
+        known.push_back(camera.name);
+    }
+    throw Error(ErrorKind::usage, {},
+                "--camera: unknown camera " + in_quotes(name) +
+                    (known.empty() ? "; the scene has no [camera.NAME]" : suggestion(name, known)));
 }
 
 // Materials that no face has shine for nobody.
@@ -48,6 +42,15 @@ bool emits(const MeshData& mesh)
     };
     if (mesh.face_material.empty()) return shines(0);
     return std::any_of(mesh.face_material.begin(), mesh.face_material.end(), shines);
+}
+
+// Whether a light is there or may be: materials given by name are there for a reason.
+bool emits(const SceneDescription& scene)
+{
+    const auto shines = [](const MaterialDescription& m) { return !is_black(m.emission); };
+    return !scene.lights.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), shines) ||
+           std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                       [](const MeshDescription& m) { return m.material.empty() && emits(*m.data); });
 }
 
 template <class Number>
@@ -70,20 +73,32 @@ std::string to_toml_string(const std::string& text)
 
 }  // namespace
 
-SceneDescription load_scene(const std::string& path, const std::string& asset_root, Diagnostics& diagnostics)
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics)
 {
+    const SceneFileOptions options{
+        .asset_root = choice.asset_root, .mesh_loader = load_obj, .definitions = choice.definitions};
     SceneDescription scene;
-    if (is_mesh(path)) {
-        scene = load_bare_mesh(path, asset_root, diagnostics);
-    } else if (extension_of(path) == ".toml") {
-        scene = load_scene_file(path, {.asset_root = asset_root, .mesh_loader = load_obj}, diagnostics);
+    if (is_mesh(choice.file)) {
+        scene = wrap_mesh(choice.file, options, diagnostics);
+    } else if (extension_of(choice.file) == ".toml") {
+        scene = load_scene_file(choice.file, options, diagnostics);
     } else {
-        const InputFile exists(path);
+        const InputFile exists(choice.file);
         throw exists.invalid("not a scene: its name must end in .toml or .obj");
     }
     diagnostics.throw_if_errors();
-    hash_meshes(scene);
+    choose_camera(scene, choice.camera);
+    hash_assets(scene);
     return scene;
+}
+
+std::string options_text(const SceneChoice& choice)
+{
+    std::string text;
+    if (!choice.asset_root.empty()) text += " --asset-root " + in_shell_quotes(choice.asset_root);
+    if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
+    for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
+    return text;
 }
 
 std::string complete_scene(SceneDescription& scene, double aspect)
@@ -99,7 +114,7 @@ std::string complete_scene(SceneDescription& scene, double aspect)
         added += "[camera]\nposition = " + to_toml(scene.camera->position) +
                  "\ntarget = " + to_toml(scene.camera->target) + "\nfov = " + shortest(scene.camera->fov_deg) + "\n";
     }
-    if (is_bare && !emits(*scene.meshes[0].data))
+    if (is_bare && !emits(scene))
         for (LightDescription& light : default_lights(subject_bounds(scene))) {
             light.where = {scene.file, 0, 0};
             const bool sun = light.type == LightType::sphere;

@@ -2,14 +2,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "scene/description.h"
 
 namespace lancer {
 
-// A scene file (.toml) or a bare mesh (.obj). Throws Error if anything is wrong.
-SceneDescription load_scene(const std::string& path, const std::string& asset_root, Diagnostics& diagnostics);
+// What the command line says of a scene, besides how it is rendered.
+struct SceneChoice {
+    std::string file;                      // .toml or .obj
+    std::string asset_root;                // empty: the folder of the scene
+    std::vector<std::string> definitions;  // KEY=VALUE, see io/definition.h
+    std::string camera;                    // the name of one of its cameras; empty: its default
+};
+
+// A scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics);
+
+// Options that make the same choice again, with a blank before each.
+std::string options_text(const SceneChoice& choice);
 
 // Gives a scene without camera one that sees all of it, and a bare mesh on which nothing emits a white sky.
 // aspect: width over height. Returns what was added, as text to paste into a scene file; empty if nothing was.

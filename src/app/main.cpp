@@ -26,12 +26,15 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 3> commands{{{"render", run_render}, {"compare", run_compare}, {"pixel", run_pixel}}};
+constexpr std::array<Command, 5> commands{
+    {{"render", run_render}, {"check", run_check}, {"info", run_info}, {"compare", run_compare}, {"pixel", run_pixel}}};
 
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
     "Usage:\n"
     "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj) into .exr and .png files\n"
+    "  lancer check SCENE                        print every problem of a scene and its files; nothing is rendered\n"
+    "  lancer info FILE                          print what is in a scene, or what a picture says of its making\n"
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
     "  lancer SCENE ...                          the same as lancer render SCENE ...\n"

@@ -15,6 +15,7 @@
 #include "app/settings.h"
 #include "app/version.h"
 #include "core/names.h"
+#include "io/definition.h"
 #include "scene/description.h"
 
 namespace lancer {
@@ -87,16 +88,20 @@ std::string to_name(const std::string& option, const std::string& text, const Na
 }
 
 // "nee=false,mis=true"
-void set_switches(const std::string& text, DirectLight& direct)
+void set_switches(const std::string& text, PictureOptions& o)
 {
-    const std::vector<std::string_view> known{"nee", "mis"};
+    const std::vector<std::string_view> known{"nee", "mis", "multiscatter", "terminator"};
     for (const std::string& part : split(text, ',')) {
         const size_t equals = part.find('=');
         const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
         const std::string name = to_name("--set", part.substr(0, equals), known);
         if (value != "true" && value != "false")
             fail("--set: " + in_quotes(part) + " is not " + name + "=true or =false");
-        (name == "nee" ? direct.nee : direct.mis) = value == "true";
+        const bool on = value == "true";
+        if (name == "nee") o.direct.nee = on;
+        if (name == "mis") o.direct.mis = on;
+        if (name == "multiscatter") o.multiscatter = on;
+        if (name == "terminator") o.terminator = on;
     }
 }
 
@@ -105,6 +110,20 @@ std::string to_output(const std::string& path)
     const std::string extension = extension_of(path);
     if (extension != ".exr" && extension != ".png") fail("--output: " + in_quotes(path) + " must end in .exr or .png");
     return path;
+}
+
+// "albedo,normal" or "all"
+void add_aovs(const std::string& text, std::vector<Aov>& aovs)
+{
+    std::vector<std::string_view> known(aov_names.begin(), aov_names.end());
+    known.push_back("all");
+    for (const std::string& part : split(text, ',')) {
+        to_name("--aov", part, known);
+        for (size_t i = 0; i < aov_names.size(); ++i)
+            if (part == "all" || part == aov_names[i]) aovs.push_back(static_cast<Aov>(i));
+    }
+    std::sort(aovs.begin(), aovs.end());
+    aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());
 }
 
 // The options of one command. Every value comes as text and is turned into what it means by a function that throws
@@ -205,10 +224,30 @@ void add_name(Parser& p, const std::string& option, const std::string& help, con
             [=, &known, &value](const std::string& t) { value = to_name(option, t, known); });
 }
 
+void add_scene_options(Parser& p, SceneChoice& o,
+                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)")
+{
+    p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
+    p.group("The scene");
+    p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
+    p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
+             [&](const std::string& t) {
+                 parse_definition(t);
+                 o.definitions.push_back(t);
+             });
+    p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (its own folder)",
+            [&](const std::string& t) { o.asset_root = t; });
+}
+
+void add_threads(Parser& p, std::optional<uint32_t>& threads)
+{
+    p.value("-t,--threads", "N", "Threads; pictures do not depend on it (LANCER_THREADS, else all CPUs allowed)",
+            [&](const std::string& t) { threads = to_count("--threads", t, 1, max_threads); });
+}
+
 void add_picture_options(Parser& p, PictureOptions& o)
 {
-    p.argument("SCENE", "Scene file (.toml) or mesh (.obj: camera and light are added)",
-               [&](const std::string& t) { o.scene = t; });
+    add_scene_options(p, o.scene);
     p.group("What decides the picture (over [render] of the scene)");
     p.value("--size", "WxH", "Size in pixels (1280x720)", [&](const std::string& t) { o.size = to_size(t); });
     p.value("--seed", "N", "Other random numbers (0)", [&](const std::string& t) {
@@ -217,25 +256,25 @@ void add_picture_options(Parser& p, PictureOptions& o)
     add_name(p, "--integrator", "How light is followed (path)", integrator_names, o.integrator);
     p.value("--max-depth", "N", "Surface vertices of a path; 1 is direct light only, 0 no limit (0)",
             [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
-    p.values("--set", "NAME=true|false,...", "Switches: nee (light sampling), mis (multiple importance sampling)",
-             [&](const std::string& t) { set_switches(t, o.direct); });
+    p.values(
+        "--set", "NAME=true|false,...",
+        "Switches: nee (light sampling), mis (multiple importance sampling), multiscatter (rough materials lose no "
+        "light), terminator (softer shadow edges on smoothed meshes)",
+        [&](const std::string& t) { set_switches(t, o); });
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
     add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
     add_name(p, "--accel", "Ray intersection; list tries every primitive (embree)", accel_names, o.accel);
     add_name(p, "--isa", "Instructions of Embree; others round differently (avx2)", isa_names, o.isa);
-    p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (its own folder)",
-            [&](const std::string& t) { o.asset_root = t; });
     p.group("How it runs");
-    p.value("-t,--threads", "N", "Threads; pictures do not depend on it (LANCER_THREADS, else all CPUs allowed)",
-            [&](const std::string& t) { o.threads = to_count("--threads", t, 1, max_threads); });
+    add_threads(p, o.threads);
     p.flag("--strict", "Fail if loading the scene gives a warning", o.strict);
 }
 
 // After the options, so that a wrong value in the environment does not stand in the way of a right one.
-void take_environment(PictureOptions& o)
+void take_environment(std::optional<uint32_t>& said)
 {
     const char* const threads = std::getenv("LANCER_THREADS");
-    if (!o.threads && threads && *threads) o.threads = to_count("LANCER_THREADS", threads, 1, max_threads);
+    if (!said && threads && *threads) said = to_count("LANCER_THREADS", threads, 1, max_threads);
 }
 
 ProgressKind to_progress(const std::string& text)
@@ -269,7 +308,18 @@ void add_render_options(Parser& p, RenderOptions& o)
     p.value("-s,--spp", "N", "Samples per pixel (64)", [&](const std::string& t) { o.spp = to_count("--spp", t, 1); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.flag("--half", "EXR with 16-bit floats", o.half);
+    p.values(
+        "--aov", "NAME,...",
+        "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, or all",
+        [&](const std::string& t) { add_aovs(t, o.aovs); });
+    p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
+    p.value("--tonemap", "srgb|agx|none",
+            "PNG: the sRGB curve, cut off at 1; AgX, which rolls off; or linear values (srgb)",
+            [&](const std::string& t) {
+                const std::vector<std::string_view> known{"srgb", "agx", "none"};
+                to_name("--tonemap", t, known);
+                o.tonemap = t == "agx" ? ToneMap::agx : t == "none" ? ToneMap::none : ToneMap::srgb;
+            });
     p.value("--exposure", "STOPS", "PNG is brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
     p.flag("--dither", "PNG with a fixed dither pattern against banding", o.dither);
@@ -297,8 +347,8 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
                                  "  lancer mesh.obj --size 640x360\n"));
     add_render_options(p, o);
     if (!p.parse(argc, argv)) return {};
-    take_environment(o.picture);
-    if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene).stem().string() + ".exr");
+    take_environment(o.picture.threads);
+    if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
     for (size_t i = 0; i < files.size(); ++i)
@@ -306,6 +356,33 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
             if (place_of(files[i]) == place_of(files[j])) fail("--output: " + in_quotes(files[i]) + " is named twice");
     o.command_line = "lancer render";
     for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
+    return o;
+}
+
+std::optional<CheckOptions> parse_check(int argc, char** argv)
+{
+    CheckOptions o;
+    Parser p("check", "Print every problem of a scene and its files, one line each, and count them.",
+             "Exit codes: 0 no errors; 2 wrong usage; 65 errors, or with --strict warnings; 66 a file is missing.\n\n"
+             "Example:\n  lancer check scene.toml --strict\n");
+    add_scene_options(p, o.scene);
+    add_threads(p, o.threads);
+    p.flag("--strict", "Exit with 65 if there is a warning", o.strict);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<InfoOptions> parse_info(int argc, char** argv)
+{
+    InfoOptions o;
+    Parser p("info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
+             "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing.\n\n"
+             "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
+    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
     return o;
 }
 
@@ -323,7 +400,7 @@ std::optional<PixelOptions> parse_pixel(int argc, char** argv)
         "SAMPLE", "Number of the sample (0)", [&](const std::string& t) { o.sample = to_count("SAMPLE", t, 0); },
         false);
     if (!p.parse(argc, argv)) return {};
-    take_environment(o.picture);
+    take_environment(o.picture.threads);
     return o;
 }
 

@@ -7,21 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "app/load_scene.h"
 #include "core/film.h"
 #include "integrators/transport.h"
+#include "io/tonemap.h"
+#include "render/aov.h"
 
 namespace lancer {
 
 // What decides the value of a pixel. What is not given here is taken from [render] of the scene, else from Settings.
 // Names have been checked against the lists of settings.h.
 struct PictureOptions {
-    std::string scene;
-    std::string asset_root;
+    SceneChoice scene;
     std::optional<std::array<uint32_t, 2>> size;
     std::optional<uint64_t> seed;
     std::optional<uint32_t> max_depth;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
     DirectLight direct;
+    std::optional<bool> multiscatter, terminator;
     std::optional<uint32_t> threads;
     bool strict = false;
 };
@@ -33,15 +36,28 @@ struct RenderOptions {
     std::vector<std::string> outputs;  // never empty; each ends in .exr or .png
     std::optional<uint32_t> spp;
     std::optional<Tile> crop;
-    uint32_t tile = 16;    // side in pixels
-    uint32_t batch = 256;  // paths under way at once
+    uint32_t tile = 16;     // side in pixels
+    uint32_t batch = 256;   // paths under way at once
+    std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
     float exposure_stops = 0;
+    ToneMap tonemap = ToneMap::srgb;
     bool dither = false;
     std::string stats;  // empty: none
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
     std::string command_line;  // as it was given
+};
+
+struct CheckOptions {
+    SceneChoice scene;
+    std::optional<uint32_t> threads;
+    bool strict = false;
+};
+
+struct InfoOptions {
+    SceneChoice scene;  // or a picture
+    std::optional<uint32_t> threads;
 };
 
 struct PixelOptions {
@@ -61,6 +77,8 @@ struct CompareOptions {
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<CheckOptions> parse_check(int argc, char** argv);
+std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 

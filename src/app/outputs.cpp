@@ -3,6 +3,7 @@
 #include <deque>
 #include <filesystem>
 
+#include "app/asset_files.h"
 #include "app/paths.h"
 #include "core/names.h"
 #include "io/atomic_file.h"
@@ -18,6 +19,8 @@ std::string bias_ledger(const RunStats& s)
     std::string ledger;
     const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
     if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
+    if (s.settings.multiscatter) add("multiscatter");
+    if (s.settings.terminator) add("terminator");
     if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
     return ledger.empty() ? "none" : ledger;
 }
@@ -32,12 +35,7 @@ void probe_outputs(const RenderOptions& options)
 
 void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
 {
-    std::vector<std::string> inputs{scene.file};
-    for (const MeshDescription& mesh : scene.meshes) {
-        if (!mesh.data) continue;
-        inputs.push_back(mesh.data->file);
-        inputs.insert(inputs.end(), mesh.data->material_files.begin(), mesh.data->material_files.end());
-    }
+    const std::vector<std::string> inputs = input_files(scene);
     const auto check = [&](const std::string& option, const std::string& path) {
         std::error_code absent;
         for (const std::string& input : inputs)
@@ -87,16 +85,18 @@ Metadata make_metadata(const RunStats& s)
             {"command_line", s.context.command_line}};
 }
 
-void write_outputs(const RenderOptions& options, const Image& image, const Metadata& metadata)
+void write_outputs(const RenderOptions& options, const Image& image, const std::vector<ImagePlane>& planes,
+                   const Metadata& metadata)
 {
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, image, metadata, {.exposure_stops = options.exposure_stops, .dither = options.dither});
+            write_png(file, image, metadata,
+                      {.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = options.tonemap});
         } else {
-            write_exr(file, image, metadata, {.half = options.half});
+            write_exr(file, image, metadata, {.half = options.half}, planes);
         }
         file.finish();
     }

@@ -6,10 +6,21 @@
 namespace lancer {
 namespace {
 
-// Warnings go out even if errors follow: they often tell why.
 void print_warnings(const Diagnostics& diagnostics)
 {
     for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
+}
+
+// Warnings go out even if errors follow: they often tell why.
+template <class F>
+auto with_warnings(const Diagnostics& diagnostics, F&& f)
+{
+    try {
+        return f();
+    } catch (...) {
+        print_warnings(diagnostics);
+        throw;
+    }
 }
 
 }  // namespace
@@ -17,13 +28,11 @@ void print_warnings(const Diagnostics& diagnostics)
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet)
 {
     Prepared p;
-    try {
-        p.description = load_scene(options.scene, options.asset_root, diagnostics);
-    } catch (...) {
-        print_warnings(diagnostics);
-        throw;
-    }
+    with_warnings(diagnostics, [&] { p.description = load_scene(options.scene, diagnostics); });
     p.settings = resolve_settings(options, p.description.render);
+    // Where Scene::begin looks for them.
+    p.description.render.multiscatter = p.settings.multiscatter;
+    p.description.render.terminator = p.settings.terminator;
     const std::string added = complete_scene(p.description, double(p.settings.width) / p.settings.height);
     if (!added.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
@@ -31,20 +40,24 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
     return p;
 }
 
-void build_prepared(Prepared& p, const PictureOptions& options, Diagnostics& diagnostics)
+void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    try {
-        p.scene = Scene::build(p.description, diagnostics);
-    } catch (...) {
-        print_warnings(diagnostics);
-        throw;
-    }
-    p.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
+    p.images = std::make_unique<ImageSource>(p.settings.threads);
+    with_warnings(diagnostics, [&] { p.scene = Scene::begin(p.description, diagnostics, p.images->source()); });
+}
+
+std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& options, uint32_t batch,
+                                        Diagnostics& diagnostics)
+{
+    auto renderer = with_warnings(diagnostics, [&] {
+        return std::make_unique<Renderer>(std::move(p.scene), to_render_settings(p.settings, batch), &diagnostics);
+    });
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
     if (options.strict && !p.warnings.empty())
-        throw Error(ErrorKind::invalid_input, {options.scene},
+        throw Error(ErrorKind::invalid_input, {options.scene.file},
                     std::to_string(p.warnings.size()) + " warnings, and --strict allows none");
+    return renderer;
 }
 
 }  // namespace lancer

@@ -1,11 +1,13 @@
 // What every command that traces rays does first: load, complete, build, settle. Warnings are printed on the way.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/options.h"
 #include "app/settings.h"
+#include "io/image_source.h"
 #include "render/renderer.h"
 
 namespace lancer {
@@ -13,12 +15,18 @@ namespace lancer {
 struct Prepared {
     Settings settings;
     SceneDescription description;  // with a camera
+    std::unique_ptr<ImageSource> images;  // reads the pictures of the scene while the accelerator is built
     Scene scene;
     std::vector<std::string> warnings;
 };
 
-// The two halves, so that each can be timed. quiet: what was added to the scene is not said.
+// In parts, so that each can be timed. quiet: what was added to the scene is not said.
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet);
-void build_prepared(Prepared& prepared, const PictureOptions& options, Diagnostics& diagnostics);
+// Everything but the pictures, which are read from here on.
+void begin_prepared(Prepared& prepared, Diagnostics& diagnostics);
+// Builds the accelerator, waits for the pictures, and says what was wrong. Throws Error (invalid_input) if there were
+// warnings and none are allowed. Call inside with_threads.
+std::unique_ptr<Renderer> make_renderer(Prepared& prepared, const PictureOptions& options, uint32_t batch,
+                                        Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -42,6 +42,8 @@ Settings settings_of_scene(const RenderDescription& scene)
     s.spp = scene.spp.value_or(s.spp);
     s.seed = scene.seed.value_or(s.seed);
     s.max_depth = scene.max_depth.value_or(s.max_depth);
+    s.multiscatter = scene.multiscatter.value_or(s.multiscatter);
+    s.terminator = scene.terminator.value_or(s.terminator);
     return s;
 }
 
@@ -60,6 +62,8 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.accel = o.accel.value_or(s.accel);
     s.isa = o.isa.value_or(s.isa);
     s.direct = o.direct;
+    s.multiscatter = o.multiscatter.value_or(s.multiscatter);
+    s.terminator = o.terminator.value_or(s.terminator);
     s.threads = o.threads ? *o.threads : available_threads();
     return s;
 }
@@ -88,6 +92,8 @@ std::string reproducing_options(const Settings& s)
                        s.accel + " --isa " + s.isa;
     if (!s.direct.nee) text += " --set nee=false";
     if (!s.direct.mis) text += " --set mis=false";
+    if (s.multiscatter) text += " --set multiscatter=true";
+    if (s.terminator) text += " --set terminator=true";
     return text;
 }
 

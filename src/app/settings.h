@@ -21,6 +21,7 @@ struct Settings {
     uint32_t max_depth = 0;
     std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "embree", isa = "avx2";
     DirectLight direct;
+    bool multiscatter = false, terminator = false;  // see the bias ledger in docs/architecture.md
     uint32_t threads = 1;
 };
 

@@ -32,6 +32,28 @@ struct Pixel {
     }
 };
 
+// What the first surfaces behind a pixel look like, as sums over its samples; see render/aov.h. Lengths in scene units.
+struct AovPixel {
+    std::array<double, 3> albedo{}, flat{}, normal{}, position{};
+    std::array<double, 2> uv{};
+    double depth = 0;
+    uint32_t samples = 0, hits = 0;
+    uint32_t material = 0;  // 1 + that of the first sample, 0 if it hit nothing
+
+    AovPixel& operator+=(const AovPixel& o)
+    {
+        for (size_t c = 0; c < 3; ++c) {
+            albedo[c] += o.albedo[c], flat[c] += o.flat[c];
+            normal[c] += o.normal[c], position[c] += o.position[c];
+        }
+        uv[0] += o.uv[0], uv[1] += o.uv[1];
+        depth += o.depth;
+        samples += o.samples, hits += o.hits;
+        material += o.material;
+        return *this;
+    }
+};
+
 // Half-open rectangle of pixels in the coordinates of the whole picture, y down.
 struct Tile {
     uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -49,10 +71,12 @@ struct Film {
     uint32_t width = 0, height = 0;  // of the whole picture
     Tile crop;                       // the part that is rendered; pixels holds only that
     std::vector<Pixel> pixels;
+    std::vector<AovPixel> aovs;  // parallel to pixels if wanted, else empty: they are then not looked at
 
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
-    Pixel& at(uint32_t x, uint32_t y) { return pixels[size_t{y - crop.y0} * crop.width() + (x - crop.x0)]; }
-    const Pixel& at(uint32_t x, uint32_t y) const { return pixels[size_t{y - crop.y0} * crop.width() + (x - crop.x0)]; }
+    size_t index(uint32_t x, uint32_t y) const { return size_t{y - crop.y0} * crop.width() + (x - crop.x0); }
+    Pixel& at(uint32_t x, uint32_t y) { return pixels[index(x, y)]; }
+    const Pixel& at(uint32_t x, uint32_t y) const { return pixels[index(x, y)]; }
 };
 
 // Relative mean squared error of the film as its own samples tell it: mean over pixels of var / n / (mean^2 + 0.01) in

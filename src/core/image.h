@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/color.h"
@@ -34,6 +35,12 @@ private:
     {
         return static_cast<size_t>(y - data.y0) * static_cast<size_t>(data.width()) + static_cast<size_t>(x - data.x0);
     }
+};
+
+// One more number for each pixel of an image, under a name: "depth.Z".
+struct ImagePlane {
+    std::string name;
+    std::vector<float> values;  // as Image::pixels
 };
 
 // A black image of `data` within `display`.

@@ -77,7 +77,7 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
                    const Sampler& sampler, DirectLight how, Steps& steps)
 {
     if (bsdf.only_delta() || !how.nee) return;
-    const auto light = view.sample_light(surface, sampler, s.depth);
+    const auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits());
     if (!light) return;
     const Vec3 wi = frame.to_local(light->wi);
     if (!sides_agree(surface, light->wi, wi)) return;

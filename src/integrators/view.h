@@ -38,7 +38,7 @@ struct View {
 
     // through: also lights behind the surface.
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
-                                            bool through = false) const
+                                            bool through) const
     {
         if (scene.lights.pick.empty()) return {};
         const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;

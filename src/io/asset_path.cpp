@@ -57,6 +57,10 @@ AssetFolder::Found AssetFolder::check(const fs::path& path) const
 AssetFolder::Found AssetFolder::find(const std::string& name) const
 {
     if (name.find('\0') != std::string::npos) return {.problem = "holds a zero byte"};
+    if (!admitted_.empty() && name == admitted_) {
+        const std::string path = (folder_ / name).string();
+        return {.path = path, .identity = path};
+    }
     const Found in_folder = check(folder_ / name);
     if (in_folder.problem.empty() || root_ == folder_) return in_folder;
     const Found in_root = check(root_ / name);

@@ -21,6 +21,9 @@ public:
     // Without a root, the folder of the scene is the root. Throws Error if the root is not a folder.
     AssetFolder(const std::string& scene_file, const std::string& asset_root);
 
+    // A file in the scene's folder that the user himself has named: it may be a link that leads out of it.
+    void admit(const std::string& name) { admitted_ = name; }
+
     // A relative name is sought in the scene's folder, then in the root.
     Found find(const std::string& name) const;
     // The same for a path that is complete already, absolute or relative to the working folder.
@@ -29,6 +32,7 @@ public:
 private:
     std::filesystem::path folder_, root_;  // as given
     std::filesystem::path real_root_;      // absolute, without links
+    std::string admitted_;
 };
 
 }  // namespace lancer

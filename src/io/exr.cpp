@@ -225,9 +225,9 @@ Raster read_raster_part(const InputFile& file, Imf::MultiPartInputFile& parts)
     return raster;
 }
 
-// read(file, parts), with the errors of the library in our words.
-template <class Read>
-auto read_file(const std::string& path, const Read& read)
+// Opens a picture and turns whatever the library throws into Error.
+template <class F>
+auto with_parts(const std::string& path, const F& f)
 {
     InputFile file(path);
     check_exr_header(file);
@@ -236,7 +236,7 @@ auto read_file(const std::string& path, const Read& read)
         FileIn stream(file);
         // The offsets of a truncated file are not reconstructed: such a picture is refused.
         Imf::MultiPartInputFile parts(stream, 0, false);
-        return read(file, parts);
+        return f(file, parts);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
@@ -248,7 +248,8 @@ auto read_file(const std::string& path, const Read& read)
 
 }  // namespace
 
-void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, const ExrOptions& options)
+void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, const ExrOptions& options,
+               std::span<const ImagePlane> planes)
 {
     if (image.data.empty() || image.display.empty() || image.pixels.size() != image.data.area()) {
         throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
@@ -276,6 +277,12 @@ void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, c
             buffer.insert(channel_names[c], Imf::Slice::Make(type, pixels + c * value_size, to_box(image.data),
                                                              3 * value_size, row_size));
         }
+        for (const ImagePlane& plane : planes) {
+            const char* const values = reinterpret_cast<const char*>(plane.values.data());
+            header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
+            buffer.insert(plane.name, Imf::Slice::Make(Imf::FLOAT, values, to_box(image.data), sizeof(float),
+                                                       sizeof(float) * static_cast<size_t>(image.data.width())));
+        }
         FileOut stream(file);
         Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(buffer);
@@ -287,23 +294,65 @@ void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, c
     }
 }
 
-void write_exr(const std::string& path, const Image& image, const Metadata& metadata, const ExrOptions& options)
+void write_exr(const std::string& path, const Image& image, const Metadata& metadata, const ExrOptions& options,
+               std::span<const ImagePlane> planes)
 {
     AtomicFile file(path);
-    write_exr(file, image, metadata, options);
+    write_exr(file, image, metadata, options, planes);
     file.commit();
 }
 
 Image read_exr(const std::string& path, Metadata* metadata)
 {
-    return read_file(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
+    return with_parts(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
         Image image = read_part(file, parts);
         if (metadata) *metadata = read_metadata(parts.header(0));
         return image;
     });
 }
 
-Raster read_exr_raster(const std::string& path) { return read_file(path, read_raster_part); }
+ExrInfo read_exr_info(const std::string& path)
+{
+    return with_parts(path, [&](const InputFile&, Imf::MultiPartInputFile& parts) {
+        const Imf::Header& header = parts.header(0);
+        ExrInfo info{.display = to_window(header.displayWindow()),
+                     .data = to_window(header.dataWindow()),
+                     .channels = {},
+                     .compression = {},
+                     .metadata = read_metadata(header)};
+        constexpr const char* types[] = {"uint", "half", "float"};
+        constexpr const char* compressions[] = {"none",  "rle", "zips", "zip",  "piz",
+                                                "pxr24", "b44", "b44a", "dwaa", "dwab"};
+        for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+            const auto type = static_cast<size_t>(i.channel().type);
+            info.channels.push_back({i.name(), type < std::size(types) ? types[type] : "unknown"});
+        }
+        const auto compression = static_cast<size_t>(header.compression());
+        info.compression = compression < std::size(compressions) ? compressions[compression] : "unknown";
+        return info;
+    });
+}
+
+std::vector<float> read_exr_channel(const std::string& path, const std::string& name)
+{
+    return with_parts(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
+        const Imf::Header& header = parts.header(0);
+        const Imf::Channel* const channel = header.channels().findChannel(name);
+        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
+            throw file.invalid("has no channel " + name);
+        const Window data = to_window(header.dataWindow());
+        std::vector<float> values(data.area());
+        Imf::FrameBuffer buffer;
+        buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float),
+                                             sizeof(float) * static_cast<size_t>(data.width())));
+        Imf::InputPart part(parts, 0);
+        part.setFrameBuffer(buffer);
+        part.readPixels(data.y0, data.y1 - 1);
+        return values;
+    });
+}
+
+Raster read_exr_raster(const std::string& path) { return with_parts(path, read_raster_part); }
 
 std::string exr_version() { return OPENEXR_VERSION_STRING; }
 

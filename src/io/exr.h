@@ -1,7 +1,9 @@
 // OpenEXR pictures: what a render writes (exact floats, crop, metadata) and reads back as reference or texture.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/image.h"
 #include "core/raster.h"
@@ -17,10 +19,12 @@ struct ExrOptions {
 
 // R, G, B, ZIP-compressed, Rec. 709 chromaticities; display and data windows as in the image. Each metadata pair
 // becomes an attribute "lancer:NAME"; an integer beyond 32 bits, for which the format has no type, becomes text.
-// The file appears whole or not at all. The second form fills a file made earlier; its owner commits it.
+// Planes become further channels, always of 32 bits: they are data. The file appears whole or not at all. The second
+// form fills a file made earlier; its owner commits it.
 void write_exr(const std::string& path, const Image& image, const Metadata& metadata = {},
-               const ExrOptions& options = {});
-void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ExrOptions& options = {});
+               const ExrOptions& options = {}, std::span<const ImagePlane> planes = {});
+void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ExrOptions& options = {},
+               std::span<const ImagePlane> planes = {});
 
 // Any single-part picture, scan lines or tiles, with channels R, G, B, or Y for grey, of any type. Metadata are the
 // attributes "lancer:NAME", without the prefix. A broken or truncated file is ErrorKind::invalid_input, never a
@@ -30,6 +34,20 @@ Image read_exr(const std::string& path, Metadata* metadata = nullptr);
 // The same as a picture of its display window, black and transparent where the data window has nothing; with a channel
 // A as alpha, if there is one. Of a mip-mapped picture the finest level.
 Raster read_exr_raster(const std::string& path);
+
+// What there is in a picture without reading its pixels.
+struct ExrInfo {
+    Window display, data;
+    struct Channel {
+        std::string name, type;  // "depth.Z", "float"
+    };
+    std::vector<Channel> channels;  // in the order of the file
+    std::string compression;        // "zip"
+    Metadata metadata;
+};
+ExrInfo read_exr_info(const std::string& path);
+// One channel of a picture as floats, rows of its data window. Throws as read_exr, also if there is no such channel.
+std::vector<float> read_exr_channel(const std::string& path, const std::string& name);
 
 // "3.1.5", of the library that it was compiled with.
 std::string exr_version();

@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <csetjmp>
@@ -72,15 +73,19 @@ struct Reader {
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-bool encode(png_structp png, png_infop info, const Window& data, bool crop, png_textp texts, int text_count,
-            png_bytepp rows)
+bool encode(png_structp png, png_infop info, const Window& data, bool crop, bool linear, png_textp texts,
+            int text_count, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, png_get_error_ptr(png), on_write, on_flush);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
     png_set_IHDR(png, info, static_cast<png_uint_32>(data.width()), static_cast<png_uint_32>(data.height()), 8,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (linear) {
+        png_set_gAMA(png, info, 1);
+    } else {
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    }
     if (crop) png_set_oFFs(png, info, data.x0, data.y0, PNG_OFFSET_PIXEL);
     png_set_text(png, info, texts, text_count);
     png_write_info(png, info);
@@ -118,6 +123,16 @@ bool decode_header(png_structp png, png_infop info, Layout* layout)
     return true;
 }
 
+bool decode_info(png_structp png, png_infop info)
+{
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_read_fn(png, png_get_error_ptr(png), on_read);
+    png_set_user_limits(png, max_image_side, max_image_side);
+    png_set_chunk_malloc_max(png, 64 << 20);
+    png_read_info(png, info);
+    return true;
+}
+
 bool decode_rows(png_structp png, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(png))) return false;
@@ -135,13 +150,6 @@ double dither_offset(uint32_t x, uint32_t y, uint32_t channel)
     return (h ^ (h >> 16)) * 0x1p-32;
 }
 
-uint8_t quantize(double linear, double offset)
-{
-    if (!(linear > 0)) return 0;  // NaN as well
-    if (linear >= 1) return 255;
-    return static_cast<uint8_t>(srgb_from_linear(linear) * 255 + offset);
-}
-
 std::vector<uint8_t> to_bytes(const Image& image, const PngOptions& options)
 {
     std::vector<uint8_t> bytes;
@@ -150,11 +158,13 @@ std::vector<uint8_t> to_bytes(const Image& image, const PngOptions& options)
     for (int32_t y = image.data.y0; y < image.data.y1; ++y) {
         for (int32_t x = image.data.x0; x < image.data.x1; ++x) {
             const Color c = image.at(x, y);
-            const float values[] = {c.r, c.g, c.b};
+            const std::array<double, 3> values =
+                to_display(options.tonemap, {scale * double{c.r}, scale * double{c.g}, scale * double{c.b}});
             for (uint32_t i = 0; i < 3; ++i) {
                 const double offset =
                     options.dither ? dither_offset(static_cast<uint32_t>(x), static_cast<uint32_t>(y), i) : 0.5;
-                bytes.push_back(quantize(scale * static_cast<double>(values[i]), offset));
+                bytes.push_back(values[i] >= 1 ? 255
+                                               : static_cast<uint8_t>(values[i] > 0 ? values[i] * 255 + offset : 0));
             }
         }
     }
@@ -193,8 +203,9 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, c
     Writer writer;
     writer.context.out = &file;
     if (!writer.info) throw Error(ErrorKind::failed, {file.path()}, "cannot write: not enough memory");
-    const bool done = encode(writer.png, writer.info, image.data, image.data != image.display, texts.data(),
-                             static_cast<int>(texts.size()), rows.data());
+    const bool done =
+        encode(writer.png, writer.info, image.data, image.data != image.display, options.tonemap == ToneMap::none,
+               texts.data(), static_cast<int>(texts.size()), rows.data());
     if (writer.context.thrown) std::rethrow_exception(writer.context.thrown);
     if (!done) throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + writer.context.message);
 }
@@ -245,6 +256,31 @@ Raster read_png_raster(const std::string& path)
 }
 
 Image read_png(const std::string& path, Encoding encoding) { return to_image(read_png_raster(path), encoding); }
+
+PngInfo read_png_info(const std::string& path)
+{
+    InputFile file(path);
+    Reader reader;
+    reader.context.in = &file;
+    if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
+    if (!decode_info(reader.png, reader.info))
+        throw file.invalid("not a valid PNG file: " + std::string(reader.context.message));
+    PngInfo info{.width = png_get_image_width(reader.png, reader.info),
+                 .height = png_get_image_height(reader.png, reader.info),
+                 .bits = png_get_bit_depth(reader.png, reader.info),
+                 .channels = png_get_channels(reader.png, reader.info),
+                 .metadata = {}};
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(reader.png, reader.info, &texts, &count);
+    const std::string prefix = "lancer:";
+    for (int i = 0; i < count; ++i) {
+        const std::string name = texts[i].key;
+        if (name.starts_with(prefix))
+            info.metadata.emplace_back(name.substr(prefix.size()), std::string(texts[i].text));
+    }
+    return info;
+}
 
 std::string png_version() { return png_get_libpng_ver(nullptr); }
 

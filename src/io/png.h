@@ -7,6 +7,7 @@
 #include "core/raster.h"
 #include "core/srgb.h"
 #include "io/metadata.h"
+#include "io/tonemap.h"
 
 namespace lancer {
 
@@ -15,9 +16,11 @@ class AtomicFile;
 struct PngOptions {
     float exposure_stops = 0;  // pixels are scaled by 2^stops
     bool dither = false;       // hides banding with a fixed pattern of +- half a step
+    ToneMap tonemap = ToneMap::srgb;
 };
 
-// sRGB, 8 bit: values below 0 and NaN become 0, above 1 they become 255, else the nearest step. Only the data window is
+// 8 bit: code values below 0 and NaN become 0, above 1 they become 255, else the nearest step. Tagged as sRGB; without
+// a tone map as linear, gamma 1. Only the data window is
 // written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata pairs become text chunks
 // "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
@@ -30,6 +33,13 @@ Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
 
 // The same as its file stores it: palettes looked up, fewer than 8 bits widened, a transparent colour made alpha.
 Raster read_png_raster(const std::string& path);
+
+// What a PNG says besides its pixels. Throws as read_png.
+struct PngInfo {
+    uint32_t width = 0, height = 0, bits = 0, channels = 0;
+    Metadata metadata;  // text chunks "lancer:NAME", without the prefix
+};
+PngInfo read_png_info(const std::string& path);
 
 // "1.6.39", of the library that is loaded.
 std::string png_version();

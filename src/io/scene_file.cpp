@@ -3,12 +3,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "core/hash.h"
 #include "core/names.h"
+#include "io/definition.h"
 #include "io/input_text.h"
 #include "io/scene_tables.h"
 
@@ -80,6 +82,41 @@ void load_meshes(const std::vector<MeshFile>& files, const MeshLoader& load, con
     }
 }
 
+// The value of a definition; a word that is no TOML is a string.
+TomlValue to_value(const std::string& text)
+{
+    const std::string key = "value = ";
+    Diagnostics unheard;
+    if (check_toml_text(key + text, "", unheard)) {
+        try {
+            const toml::table table = toml::parse(key + text);
+            if (table.size() == 1) return to_value(*table.get("value"));
+        } catch (const toml::parse_error&) {
+        }
+    }
+    return {.data = text};
+}
+
+// Fills the description from the tree of values, with the definitions put over it.
+void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
+               Diagnostics& diagnostics)
+{
+    std::vector<std::string> sources{scene.file};
+    for (const std::string& text : options.definitions) sources.push_back("-D " + on_one_line(text));
+    TomlProblems problems(std::move(sources));
+    uint32_t source = 0;
+    for (const std::string& text : options.definitions) {
+        const Definition definition = parse_definition(text);
+        TomlValue value = to_value(definition.value);
+        set_source(value, ++source);
+        define(root, definition, std::move(value), problems);
+        scene.content_hash = hash_bytes(text, scene.content_hash);
+    }
+    const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
+    problems.report(diagnostics);
+    load_meshes(files, options.mesh_loader, assets, scene, diagnostics);
+}
+
 }  // namespace
 
 SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
@@ -98,16 +135,26 @@ SceneDescription parse_scene(std::string_view text, const std::string& path, con
         diagnostics.error({path, at.line, at.column}, syntax_message(e.description()));
         return scene;
     }
-    TomlProblems problems(path);
-    const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
-    problems.report(diagnostics);
-    load_meshes(files, options.mesh_loader, assets, scene, diagnostics);
+    read_tree(std::move(root), assets, options, scene, diagnostics);
     return scene;
 }
 
 SceneDescription load_scene_file(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics)
 {
     return parse_scene(read_input_text(path), path, options, diagnostics);
+}
+
+SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics)
+{
+    SceneDescription scene;
+    scene.file = path;
+    AssetFolder assets(path, options.asset_root);
+    const std::string name = std::filesystem::path(path).filename().string();
+    assets.admit(name);
+    const TomlValue::Table mesh{{.key = "file", .value = {.data = name}}};
+    TomlValue root{.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
+    read_tree(std::move(root), assets, options, scene, diagnostics);
+    return scene;
 }
 
 }  // namespace lancer

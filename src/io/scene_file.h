@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "io/mesh_options.h"
@@ -18,8 +19,9 @@ using MeshLoader =
     std::function<std::shared_ptr<const MeshData>(const std::string& path, Diagnostics&, const MeshOptions&)>;
 
 struct SceneFileOptions {
-    std::string asset_root = {};  // empty: only files in the folder of the scene file may be named in it
-    MeshLoader mesh_loader = {};  // called once for each mesh file; must be set if the scene names one
+    std::string asset_root = {};                // empty: only files in the folder of the scene file may be named in it
+    MeshLoader mesh_loader = {};                // called once for each mesh file; must be set if the scene names one
+    std::vector<std::string> definitions = {};  // KEY=VALUE, over what the file says; see io/definition.h
 };
 
 // Collects every problem in `diagnostics`; after an error the description is not fit for use. Throws Error only if
@@ -29,5 +31,8 @@ SceneDescription load_scene_file(const std::string& path, const SceneFileOptions
 // The same for a text already in memory; `path` stands in messages, and mesh files are sought relative to it.
 SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
                              Diagnostics& diagnostics);
+
+// A mesh file as a scene of its own: as if a scene file beside it held nothing but a [[mesh]] with its name.
+SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -6,37 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "io/camera_tables.h"
+#include "io/material_tables.h"
+
 namespace lancer {
 namespace {
 
 constexpr int64_t max_int = 2147483647;
-
-// A key that only some types of a thing have.
-struct TypedKey {
-    std::string_view key;
-    NameList types;
-};
-
-std::string join(const NameList& names, const std::string& between)
-{
-    std::string text;
-    for (const std::string_view name : names) text += (text.empty() ? "" : between) + in_quotes(name);
-    return text;
-}
-
-void reject_keys_of_other_types(const TomlTable& table, std::string_view type, const std::vector<TypedKey>& keys)
-{
-    for (const auto& [key, types] : keys) {
-        if (!table.has(key) || std::find(types.begin(), types.end(), type) != types.end()) continue;
-        table.error(key, " needs type " + join(types, " or ") + ", not " + in_quotes(type));
-    }
-}
-
-// References by name are looked up once all names are known.
-struct NameUse {
-    Location where;
-    std::string name;
-};
 
 class SceneReader {
 public:
@@ -56,13 +32,12 @@ private:
 
     void read_version();
     void read_render(const TomlTable& table);
-    void read_camera(const TomlTable& table);
-    void read_material(const std::string& name, const TomlTable& table);
     void read_mesh(const TomlTable& table);
     void read_instance(const TomlTable& table);
     void read_sphere(const TomlTable& table);
     void read_plane(const TomlTable& table);
     void read_light(const TomlTable& table);
+    void read_picture_of(const TomlTable& table, LightDescription& light);
     TransformDescription read_transform(const TomlTable& table);
     std::string read_material_use(const TomlTable& table);
     void check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
@@ -80,7 +55,7 @@ void SceneReader::read_version()
 
 void SceneReader::read_render(const TomlTable& table)
 {
-    table.allow({"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler"});
+    table.allow({"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler", "multiscatter", "terminator"});
     RenderDescription& render = scene_.render;
     render.where = table.where();
     render.integrator = table.text("integrator");
@@ -90,78 +65,8 @@ void SceneReader::read_render(const TomlTable& table)
     render.max_depth = table.integer("max_depth", 0, max_int);
     render.seed = table.integer("seed", 0, INT64_MAX);
     render.size = table.size("size");
-}
-
-// Whether no plane is spanned by the two, up to what is left of it in single precision.
-bool are_parallel(Vec3d a, Vec3d b)
-{
-    constexpr double least_sine = 1e-6;
-    a /= max_component(abs(a));  // so that no square of a huge or tiny number leaves the range
-    b /= max_component(abs(b));
-    return length(cross(normalize(a), normalize(b))) < least_sine;
-}
-
-void SceneReader::read_camera(const TomlTable& table)
-{
-    table.allow({"type", "position", "target", "up", "fov", "aperture", "focus"});
-    CameraDescription camera;
-    camera.where = table.where();
-    const NameList types{"pinhole", "thin_lens"};
-    if (const std::optional<size_t> type = table.choice("type", types, 0)) {
-        camera.type = *type == 0 ? CameraType::pinhole : CameraType::thin_lens;
-        reject_keys_of_other_types(table, types[*type], {{"aperture", {"thin_lens"}}, {"focus", {"thin_lens"}}});
-    }
-    const std::optional<Vec3d> position = table.vector("position"), target = table.vector("target");
-    camera.position = position.value_or(camera.position);
-    camera.target = target.value_or(camera.target);
-    camera.fov_deg = table.number("fov", half_turn).value_or(camera.fov_deg);
-    camera.aperture = table.number("aperture", zero_or_more).value_or(camera.aperture);
-    camera.focus = table.number("focus", above_zero);
-
-    std::optional<Vec3d> up;
-    if (table.holds_text("up")) {
-        const std::optional<size_t> axis = table.choice("up", {"y", "z"}, 0);
-        if (axis) up = *axis == 0 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    } else {
-        up = table.vector("up");
-    }
-    camera.up = up.value_or(camera.up);
-    scene_.camera = camera;
-
-    // Where one was given and is wrong, its default must not be blamed as well.
-    const bool is_read = (position || !table.has("position")) && (target || !table.has("target"));
-    if (!is_read || (table.has("up") && !up)) return;
-    const Vec3d view = camera.target - camera.position;
-    if (view == Vec3d{}) {
-        table.error(table.where(table.has("target") ? "target" : "position"),
-                    "'position' and 'target' in [camera] must be different points");
-    } else if (!is_finite(view)) {
-        table.error(table.where("target"), "'position' and 'target' in [camera] are too far apart");
-    } else if (camera.up == Vec3d{}) {
-        table.error("up", " must not be the zero vector");
-    } else if (are_parallel(view, camera.up)) {
-        table.error("up", " must not be parallel to the view, from 'position' to 'target'");
-    }
-}
-
-void SceneReader::read_material(const std::string& name, const TomlTable& table)
-{
-    table.allow({"type", "base_color", "ior", "emission", "emission_sides"});
-    MaterialDescription material;
-    material.name = name;
-    material.where = table.where();
-    const NameList types{"lambert", "mirror", "glass"};
-    if (const std::optional<size_t> type = table.choice("type", types, 0)) {
-        material.type = std::array{MaterialType::lambert, MaterialType::mirror, MaterialType::glass}[*type];
-        reject_keys_of_other_types(table, types[*type], {{"ior", {"glass"}}});
-    }
-    // A mirror or glass that nobody tinted loses no light.
-    const Color untold = material.type == MaterialType::lambert ? material.base_color : Color{1, 1, 1};
-    material.base_color = table.color("base_color", reflectance).value_or(untold);
-    material.ior = static_cast<float>(table.number("ior", index_of_refraction).value_or(material.ior));
-    material.emission = table.color("emission", brightness).value_or(material.emission);
-    material.emission_both_sides = table.choice("emission_sides", {"front", "both"}, 0).value_or(0) == 1;
-    scene_.materials.push_back(std::move(material));
+    render.multiscatter = table.boolean("multiscatter");
+    render.terminator = table.boolean("terminator");
 }
 
 TransformDescription SceneReader::read_transform(const TomlTable& table)
@@ -251,32 +156,60 @@ void SceneReader::read_plane(const TomlTable& table)
 
 void SceneReader::read_light(const TomlTable& table)
 {
-    const NameList types{"point", "sphere", "environment"};
+    const NameList types{"point", "directional", "sphere", "environment"};
     const std::vector<TypedKey> keys{{"position", {"point"}},
                                      {"intensity", {"point"}},
+                                     {"direction", {"directional"}},
+                                     {"irradiance", {"directional"}},
                                      {"center", {"sphere"}},
                                      {"radius", {"sphere"}},
                                      {"radiance", {"sphere", "environment"}}};
+    const std::vector<TypedKey> of_pictures{
+        {"file", {"environment"}}, {"scale", {"environment"}}, {"rotate", {"environment"}}};
     NameList known{"type"};
-    for (const TypedKey& k : keys) known.push_back(k.key);
+    for (const auto* list : {&keys, &of_pictures})
+        for (const TypedKey& k : *list) known.push_back(k.key);
     table.allow(known);
 
     LightDescription light;
     light.where = table.where();
     const std::optional<size_t> type = table.require("type") ? table.choice("type", types, 0) : std::nullopt;
     if (type) {
-        light.type = std::array{LightType::point, LightType::sphere, LightType::environment}[*type];
-        reject_keys_of_other_types(table, types[*type], keys);
+        light.type = static_cast<LightType>(*type);
+        for (const auto* list : {&keys, &of_pictures}) table.reject_keys_of_other_types(types[*type], *list);
         for (const auto& [key, owners] : keys) {
-            if (std::find(owners.begin(), owners.end(), types[*type]) != owners.end()) table.require(key, types[*type]);
+            const bool is_mine = std::find(owners.begin(), owners.end(), types[*type]) != owners.end();
+            if (is_mine && !(key == "radiance" && table.has("file"))) table.require(key, types[*type]);
         }
     }
     light.position = table.vector("position").value_or(table.vector("center").value_or(light.position));
     light.radius = table.number("radius", above_zero).value_or(light.radius);
-    const std::optional<Color> intensity = table.color("intensity", brightness);
-    const std::optional<Color> radiance = table.color("radiance", brightness);
-    light.power = intensity.value_or(radiance.value_or(light.power));
+    if (const std::optional<Vec3d> direction = table.vector("direction")) {
+        light.direction = *direction;
+        if (*direction == Vec3d{}) table.error("direction", " must not be the zero vector");
+    }
+    for (const char* key : {"intensity", "irradiance", "radiance"})
+        light.power = table.color(key, brightness).value_or(light.power);
+    if (table.has("file")) {
+        read_picture_of(table, light);
+    } else {
+        for (const char* key : {"scale", "rotate"})
+            if (type && light.type == LightType::environment && table.has(key)) table.error(key, " needs 'file'");
+    }
     scene_.lights.push_back(light);
+}
+
+void SceneReader::read_picture_of(const TomlTable& table, LightDescription& light)
+{
+    if (table.has("radiance")) table.error("radiance", " cannot stand beside 'file'; 'scale' is a factor on a picture");
+    light.power = table.color("scale", brightness).value_or(Color{1, 1, 1});
+    light.rotate_deg = table.vector("rotate").value_or(light.rotate_deg);
+    const std::optional<std::string> name = table.text("file");
+    if (!name) return;
+    const AssetFolder::Found found = assets_.find(*name);
+    light.file = found.path;
+    if (!found.problem.empty())
+        table.error(table.where("file"), "picture " + in_quotes(*name) + " " + found.problem, found.kind);
 }
 
 void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
@@ -293,11 +226,12 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 
 std::vector<MeshFile> SceneReader::read()
 {
-    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "light", "material"});
+    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "light", "material",
+                 "material_override", "texture"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) read_render(*render);
-    if (const std::optional<TomlTable> camera = root_.table("camera")) read_camera(*camera);
-    for (const auto& [name, material] : root_.named_tables("material")) read_material(name, material);
+    read_cameras(root_, scene_);
+    material_uses_ = read_materials(root_, assets_, scene_);
     for (const TomlTable& mesh : root_.tables("mesh")) read_mesh(mesh);
     for (const TomlTable& instance : root_.tables("instance")) read_instance(instance);
     for (const TomlTable& sphere : root_.tables("sphere")) read_sphere(sphere);

@@ -58,14 +58,47 @@ const TomlValue* TomlTable::find(std::string_view key) const
     return nullptr;
 }
 
+void TomlTable::say_unknown(const TomlEntry& entry, const NameList& known) const
+{
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) return;
+    const TomlValue::Array* array = as_array(entry.value);
+    const bool is_table = as_table(entry.value) || (array && !array->empty() && as_table(array->front()));
+    error(problems_->where(entry), (is_table && label_.empty() ? "unknown table " : "unknown key ") + name(entry.key) +
+                                       suggestion(entry.key, known));
+}
+
 void TomlTable::allow(const NameList& known) const
 {
-    for (const TomlEntry& entry : *as_table(*value_)) {
-        if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-        const TomlValue::Array* array = as_array(entry.value);
-        const bool is_table = as_table(entry.value) || (array && !array->empty() && as_table(array->front()));
-        error(problems_->where(entry), (is_table && label_.empty() ? "unknown table " : "unknown key ") +
-                                           name(entry.key) + suggestion(entry.key, known));
+    for (const TomlEntry& entry : *as_table(*value_)) say_unknown(entry, known);
+}
+
+void TomlTable::allow_besides_tables(const NameList& known) const
+{
+    for (const TomlEntry& entry : *as_table(*value_))
+        if (!as_table(entry.value)) say_unknown(entry, known);
+}
+
+bool TomlTable::has_only_tables() const
+{
+    const TomlValue::Table& entries = *as_table(*value_);
+    return !entries.empty() &&
+           std::all_of(entries.begin(), entries.end(), [](const TomlEntry& e) { return as_table(e.value); });
+}
+
+bool TomlTable::has_only(const NameList& keys) const
+{
+    const TomlValue::Table& entries = *as_table(*value_);
+    return std::all_of(entries.begin(), entries.end(),
+                       [&](const TomlEntry& e) { return std::find(keys.begin(), keys.end(), e.key) != keys.end(); });
+}
+
+void TomlTable::reject_keys_of_other_types(std::string_view type, const std::vector<TypedKey>& keys) const
+{
+    for (const auto& [key, types] : keys) {
+        if (!has(key) || std::find(types.begin(), types.end(), type) != types.end()) continue;
+        std::string owners;
+        for (const std::string_view owner : types) owners += (owners.empty() ? "" : " or ") + in_quotes(owner);
+        error(key, " needs type " + owners + ", not " + in_quotes(type));
     }
 }
 
@@ -159,6 +192,31 @@ std::optional<Vec3d> TomlTable::number_or_vector(std::string_view key, const Num
     return {};
 }
 
+std::optional<Vec2> TomlTable::number_or_pair(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const TomlValue::Array* array = as_array(*value);
+    if (!as_number(*value) && (!array || array->size() != 2)) {
+        error(key, " must be one number or two, not " + count_or_kind(*value));
+        return {};
+    }
+    const std::optional<double> x = number(array ? (*array)[0] : *value, key, float_range);
+    const std::optional<double> y = array ? number((*array)[1], key, float_range) : x;
+    if (!x || !y) return {};
+    return Vec2{static_cast<float>(*x), static_cast<float>(*y)};
+}
+
+std::optional<bool> TomlTable::boolean(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const bool* b = std::get_if<bool>(&value->data);
+    if (b) return *b;
+    error(key, " must be true or false, not " + kind_of(*value));
+    return {};
+}
+
 std::optional<Color> TomlTable::color(std::string_view key, const NumberRule& rule) const
 {
     const std::optional<Vec3d> v = number_or_vector(key, rule);
@@ -238,6 +296,17 @@ std::vector<std::pair<std::string, TomlTable>> TomlTable::named_tables(std::stri
                                                "] must be a table, written " + prefix + "NAME], not " +
                                                kind_of(entry.value));
         }
+    }
+    return tables;
+}
+
+std::vector<std::pair<std::string, TomlTable>> TomlTable::tables_within(std::string_view name_of_table) const
+{
+    std::vector<std::pair<std::string, TomlTable>> tables;
+    for (const TomlEntry& entry : *as_table(*value_)) {
+        if (!as_table(entry.value)) continue;
+        const std::string label = "[" + std::string(name_of_table) + "." + on_one_line(entry.key) + "]";
+        tables.emplace_back(entry.key, TomlTable(entry.value, label, *problems_));
     }
     return tables;
 }

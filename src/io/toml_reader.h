@@ -21,6 +21,12 @@ namespace lancer {
 
 using NameList = std::vector<std::string_view>;
 
+// A key that only some types of a thing have.
+struct TypedKey {
+    std::string_view key;
+    NameList types;
+};
+
 // What a number must be, besides finite.
 struct NumberRule {
     bool (*holds)(double);
@@ -32,9 +38,12 @@ inline constexpr NumberRule above_zero{[](double x) { return x > 0; }, "greater 
 inline constexpr NumberRule zero_or_more{[](double x) { return x >= 0; }, "0 or greater"};
 inline constexpr NumberRule half_turn{[](double x) { return x > 0 && x < 180; }, "greater than 0 and less than 180"};
 inline constexpr NumberRule reflectance{[](double x) { return x >= 0 && x <= 1; }, "from 0 to 1"};
-// These two are stored as float.
+// These are stored as float.
 inline constexpr NumberRule brightness{[](double x) { return x >= 0 && x <= std::numeric_limits<float>::max(); },
                                        "from 0 to 3.4e38"};
+inline constexpr NumberRule float_range{
+    [](double x) { return x >= -std::numeric_limits<float>::max() && x <= std::numeric_limits<float>::max(); },
+    "from -3.4e38 to 3.4e38"};
 inline constexpr NumberRule index_of_refraction{
     [](double x) { return x <= std::numeric_limits<float>::max() && static_cast<float>(x) > 0; },
     "greater than 0 and at most 3.4e38"};
@@ -42,13 +51,14 @@ inline constexpr NumberRule index_of_refraction{
 // The problems of one file. Tables are read kind by kind; the user wants to hear of them from top to bottom.
 class TomlProblems {
 public:
-    explicit TomlProblems(std::string file) : file_(std::move(file)) {}
+    // sources: the file, then whatever else values come from; what TomlValue::source counts.
+    explicit TomlProblems(std::vector<std::string> sources) : sources_(std::move(sources)) {}
 
     // Of a value or an entry.
     template <class T>
     Location where(const T& at) const
     {
-        return {file_, at.line, at.column};
+        return {sources_[at.source], at.line, at.column};
     }
     void add(const Location& where, std::string message, ErrorKind kind = ErrorKind::invalid_input)
     {
@@ -62,7 +72,7 @@ private:
         std::string message;
         ErrorKind kind;
     };
-    std::string file_;
+    std::vector<std::string> sources_;
     std::vector<Problem> problems_;
 };
 
@@ -97,6 +107,10 @@ public:
 
     // Says of every other key that it is unknown.
     void allow(const NameList& known) const;
+    // The same of every other key that is not a table of its own, [table.NAME].
+    void allow_besides_tables(const NameList& known) const;
+    // Says of each key that the table has although its type is none of the key's.
+    void reject_keys_of_other_types(std::string_view type, const std::vector<TypedKey>& keys) const;
     // Says so if there is no such key; `type` explains what it is needed for.
     bool require(std::string_view key, std::string_view type = "") const;
 
@@ -108,11 +122,17 @@ public:
     std::optional<double> number(std::string_view key, const NumberRule& rule) const;
     std::optional<Vec3d> vector(std::string_view key, const NumberRule& rule = any_number) const;
     std::optional<Vec3d> number_or_vector(std::string_view key, const NumberRule& rule) const;
+    std::optional<Vec2> number_or_pair(std::string_view key) const;  // in the range of float
+    std::optional<bool> boolean(std::string_view key) const;
     std::optional<Color> color(std::string_view key, const NumberRule& rule) const;
     std::optional<std::array<uint32_t, 2>> size(std::string_view key) const;
     std::optional<TomlTable> table(std::string_view key) const;                               // [key]
     std::vector<TomlTable> tables(std::string_view key) const;                                // [[key]]
     std::vector<std::pair<std::string, TomlTable>> named_tables(std::string_view key) const;  // [key.NAME]
+    // [table.NAME] in [table]; what else there is in it is passed over.
+    std::vector<std::pair<std::string, TomlTable>> tables_within(std::string_view name_of_table) const;
+    bool has_only_tables() const;
+    bool has_only(const NameList& keys) const;
 
 private:
     const TomlValue* value_;
@@ -124,6 +144,7 @@ private:
     {
         return in_quotes(key) + (label_.empty() ? " at the top level" : " in " + label_);
     }
+    void say_unknown(const TomlEntry& entry, const NameList& known) const;
     std::optional<int64_t> integer(const TomlValue& value, std::string_view key, int64_t low, int64_t high) const;
     std::optional<double> number(const TomlValue& value, std::string_view key, const NumberRule& rule) const;
 };

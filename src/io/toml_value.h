@@ -1,5 +1,5 @@
 // A TOML file as plain values, each with its place: what scene_file.cpp makes of toml++'s tree, so that the readers
-// of tables do not depend on that library.
+// of tables do not depend on that library. A value may also come from the command line: `source` tells them apart.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,14 @@ struct TomlValue {
 
     uint32_t line = 0, column = 0;
     std::variant<Table, Array, std::string, int64_t, double, bool, Date> data;
+    uint32_t source = 0;  // 0: the file; else a text of the command line, see TomlProblems
 };
 
 struct TomlEntry {
     std::string key;
     uint32_t line = 0, column = 0;  // of the key
     TomlValue value;
+    uint32_t source = 0;  // as of values
 };
 
 }  // namespace lancer

@@ -1,10 +1,11 @@
 // A diffuse base under a dielectric coat, smooth or of GGX facets; on both sides of the surface. With E(mu) the coat's
 // directional albedo and E' its albedo under even light, the base adds
-//   (1 - E(mu_o)) (1 - E(mu_i)) rho / (pi (eta^2 (1 - rho) + rho (1 - E'))).
-// That is what light does that crosses the coat, is scattered by a base of albedo rho, sent back to it by the coat's
-// inside as often as may be (whose diffuse reflectance is 1 - (1 - E') / eta^2, by reciprocity), and crosses once more.
-// Exact for a smooth coat (Wolff, "Diffuse-reflectance model for smooth dielectric surfaces", JOSA A 11, 1994). Of a
-// rough one the light that facets shadow goes to the base; so a white base reflects all, whatever the roughness.
+//   (1 - E(mu_o)) (1 - E(mu_i)) rho / (pi (1 - E')),
+// so that of all light that crosses the coat the part rho comes out again: the colour of the base is given as it looks
+// under the coat, which is what authors choose it by. (Mitsuba's plastic without its nonlinear shift of colours; for a
+// white base it is exact for a smooth coat: Wolff, "Diffuse-reflectance model for smooth dielectric surfaces", JOSA A
+// 11, 1994.) Of a rough coat the light that facets shadow goes to the base; so a white base reflects all, whatever the
+// roughness.
 #pragma once
 
 #include <memory>
@@ -22,8 +23,7 @@ public:
     PlasticBsdf(Color base, Color specular, float eta, float alpha, const AlbedoTable* coat, float mean_through)
         : specular_(specular), eta_(eta), alpha_(alpha), mean_through_(mean_through), coat_(coat)
     {
-        const auto scattered = [=](float rho) { return rho / (eta * eta * (1 - rho) + rho * mean_through); };
-        base_ = {scattered(base.r), scattered(base.g), scattered(base.b)};
+        base_ = base / mean_through;
     }
 
     bool only_delta() const { return is_black(base_) && alpha_ == 0; }

@@ -55,15 +55,19 @@ struct Workspace {
     std::vector<Hit> hits;
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
-    std::vector<Pixel> block;  // one per pixel of the tile
+    std::vector<Pixel> block;         // one per pixel of the tile
+    std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
 };
 
-// Hears what happens to the paths of a batch. This one hears nothing, at no cost.
+// Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
+// one hears nothing, at no cost.
 struct NoListener {
     void ray(const State&, const Hit&) const {}
     void vertex(const State&, const Surface&) const {}
     void added(const State&, Color) const {}
     void shadow(const Ray&, Color, bool) const {}
+    void begin_block() const {}
+    void end_block() const {}
 };
 
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
@@ -130,14 +134,14 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
 }
 
 // Renders samples [begin, end) of every pixel of a tile into the film.
-template <class Integrator>
+template <class Integrator, class Listener>
 void render_tile(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                  const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
-                 Counters& counters)
+                 Counters& counters, const Listener& listener)
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
     const auto flush = [&] {
-        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, NoListener{});
+        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
             const Color c = w.queue.radiance[i];
             if (!is_finite(c)) {
@@ -156,6 +160,7 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
     for (uint32_t first = samples.begin; first < samples.end;) {
         const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
         w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
+        listener.begin_block();
         for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
             for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
                 for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
@@ -167,6 +172,7 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
         flush();
         for (uint32_t y = tile.y0; y < tile.y1; ++y)
             for (uint32_t x = tile.x0; x < tile.x1; ++x) film.at(x, y) += w.block[index({x, y, 0})];
+        listener.end_block();
         first = last;
     }
 }

@@ -1,14 +1,18 @@
 #include "render/specialize.h"
 
+#include "render/aov.h"
+
 namespace lancer {
 
 // Instantiated in kernels_path.cpp and kernels_direct.cpp, so that they compile side by side.
-#define LANCER_KERNEL(Integrator)                                                                                    \
-    extern template void render_tile<Integrator>(const View&, const Accelerator&, const Camera&,                     \
-                                                 const KernelSettings&, const Integrator&, Film&, Tile, SampleRange, \
-                                                 Workspace&, Counters&);
-LANCER_KERNEL(Path)
-LANCER_KERNEL(Direct)
+#define LANCER_KERNEL(Integrator, Listener)                                                                 \
+    extern template void render_tile(const View&, const Accelerator&, const Camera&, const KernelSettings&, \
+                                     const Integrator&, Film&, Tile, SampleRange, Workspace&, Counters&,    \
+                                     const Listener&);
+LANCER_KERNEL(Path, NoListener)
+LANCER_KERNEL(Path, AovListener)
+LANCER_KERNEL(Direct, NoListener)
+LANCER_KERNEL(Direct, AovListener)
 #undef LANCER_KERNEL
 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
@@ -19,7 +23,11 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
             return [view = View{scene}, &accel, &concrete, &settings](const Camera& camera, Film& film, Tile tile,
                                                                       SampleRange samples, Workspace& w,
                                                                       Counters& counters) {
-                render_tile(view, accel, camera, settings, concrete, film, tile, samples, w, counters);
+                const auto render = [&](const auto& listener) {
+                    render_tile(view, accel, camera, settings, concrete, film, tile, samples, w, counters, listener);
+                };
+                if (film.aovs.empty()) return render(NoListener{});
+                render(AovListener(view.scene, film, tile, w));
             };
         },
         integrator);

@@ -41,6 +41,8 @@ Json settings_of(const RunStats::SettingsUsed& s)
             {"integrator", s.integrator},
             {"max_depth", s.max_depth},
             {"nee", s.nee},
+            {"multiscatter", s.multiscatter},
+            {"terminator", s.terminator},
             {"mis", s.mis},
             {"sampler", s.sampler},
             {"filter", s.filter},

@@ -27,7 +27,7 @@ struct RunStats {
         Tile crop;
         uint64_t seed = 0;
         std::string integrator, sampler, filter, accel, isa;
-        bool nee = true, mis = true;
+        bool nee = true, mis = true, multiscatter = false, terminator = false;
         std::string hash;  // of all that decides the value of a pixel, but the scene
     };
     struct Phase {

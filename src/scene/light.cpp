@@ -43,7 +43,7 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
                        .point = q.p,
                        .p_error = q.p_error,
                        .n = q.n,
-                       .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
+                       .radiance = radiance,
                        .pdf = d2 / (std::abs(c) * q.area)};
 }
 

@@ -16,14 +16,14 @@ TEST_F(Commands, HelpNamesEveryOption)
     const Said said = run({"render", "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_EQ(said.err, "");
-    for (const char* option :
-         {"-o,--output", "-s,--spp",     "-t,--threads", "--size",     "--crop",   "--seed",      "--integrator",
-          "--accel",     "--sampler",    "--filter",     "--set",      "--isa",    "--max-depth", "--tile",
-          "--batch",     "--asset-root", "--half",       "--exposure", "--dither", "--stats",     "--progress",
-          "--strict",    "-q,--quiet",   "-v,--verbose", "--version",  "-h,--help"}) {
+    for (const char* option : {"-o,--output",  "-s,--spp",  "-t,--threads", "--size",       "--crop",    "--seed",
+                               "--integrator", "--accel",   "--sampler",    "--filter",     "--set",     "--isa",
+                               "--max-depth",  "--tile",    "--batch",      "--asset-root", "--half",    "--exposure",
+                               "--dither",     "--stats",   "--progress",   "--strict",     "--camera",  "-D",
+                               "--aov",        "--tonemap", "-q,--quiet",   "-v,--verbose", "--version", "-h,--help"}) {
         expect_words(said.out, option);
     }
-    for (const char* command : {"render", "compare", "pixel"}) {
+    for (const char* command : {"render", "check", "info", "compare", "pixel"}) {
         expect_words(run({"--help"}).out, "lancer " + std::string(command));
         EXPECT_EQ(run({command, "--help"}).code, 0);
     }

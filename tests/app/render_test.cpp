@@ -216,5 +216,25 @@ TEST_F(Render, ThreadsComeFromTheEnvironmentUnlessGiven)
     expect_words(said.err, "LANCER_THREADS: 'no'");
 }
 
+TEST_F(Render, AovsAreFurtherChannels)
+{
+    EXPECT_EQ(render({"-o", "plain.exr"}).code, 0);
+    EXPECT_EQ(render({"-o", "some.exr", "-o", "some.png", "--half", "--aov", "depth,normal", "--aov", "mask"}).code, 0);
+    EXPECT_EQ(render({"-o", "all.exr", "--aov", "all"}).code, 0);
+    EXPECT_TRUE(same_pixels(image("plain.exr"), image("all.exr")));
+    std::string channels;
+    for (const auto& c : read_exr_info(file("some.exr")).channels) channels += c.name + " " + c.type + ", ";
+    EXPECT_EQ(channels,
+              "B half, G half, R half, depth.Z float, mask.A float, normal.X float, normal.Y float, normal.Z float, ");
+    EXPECT_EQ(read_exr_info(file("all.exr")).channels.size(), 3 + 3 + 3 + 1 + 3 + 2 + 1 + 1 + 1 + 3u);
+    const std::vector<float> depth = read_exr_channel(file("all.exr"), "depth.Z");
+    EXPECT_EQ(depth, read_exr_channel(file("some.exr"), "depth.Z"));
+    EXPECT_EQ(depth.size(), 24u * 16u);
+    EXPECT_NEAR(depth[8 * 24 + 12], 4.1f, 0.2f) << "the sphere of radius 1, from 5.1 away";
+    const Said wrong = render({"--aov", "dept"});
+    EXPECT_EQ(wrong.code, 2);
+    expect_words(wrong.err, "did you mean 'depth'?");
+}
+
 }  // namespace
 }  // namespace lancer

@@ -32,7 +32,7 @@ TEST_F(SceneMistakes, UnknownKeys)
           "fov, aperture, focus"},
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
-          "sampler"},
+          "sampler, multiscatter, terminator"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, translate, "
           "rotate, scale"},
@@ -41,21 +41,48 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[[plane]]\npiont = [0, 0, 0]",
           "2:1: error: unknown key 'piont' in [[plane]]; did you mean 'point'? known: point, normal, material"},
          {"[material.a]\nalbedo = 1",
-          "2:1: error: unknown key 'albedo' in [material.a]; known: type, base_color, ior, emission, emission_sides"},
+          "2:1: error: unknown key 'albedo' in [material.a]; known: type, base_color, texture, roughness, "
+          "roughness_texture, metallic, metallic_texture, ior, eta, k, specular, first, second, weight, "
+          "weight_texture, "
+          "opacity, opacity_texture, bump_texture, bump_scale, normal_texture and 3 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
-          "intensity, center, radius, radiance"},
+          "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate"},
          {"[[mesh]]\nfile = \"a.obj\"\nname = \"a\"\n[[instance]]\nmesh = \"a\"\nname = \"b\"",
           "6:1: error: unknown key 'name' in [[instance]]; known: mesh, translate, rotate, scale"},
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, light, material"},
+          "mesh, instance, sphere, plane, light, material, material_override, texture"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, light, material"},
+          "mesh, instance, sphere, plane, light, material, material_override, texture"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
-          "camera, mesh, instance, sphere, plane, light, material"}});
+          "camera, mesh, instance, sphere, plane, light, material, material_override, texture"}});
+}
+
+TEST_F(SceneMistakes, LightsAndCameras)
+{
+    write("sky.hdr", "");
+    check(
+        {{"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 0]\nirradiance = 1",
+          "3:13: error: 'direction' in [[light]] must not be the zero vector"},
+         {"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 1]",
+          "1:1: error: [[light]] of type 'directional' needs 'irradiance'"},
+         {"[[light]]\ntype = \"environment\"", "1:1: error: [[light]] of type 'environment' needs 'radiance'"},
+         {"[[light]]\ntype = \"environment\"\nfile = \"sky.hdr\"\nradiance = 1",
+          "4:12: error: 'radiance' in [[light]] cannot stand beside 'file'; 'scale' is a factor on a picture"},
+         {"[[light]]\ntype = \"environment\"\nradiance = 1\nrotate = [0, 1, 0]",
+          "4:10: error: 'rotate' in [[light]] needs 'file'"},
+         {"[[light]]\ntype = \"environment\"\nfile = \"sly.hdr\"", "3:8: error: picture 'sly.hdr' does not exist"},
+         {"[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\nintensity = 1\nfile = \"sky.hdr\"",
+          "5:8: error: 'file' in [[light]] needs type 'environment', not 'point'"},
+         {"[camera]\nfov = 30\n[camera.close]\nfvo = 3",
+          "4:1: error: unknown key 'fvo' in [camera.close]; did you mean 'fov'? known: type, position, target, up, "
+          "fov, aperture, focus"},
+         {"[camera.close]\ntarget = [0, 0, 5]",
+          "2:10: error: 'position' and 'target' in [camera.close] must be different points"},
+         {"[render]\nterminator = 1", "2:14: error: 'terminator' in [render] must be true or false, not an integer"}});
 }
 
 TEST_F(SceneMistakes, WrongKindOfTable)
@@ -159,18 +186,20 @@ TEST_F(SceneMistakes, UnknownChoices)
             "2:8: error: unknown type 'pinhol' in [camera]; did you mean 'pinhole'? known: pinhole, thin_lens"},
            {"[camera]\nup = \"x\"", "2:6: error: unknown up 'x' in [camera]; known: y, z"},
            {"[material.a]\ntype = \"galss\"\nior = 2",
-            "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, mirror, glass"},
+            "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, mirror, metal, "
+            "glass, plastic, mix"},
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
-            "2:8: error: unknown type 'area' in [[light]]; known: point, sphere, environment"}});
+            "2:8: error: unknown type 'area' in [[light]]; known: point, directional, sphere, environment"}});
 }
 
 TEST_F(SceneMistakes, KeysOfAnotherType)
 {
-    check({{"[material.a]\nior = 1.5", "2:7: error: 'ior' in [material.a] needs type 'glass', not 'lambert'"},
+    check({{"[material.a]\nior = 1.5",
+            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'lambert'"},
            {"[material.a]\ntype = \"mirror\"\nior = 1.5",
-            "3:7: error: 'ior' in [material.a] needs type 'glass', not 'mirror'"},
+            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'mirror'"},
            {"[camera]\naperture = 0.1", "2:12: error: 'aperture' in [camera] needs type 'thin_lens', not 'pinhole'"},
            {"[camera]\ntype = \"pinhole\"\nfocus = 1",
             "3:9: error: 'focus' in [camera] needs type 'thin_lens', not 'pinhole'"},
@@ -271,7 +300,7 @@ s.toml:5:7: error: 'spp' in [render] must be from 1 to 2147483647, not 0
 s.toml:6:1: error: [[light]] of type 'point' needs 'position'
 s.toml:8:13: error: 'intensity' in [[light]] must be finite, not nan
 s.toml:10:7: error: 'fov' in [camera] must be greater than 0 and less than 180, not 200
-s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, glass)");
+s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, mix)");
 }
 
 TEST_F(SceneMistakes, NamesCannotForgeLinesOrColours)

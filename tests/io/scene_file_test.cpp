@@ -22,6 +22,8 @@ sampler = "sobol"
 spp = 2147483647
 max_depth = 2147483647
 seed = 9223372036854775807
+multiscatter = true
+terminator = false
 size = [65536, 4096])")
                                     .render;
     EXPECT_EQ(r.where.line, 2u);
@@ -32,12 +34,15 @@ size = [65536, 4096])")
     EXPECT_EQ(r.max_depth, 2147483647u);
     EXPECT_EQ(r.seed, 9223372036854775807u);
     EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65536, 4096}));
+    EXPECT_EQ(r.multiscatter, true);
+    EXPECT_EQ(r.terminator, false);
 }
 
 TEST_F(SceneFileTest, WhatRenderDoesNotSayIsLeftOpen)
 {
     const RenderDescription r = scene("[render]").render;
-    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size);
+    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size || r.multiscatter ||
+                 r.terminator);
     const RenderDescription least = scene("[render]\nspp = 1\nmax_depth = 0\nseed = 0\nsize = [1, 1]").render;
     EXPECT_EQ(least.spp, 1u);
     EXPECT_EQ(least.max_depth, 0u);
@@ -79,6 +84,48 @@ TEST_F(SceneFileTest, CameraDefaults)
     EXPECT_EQ(c.aperture, 0);
     EXPECT_EQ(c.focus, std::nullopt);
     EXPECT_EQ(scene("[camera]\ntype = \"pinhole\"").camera->type, CameraType::pinhole);
+}
+
+TEST_F(SceneFileTest, NamedCamerasStartFromTheUnnamedOne)
+{
+    const SceneDescription s = scene(R"(
+[camera]
+type = "thin_lens"
+position = [1, 2, 3]
+fov = 30
+aperture = 0.5
+focus = 4
+[camera.close]
+fov = 20
+target = [0, 1, 0]
+[camera."from above"]
+type = "pinhole"
+position = [0, 9, 0]
+up = "z")");
+    EXPECT_EQ(s.camera.value().name, "");
+    EXPECT_EQ(s.camera->fov_deg, 30);
+    ASSERT_EQ(s.cameras.size(), 2u);
+    const CameraDescription &close = s.cameras[0], &above = s.cameras[1];
+    EXPECT_EQ(close.name, "close");
+    EXPECT_EQ(close.where.line, 8u);
+    EXPECT_EQ(close.type, CameraType::thin_lens);
+    EXPECT_EQ(close.position, (Vec3d{1, 2, 3}));
+    EXPECT_EQ(close.target, (Vec3d{0, 1, 0}));
+    EXPECT_EQ(close.fov_deg, 20);
+    EXPECT_EQ(close.aperture, 0.5);
+    EXPECT_EQ(close.focus, 4);
+    EXPECT_EQ(above.name, "from above");
+    EXPECT_EQ(above.fov_deg, 30);
+    EXPECT_EQ(above.aperture, 0) << "a pinhole has none to inherit";
+    EXPECT_FALSE(above.focus);
+}
+
+TEST_F(SceneFileTest, TheFirstNamedCameraIsTheDefaultWhereThereIsNoOther)
+{
+    const SceneDescription s = scene("[camera.a]\nfov = 10\n[camera.b]\nfov = 20");
+    EXPECT_EQ(s.camera.value().name, "a");
+    EXPECT_EQ(s.camera->fov_deg, 10);
+    EXPECT_EQ(s.cameras.at(1).fov_deg, 20);
 }
 
 TEST_F(SceneFileTest, UpCanBeTheNameOfAnAxis)
@@ -177,6 +224,7 @@ material = "red"
 
 TEST_F(SceneFileTest, EveryTypeOfLight)
 {
+    write("sky.hdr", "");
     const SceneDescription s = scene(R"(
 [[light]]
 type = "point"
@@ -189,8 +237,20 @@ radius = 0.25
 radiance = 7
 [[light]]
 type = "environment"
-radiance = [0, 0.5, 1])");
-    ASSERT_EQ(s.lights.size(), 3u);
+radiance = [0, 0.5, 1]
+[[light]]
+type = "directional"
+direction = [0, -2, 1]
+irradiance = [1, 2, 4]
+[[light]]
+type = "environment"
+file = "sky.hdr"
+scale = 2.5
+rotate = [0, 90, 0]
+[[light]]
+type = "environment"
+file = "sky.hdr")");
+    ASSERT_EQ(s.lights.size(), 6u);
     EXPECT_EQ(s.lights[0].type, LightType::point);
     EXPECT_EQ(s.lights[0].position, (Vec3d{1, 2, 3}));
     EXPECT_EQ(s.lights[0].power, (Color{4, 5, 6}));
@@ -201,6 +261,15 @@ radiance = [0, 0.5, 1])");
     EXPECT_EQ(s.lights[1].where.line, 6u);
     EXPECT_EQ(s.lights[2].type, LightType::environment);
     EXPECT_EQ(s.lights[2].power, (Color{0, 0.5f, 1}));
+    EXPECT_EQ(s.lights[2].file, "");
+    EXPECT_EQ(s.lights[3].type, LightType::directional);
+    EXPECT_EQ(s.lights[3].direction, (Vec3d{0, -2, 1}));
+    EXPECT_EQ(s.lights[3].power, (Color{1, 2, 4}));
+    EXPECT_EQ(s.lights[4].type, LightType::environment);
+    EXPECT_EQ(s.lights[4].file, path("sky.hdr"));
+    EXPECT_EQ(s.lights[4].power, (Color{2.5f, 2.5f, 2.5f}));
+    EXPECT_EQ(s.lights[4].rotate_deg, (Vec3d{0, 90, 0}));
+    EXPECT_EQ(s.lights[5].power, (Color{1, 1, 1}));
 }
 
 TEST_F(SceneFileTest, EveryKeyOfMaterialIsRead)

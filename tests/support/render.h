@@ -13,6 +13,7 @@ struct RenderRequest {
     std::vector<uint32_t> spp{16};  // samples of each pass, one after the other
     unsigned threads = 1;
     uint32_t tile = 16;
+    bool aovs = false;
     RenderSettings settings{};
     RasterSource images = test_picture;
 };
@@ -25,6 +26,7 @@ struct Rendered {
 inline Rendered render(const SceneDescription& d, const RenderRequest& r)
 {
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
+    if (r.aovs) out.film.aovs.resize(out.film.pixels.size());
     with_threads(r.threads, [&] {
         const Renderer renderer(build_scene(d, r.images), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);

@@ -1,0 +1,81 @@
+#include "app/asset_files.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/hash.h"
+#include "io/input_file.h"
+
+namespace lancer {
+namespace {
+
+void add(std::vector<std::string>& files, const std::string& file)
+{
+    if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+}
+
+void add_pictures(std::vector<std::string>& files, const MaterialDescription& m)
+{
+    for (const TextureUse* use : {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map, &m.bump_map,
+                                  &m.normal_map, &m.emission_map, &m.weight_map})
+        if (*use) add(files, (*use)->file);
+}
+
+std::vector<std::string> picture_files(const SceneDescription& scene)
+{
+    std::vector<std::string> files;
+    std::set<const MeshData*> seen;
+    for (const MeshDescription& mesh : scene.meshes)
+        if (mesh.data && seen.insert(mesh.data.get()).second)
+            for (const MaterialDescription& m : mesh.data->materials) add_pictures(files, m);
+    for (const MaterialDescription& m : scene.materials) add_pictures(files, m);
+    for (const MaterialOverride& o : scene.overrides)
+        if (o.change) add_pictures(files, o.change({}));
+    for (const LightDescription& light : scene.lights) add(files, light.file);
+    return files;
+}
+
+uint64_t hash_file(const std::string& path)
+{
+    constexpr size_t at_once = size_t{1} << 20;
+    uint64_t hash = 0;
+    try {
+        InputFile file(path);
+        std::string block(at_once, '\0');
+        for (size_t n = at_once; n == at_once;) {
+            n = file.read(block.data(), at_once);
+            hash = hash_bytes({block.data(), n}, hash);
+        }
+    } catch (const Error&) {
+        return 0;
+    }
+    return hash;
+}
+
+}  // namespace
+
+std::vector<std::string> input_files(const SceneDescription& scene)
+{
+    std::vector<std::string> files{scene.file};
+    std::set<const MeshData*> seen;
+    for (const MeshDescription& mesh : scene.meshes) {
+        if (!mesh.data || !seen.insert(mesh.data.get()).second) continue;
+        add(files, mesh.data->file);
+        for (const std::string& file : mesh.data->material_files) add(files, file);
+    }
+    for (const std::string& file : picture_files(scene)) add(files, file);
+    return files;
+}
+
+void hash_assets(SceneDescription& scene)
+{
+    constexpr uint64_t odd = 0x9e3779b97f4a7c15u;
+    std::set<const MeshData*> seen;
+    for (const MeshDescription& mesh : scene.meshes)
+        if (mesh.data && seen.insert(mesh.data.get()).second)
+            scene.content_hash = scene.content_hash * odd + mesh.data->content_hash;
+    for (const std::string& file : picture_files(scene))
+        scene.content_hash = scene.content_hash * odd + hash_file(file);
+}
+
+}  // namespace lancer

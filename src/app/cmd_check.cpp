@@ -1,0 +1,90 @@
+// lancer check: every problem of a scene and its files, one line each, without a picture.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/load_scene.h"
+#include "app/options.h"
+#include "app/prepare.h"
+#include "core/parallel.h"
+#include "io/obj_check.h"
+#include "scene/check.h"
+
+namespace lancer {
+namespace {
+
+class Check {
+public:
+    explicit Check(const CheckOptions& options) : options_(options) {}
+
+    int execute()
+    {
+        try {
+            run();
+        } catch (const Error& e) {
+            if (e.kind() == ErrorKind::failed || e.kind() == ErrorKind::usage) throw;
+            print_result(e.what());
+            code_ = e.kind() == ErrorKind::missing_input ? exit_missing : exit_invalid;
+            const std::string lines = e.what();
+            errors_ = 1 + static_cast<size_t>(std::count(lines.begin(), lines.end(), '\n'));
+        }
+        return say_rest();
+    }
+
+private:
+    void run()
+    {
+        SceneDescription description = load_scene(options_.scene, problems_);
+        PictureOptions picture;
+        picture.threads = options_.threads;
+        const Settings settings = resolve_settings(picture, description.render);
+        for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
+        check_description(description, problems_, notes_);
+        complete_scene(description, double(settings.width) / settings.height);
+        with_threads(settings.threads, [&] {
+            ImageSource images(settings.threads);
+            Scene scene = Scene::begin(description, problems_, images.source());
+            const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &problems_);
+            check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
+        });
+    }
+    static std::vector<std::string> mesh_files(const SceneDescription& scene)
+    {
+        std::vector<std::string> files;
+        for (const MeshDescription& mesh : scene.meshes)
+            if (std::find(files.begin(), files.end(), mesh.data->file) == files.end()) files.push_back(mesh.data->file);
+        return files;
+    }
+    int say_rest()
+    {
+        for (const auto& warning : problems_.warnings()) print_result(to_string(warning));
+        for (const auto& note : notes_.warnings())
+            print_result(to_string(note.where) + ": note: " + note.message +
+                         (note.count > 1 ? format_text(" (%zu times)", size_t{note.count}) : ""));
+        const auto counted = [](size_t n, const char* what) {
+            return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+        };
+        const size_t warnings = problems_.warnings().size();
+        print_result(counted(errors_, "error") + ", " + counted(warnings, "warning") + ", " +
+                     counted(notes_.warnings().size(), "note"));
+        return code_ == exit_done && options_.strict && warnings ? exit_invalid : code_;
+    }
+
+    const CheckOptions& options_;
+    Diagnostics problems_, notes_;
+    size_t errors_ = 0;  // lines of them
+    int code_ = exit_done;
+};
+
+}  // namespace
+
+int run_check(int argc, char** argv)
+{
+    const auto options = parse_check(argc, argv);
+    return options ? Check(*options).execute() : exit_done;
+}
+
+}  // namespace lancer

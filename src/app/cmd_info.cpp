@@ -1,0 +1,217 @@
+// lancer info: what is in a scene and what it takes, or what a picture says of its making.
+#include <map>
+#include <string>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/load_scene.h"
+#include "app/options.h"
+#include "app/paths.h"
+#include "app/prepare.h"
+#include "core/names.h"
+#include "core/parallel.h"
+#include "io/exr.h"
+#include "io/image_read.h"
+#include "io/png.h"
+
+namespace lancer {
+namespace {
+
+void say(const char* name, const std::string& value) { print_result(format_text("%-13s ", name) + value); }
+
+std::string megabytes(uint64_t bytes) { return format_text("%.2f MB", 1e-6 * static_cast<double>(bytes)); }
+
+template <class T>
+uint64_t bytes_of(const std::vector<T>& v)
+{
+    return v.size() * sizeof(T);
+}
+
+// "3 lambert, 1 glass"
+std::string listed(const std::map<std::string, uint64_t>& counts)
+{
+    std::string text;
+    for (const auto& [name, n] : counts)
+        if (n) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name;
+    return text.empty() ? "none" : text;
+}
+
+std::string to_text(Vec3d v) { return format_text("%.7g %.7g %.7g", v.x, v.y, v.z); }
+
+class SceneInfo {
+public:
+    SceneInfo(const SceneDescription& description, const Scene& scene, const Accelerator& accel)
+        : d_(description), scene_(scene), accel_(accel)
+    {
+    }
+    void print() const
+    {
+        say("file", d_.file);
+        print_shapes();
+        print_materials();
+        print_textures();
+        print_lights();
+        print_cameras();
+        print_memory();
+        say("features", features());
+    }
+
+private:
+    void print_shapes() const
+    {
+        uint64_t drawn = 0, vertices = 0;
+        for (const Mesh& m : scene_.geometry.meshes) {
+            vertices += m.positions.size() - 1;
+            if (!m.instanced) drawn += m.triangles.size();
+        }
+        for (const Instance& i : scene_.geometry.instances) drawn += scene_.geometry.meshes[i.mesh].triangles.size();
+        say("triangles", format_text("%zu, drawn %zu", size_t{scene_.triangle_count()}, size_t{drawn}));
+        say("vertices", std::to_string(vertices));
+        say("shapes", listed({{"meshes", d_.meshes.size()},
+                              {"instances", d_.instances.size()},
+                              {"spheres", d_.spheres.size()},
+                              {"planes", d_.planes.size()}}));
+        const Bounds b = subject_bounds(d_);
+        if (b.extent() > 0) say("bounds", to_text(b.lower) + " to " + to_text(b.upper));
+    }
+    void print_materials() const
+    {
+        std::map<std::string, uint64_t> counts;
+        for (uint32_t i = 0; i < scene_.materials.size(); ++i) {
+            const bool is_mix = !scene_.mix_of.empty() && scene_.mix_of[i] != Scene::none;
+            ++counts[is_mix ? "mix"
+                            : std::visit([](const auto& m) { return std::string(m.name); }, scene_.materials[i])];
+        }
+        say("materials", listed(counts));
+    }
+    void print_textures() const
+    {
+        uint64_t images = 0;
+        std::string sizes;
+        for (const Texture& t : scene_.textures)
+            if (const auto* image = std::get_if<ImageTexture>(&t)) {
+                ++images;
+                sizes += format_text("%s%ux%u (%s)", sizes.empty() ? "" : ", ", image->width(), image->height(),
+                                     megabytes(image->bytes()).c_str());
+            }
+        say("textures", listed({{"images", images}, {"others", scene_.textures.size() - images}}) +
+                            (sizes.empty() ? "" : ": " + sizes));
+    }
+    void print_lights() const
+    {
+        std::map<std::string, uint64_t> counts;
+        constexpr std::array names{"point", "directional", "sphere", "environment"};
+        for (const LightDescription& l : d_.lights) ++counts[names[static_cast<size_t>(l.type)]];
+        for (const Light& l : scene_.lights.lights)
+            if (std::holds_alternative<TriangleLight>(l)) ++counts["emitting triangles"];
+        say("lights", listed(counts));
+    }
+    void print_cameras() const
+    {
+        std::string names = d_.camera && d_.camera->name.empty() ? "the unnamed one" : "";
+        for (const CameraDescription& c : d_.cameras) names += (names.empty() ? "" : ", ") + on_one_line(c.name);
+        say("cameras", names.empty() ? "none; one that sees the whole scene is added" : names);
+    }
+    void print_memory() const
+    {
+        uint64_t geometry =
+            bytes_of(scene_.geometry.spheres) + bytes_of(scene_.geometry.planes) + bytes_of(scene_.geometry.instances);
+        for (const Mesh& m : scene_.geometry.meshes) geometry += bytes_of(m.positions) + bytes_of(m.triangles);
+        uint64_t shading = 0, textures = 0;
+        for (const MeshShading& s : scene_.shading)
+            shading += bytes_of(s.normals) + bytes_of(s.normal_triangles) + bytes_of(s.uvs) + bytes_of(s.uv_triangles) +
+                       bytes_of(s.face_material) + bytes_of(s.emitter_rank);
+        for (const Texture& t : scene_.textures)
+            if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();
+        say("memory", "geometry " + megabytes(geometry) + ", shading " + megabytes(shading) + ", textures " +
+                          megabytes(textures) + ", lights " + megabytes(bytes_of(scene_.lights.lights)) +
+                          ", accelerator " + megabytes(accel_.stats().bytes));
+    }
+    std::string features() const
+    {
+        std::string text;
+        const auto add = [&](bool used, const char* name) {
+            if (used) text += (text.empty() ? "" : ", ") + std::string(name);
+        };
+        const auto any_mesh = [&](auto f) { return std::any_of(scene_.shading.begin(), scene_.shading.end(), f); };
+        const auto any = [&](auto f) { return std::any_of(scene_.traits.begin(), scene_.traits.end(), f); };
+        add(any_mesh([](const MeshShading& s) { return !s.normals.empty(); }), "vertex normals");
+        add(any_mesh([](const MeshShading& s) { return !s.uvs.empty(); }), "texture coordinates");
+        add(any([](const MaterialTraits& t) { return t.has_holes(); }), "opacity");
+        add(any([](const MaterialTraits& t) { return t.bump != no_texture; }), "bump maps");
+        add(any([](const MaterialTraits& t) { return t.normal_map != no_texture; }), "normal maps");
+        add(!scene_.mixes.empty(), "mixed materials");
+        add(!d_.overrides.empty(), "material overrides");
+        add(!d_.instances.empty(), "instances");
+        return text.empty() ? "none" : text;
+    }
+
+    const SceneDescription& d_;
+    const Scene& scene_;
+    const Accelerator& accel_;
+};
+
+void print_metadata(const Metadata& metadata)
+{
+    for (const auto& [name, value] : metadata) say(name.c_str(), to_string(value));
+}
+
+std::string to_text(const Window& w) { return format_text("%dx%d at %d %d", w.width(), w.height(), w.x0, w.y0); }
+
+void print_picture(const std::string& path)
+{
+    say("file", path);
+    if (extension_of(path) == ".exr") {
+        const ExrInfo info = read_exr_info(path);
+        say("size", format_text("%dx%d", info.display.width(), info.display.height()));
+        if (info.data != info.display) say("pixels", to_text(info.data));
+        std::string channels;
+        for (const auto& c : info.channels) channels += (channels.empty() ? "" : ", ") + c.name + " " + c.type;
+        say("channels", channels);
+        say("compression", info.compression);
+        return print_metadata(info.metadata);
+    }
+    if (extension_of(path) == ".png") {
+        const PngInfo info = read_png_info(path);
+        say("size", format_text("%ux%u", info.width, info.height));
+        say("channels", format_text("%u of %u bits", info.channels, info.bits));
+        return print_metadata(info.metadata);
+    }
+    const Image image = read_image(path);
+    say("size", format_text("%dx%d", image.display.width(), image.display.height()));
+}
+
+int print_scene(const InfoOptions& options)
+{
+    Diagnostics diagnostics;
+    const SceneDescription description = load_scene(options.scene, diagnostics);
+    PictureOptions picture;
+    picture.scene = options.scene;
+    picture.threads = options.threads;
+    const Settings settings = resolve_settings(picture, description.render);
+    SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
+    complete_scene(completed, double(settings.width) / settings.height);
+    with_threads(settings.threads, [&] {
+        ImageSource images(settings.threads);
+        Scene scene = Scene::begin(completed, diagnostics, images.source());
+        const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
+        SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
+    });
+    say("left out", diagnostics.warnings().empty() ? "nothing" : "");
+    for (const auto& warning : diagnostics.warnings()) print_result("  " + to_string(warning));
+    return exit_done;
+}
+
+}  // namespace
+
+int run_info(int argc, char** argv)
+{
+    const auto options = parse_info(argc, argv);
+    if (!options) return exit_done;
+    const std::string extension = extension_of(options->scene.file);
+    if (extension == ".toml" || extension == ".obj") return print_scene(*options);
+    print_picture(options->scene.file);
+    return exit_done;
+}
+
+}  // namespace lancer

@@ -1,0 +1,59 @@
+// Auxiliary outputs (AOVs): what the first surface that a sample meets looks like, without its light. For denoisers,
+// compositing and looking for faults. Summed as the light is, in double and block by block, so that they have the same
+// bits for any number of threads, tiles, batches and passes.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/film.h"
+#include "core/image.h"
+#include "render/kernel.h"
+
+namespace lancer {
+
+enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat };
+// In the order of Aov.
+inline constexpr std::array<std::string_view, 9> aov_names{"albedo",   "normal",   "depth", "position", "uv",
+                                                           "material", "variance", "mask",  "flat"};
+
+// The part of the light that a material sends back when lit evenly; of a mix, mixed.
+Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
+// Its base colour, whatever the material makes of it; of a mix, mixed.
+Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
+
+// Fills film.aovs, which must be as large as film.pixels.
+class AovListener : public NoListener {
+public:
+    AovListener(const Scene& scene, Film& film, const Tile& tile, Workspace& w)
+        : scene_(scene), film_(film), tile_(tile), w_(w)
+    {
+    }
+    void ray(const State& s, const Hit&) const
+    {
+        if (s.depth == 0) ++pixel_of(s).samples;
+    }
+    void vertex(const State& s, const Surface& surface) const;
+    void begin_block() const { w_.aov_block.assign(size_t{tile_.width()} * tile_.height(), AovPixel{}); }
+    void end_block() const;
+
+private:
+    AovPixel& pixel_of(const State& s) const
+    {
+        const SampleId& id = w_.slots[s.slot];
+        return w_.aov_block[size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0)];
+    }
+
+    const Scene& scene_;
+    Film& film_;
+    const Tile& tile_;
+    Workspace& w_;
+};
+
+// The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and
+// depth.Z (units of the scene file), uv.U .V, material.ID (of the first sample, counted from 1; 0: nothing hit),
+// variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit something). Means over samples,
+// misses being 0; depth, position and uv over those that hit.
+std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
+
+}  // namespace lancer

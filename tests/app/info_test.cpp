@@ -1,0 +1,52 @@
+// lancer info: of scenes and of pictures.
+#include <gtest/gtest.h>
+
+#include "app/run_program.h"
+
+namespace lancer {
+namespace {
+
+using Info = AppTest;
+
+TEST_F(Info, OfAScene)
+{
+    write("lamp.mtl", "newmtl lamp\nKe 1 1 1\n");
+    write("two.obj", "mtllib lamp.mtl\nv 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\nusemtl lamp\nf 1 3 2\n");
+    write("full.toml",
+          "[camera]\nfov = 30\n[camera.close]\nfov = 10\n[[mesh]]\nname = \"two\"\nfile = "
+          "\"two.obj\"\n[[instance]]\nmesh = "
+          "\"two\"\n[[instance]]\nmesh = \"two\"\ntranslate = [4, 0, 0]\n[[sphere]]\nmaterial = \"g\"\n[[plane]]\n"
+          "point = [0, -1, 0]\n[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 3\n[material.g]\ntype = "
+          "\"glass\"\nopacity = 0.5\n[material.unused]\n");
+    const Said said = run({"info", "full.toml"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    for (const char* line :
+         {"file          full.toml\n", "triangles     3, drawn 6\n", "vertices      4\n",
+          "shapes        2 instances, 1 meshes, 1 planes, 1 spheres\n", "bounds        -1 -1 -1 to 6 3 1\n", " glass",
+          "lights        2 emitting triangles, 1 point\n", "cameras       the unnamed one, close\n",
+          "textures      none\n", "accelerator ", "features      opacity, instances\n",
+          "left out      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
+        expect_words(said.out, line);
+    EXPECT_EQ(run({"info", "none.toml"}).code, 66);
+}
+
+TEST_F(Info, OfPictures)
+{
+    EXPECT_EQ(render({"-o", "a.exr", "-o", "a.png", "--crop", "2,3,10,9", "--aov", "depth", "--seed", "7"}).code, 0);
+    const Said exr = run({"info", "a.exr"});
+    EXPECT_EQ(exr.code, 0);
+    for (const char* line : {"size          24x16\n", "pixels        8x6 at 2 3\n", "compression   zip\n",
+                             "channels      B float, G float, R float, depth.Z float\n", "seed          7\n",
+                             "integrator    path\n", "bias          none\n"})
+        expect_words(exr.out, line);
+    const Said png = run({"info", "a.png"});
+    EXPECT_EQ(png.code, 0);
+    for (const char* line : {"size          8x6\n", "channels      3 of 8 bits\n", "seed          7\n"})
+        expect_words(png.out, line);
+    write("broken.png", "\x89PNG\r\n\x1a\nbroken");
+    EXPECT_EQ(run({"info", "broken.png"}).code, 65);
+    EXPECT_EQ(run({"info", "none.exr"}).code, 66);
+}
+
+}  // namespace
+}  // namespace lancer

@@ -1,0 +1,277 @@
+// What materials, textures and overrides of a scene file mean, and what is said of wrong ones.
+#include <gtest/gtest.h>
+
+#include "scene_test_support.h"
+
+namespace lancer {
+namespace {
+
+class SceneMaterials : public SceneFileTest {
+protected:
+    SceneMaterials()
+    {
+        for (const char* name : {"c.png", "r.png", "m.png", "o.png", "b.png", "n.png", "e.exr", "w.png"})
+            write(name, "");
+    }
+    std::string file_of(const TextureUse& use) const { return use ? without_folder(use->file) : "none"; }
+};
+
+TEST_F(SceneMaterials, EveryKeyIsRead)
+{
+    const SceneDescription s = scene(R"(
+[material.a]
+type = "plastic"
+base_color = [0.1, 0.2, 0.3]
+texture = "c.png"
+roughness = 0.25
+roughness_texture = "r.png"
+metallic = 0.5
+metallic_texture = "m.png"
+ior = 1.4
+specular = [0.7, 0.8, 0.9]
+opacity = 0.75
+opacity_texture = "o.png"
+bump_texture = "b.png"
+bump_scale = -2
+normal_texture = "n.png"
+emission = 3
+emission_texture = "e.exr"
+emission_sides = "both"
+[material.b]
+type = "metal"
+eta = [0.2, 0.9, 1.1]
+k = [3.9, 2.4, 2.2]
+[material.c]
+type = "mix"
+first = "a"
+second = "b"
+weight = 0.125
+weight_texture = "w.png")");
+    const MaterialDescription &a = s.materials.at(0), &b = s.materials.at(1), &c = s.materials.at(2);
+    EXPECT_EQ(a.type, MaterialType::plastic);
+    EXPECT_EQ(a.base_color, (Color{0.1f, 0.2f, 0.3f}));
+    EXPECT_EQ(file_of(a.base_color_map), "c.png");
+    EXPECT_EQ(a.roughness, 0.25f);
+    EXPECT_EQ(file_of(a.roughness_map), "r.png");
+    EXPECT_EQ(a.metallic, 0.5f);
+    EXPECT_EQ(file_of(a.metallic_map), "m.png");
+    EXPECT_EQ(a.ior, 1.4f);
+    EXPECT_EQ(a.specular, (Color{0.7f, 0.8f, 0.9f}));
+    EXPECT_EQ(a.opacity, 0.75f);
+    EXPECT_EQ(file_of(a.opacity_map), "o.png");
+    EXPECT_EQ(file_of(a.bump_map), "b.png");
+    EXPECT_EQ(a.bump_scale, -2);
+    EXPECT_EQ(file_of(a.normal_map), "n.png");
+    EXPECT_EQ(a.emission, (Color{3, 3, 3}));
+    EXPECT_EQ(file_of(a.emission_map), "e.exr");
+    EXPECT_TRUE(a.emission_both_sides);
+    EXPECT_EQ(b.type, MaterialType::metal);
+    EXPECT_EQ(b.eta, (Color{0.2f, 0.9f, 1.1f}));
+    EXPECT_EQ(b.k, (Color{3.9f, 2.4f, 2.2f}));
+    EXPECT_EQ(b.base_color, (Color{1, 1, 1})) << "only a tint beside eta and k";
+    EXPECT_EQ(c.type, MaterialType::mix);
+    EXPECT_EQ(c.first, "a");
+    EXPECT_EQ(c.second, "b");
+    EXPECT_EQ(c.weight, 0.125f);
+    EXPECT_EQ(file_of(c.weight_map), "w.png");
+}
+
+TEST_F(SceneMaterials, WhatIsNotSaidHasTheDefaultsOfItsType)
+{
+    const SceneDescription s = scene(
+        "[material.l]\n[material.m]\ntype = \"mirror\"\n[material.e]\ntype = \"metal\"\n[material.g]\ntype = "
+        "\"glass\"\n[material.p]\ntype = \"plastic\"\n[material.x]\ntype = \"mix\"\nfirst = \"l\"\nsecond = \"g\"");
+    const MaterialDescription untold;
+    for (const MaterialDescription& m : s.materials) {
+        const bool tints = m.type == MaterialType::mirror || m.type == MaterialType::glass;
+        EXPECT_EQ(m.base_color, (tints ? Color{1, 1, 1} : untold.base_color)) << m.name;
+        EXPECT_EQ(m.roughness, 0);
+        EXPECT_EQ(m.opacity, 1);
+        EXPECT_EQ(m.bump_scale, 1);
+        EXPECT_EQ(m.ior, 1.5f);
+        EXPECT_EQ(m.weight, 0.5f);
+        EXPECT_EQ(m.specular, (Color{1, 1, 1}));
+        EXPECT_FALSE(m.metallic || m.eta || m.k || m.base_color_map || m.opacity_map || m.weight_map);
+    }
+}
+
+TEST_F(SceneMaterials, ATextureIsNotDimmedByANumberThatNobodySaid)
+{
+    const SceneDescription s = scene(R"(
+[material.a]
+type = "plastic"
+texture = "c.png"
+roughness_texture = "r.png"
+metallic_texture = "m.png"
+emission_texture = "e.exr"
+[material.b]
+type = "mix"
+first = "a"
+second = "a"
+weight_texture = "w.png")");
+    const MaterialDescription& a = s.materials.at(0);
+    EXPECT_EQ(a.base_color, (Color{1, 1, 1}));
+    EXPECT_EQ(a.roughness, 1);
+    EXPECT_EQ(a.metallic, 1.0f);
+    EXPECT_EQ(a.emission, (Color{1, 1, 1}));
+    EXPECT_EQ(s.materials.at(1).weight, 1);
+}
+
+TEST_F(SceneMaterials, AUseDecidesHowItsPictureIsRead)
+{
+    const MaterialDescription a =
+        scene(
+            "[material.a]\ntype = \"plastic\"\ntexture = \"c.png\"\nroughness_texture = \"c.png\"\nopacity_texture = "
+            "\"c.png\"\nnormal_texture = \"c.png\"\nemission_texture = \"c.png\"\nbump_texture = \"c.png\"")
+            .materials.at(0);
+    const auto is = [](const TextureUse& use, Encoding encoding, Channel channel) {
+        return use && use->use.encoding == encoding && use->use.channel == channel;
+    };
+    EXPECT_TRUE(is(a.base_color_map, Encoding::srgb, Channel::color));
+    EXPECT_TRUE(is(a.emission_map, Encoding::srgb, Channel::color));
+    EXPECT_TRUE(is(a.normal_map, Encoding::linear, Channel::color));
+    EXPECT_TRUE(is(a.roughness_map, Encoding::linear, Channel::luminance));
+    EXPECT_TRUE(is(a.bump_map, Encoding::linear, Channel::luminance));
+    EXPECT_TRUE(is(a.opacity_map, Encoding::linear, Channel::automatic));
+}
+
+TEST_F(SceneMaterials, EveryKeyOfTexturesIsRead)
+{
+    const SceneDescription s = scene(R"(
+[texture.wood]
+file = "c.png"
+encoding = "linear"
+wrap = "clamp"
+scale = [2, 3]
+offset = 0.5
+channel = "g"
+gain = 2
+bias = -0.25
+[texture."c.png"]
+type = "checker"
+even = [1, 0, 0]
+odd = 0.25
+scale = 8
+[material.a]
+texture = "wood"
+emission_texture = "c.png")");
+    const MaterialDescription& a = s.materials.at(0);
+    const TextureDescription wood = a.base_color_map.value(), checker = a.emission_map.value();
+    EXPECT_EQ(wood.type, TextureType::image);
+    EXPECT_EQ(without_folder(wood.file), "c.png");
+    EXPECT_EQ(wood.use, (ImageUse{.encoding = Encoding::linear,
+                                  .channel = Channel::green,
+                                  .wrap = Wrap::clamp,
+                                  .scale = {2, 3},
+                                  .offset = {0.5f, 0.5f},
+                                  .gain = 2,
+                                  .bias = -0.25f}));
+    EXPECT_EQ(checker.type, TextureType::checker) << "the name of a table comes before that of a file";
+    EXPECT_EQ(checker.even, (Color{1, 0, 0}));
+    EXPECT_EQ(checker.odd, (Color{0.25f, 0.25f, 0.25f}));
+    EXPECT_EQ(checker.use.scale, (Vec2{8, 8}));
+}
+
+// The materials of mesh files as the first matching override makes them.
+class SceneOverrides : public SceneMaterials {
+protected:
+    MaterialDescription changed(const std::string& text) const
+    {
+        const SceneDescription s = scene("[[material_override]]\nmatch = \"*\"\n" + text);
+        return s.overrides.at(0).change(before);
+    }
+    SceneOverrides()
+    {
+        before.name = "x";
+        before.type = MaterialType::plastic;
+        before.base_color = {0.5f, 0.25f, 0};
+        before.base_color_map.emplace().file = "old.png";
+        before.ior = 1.7f;
+        before.roughness = 0.3f;
+        before.specular = {0.5f, 0.5f, 0.5f};
+        before.opacity = 0.5f;
+    }
+
+    MaterialDescription before;
+};
+
+TEST_F(SceneOverrides, KeysThatAreGivenReplaceAndAllElseStays)
+{
+    const MaterialDescription m = changed("roughness = 0.75\nemission = 2\nnormal_texture = \"n.png\"");
+    EXPECT_EQ(m.roughness, 0.75f);
+    EXPECT_EQ(m.emission, (Color{2, 2, 2}));
+    EXPECT_EQ(file_of(m.normal_map), "n.png");
+    EXPECT_EQ(m.name, "x");
+    EXPECT_EQ(m.type, MaterialType::plastic);
+    EXPECT_EQ(m.base_color, before.base_color);
+    EXPECT_EQ(file_of(m.base_color_map), "old.png");
+    EXPECT_EQ(m.ior, 1.7f);
+    EXPECT_EQ(m.specular, before.specular);
+    EXPECT_EQ(m.opacity, 0.5f);
+}
+
+TEST_F(SceneOverrides, AnotherTypeBringsItsDefaultsButKeepsColourAndMaps)
+{
+    const MaterialDescription m = changed("type = \"glass\"\nroughness = 0.125");
+    EXPECT_EQ(m.type, MaterialType::glass);
+    EXPECT_EQ(m.roughness, 0.125f);
+    EXPECT_EQ(m.ior, 1.5f);
+    EXPECT_EQ(m.specular, (Color{1, 1, 1}));
+    EXPECT_EQ(m.base_color, before.base_color);
+    EXPECT_EQ(file_of(m.base_color_map), "old.png");
+    EXPECT_EQ(m.opacity, 0.5f);
+    EXPECT_EQ(changed("type = \"metal\"").roughness, 0);
+}
+
+TEST_F(SceneOverrides, AMaterialCanTakeThePlace)
+{
+    const SceneDescription s =
+        scene("[[material_override]]\nmatch = \"glass*\"\nmaterial = \"g\"\n[material.g]\ntype = \"glass\"");
+    EXPECT_EQ(s.overrides.at(0).match, "glass*");
+    EXPECT_EQ(s.overrides.at(0).material, "g");
+    EXPECT_EQ(s.overrides.at(0).where.line, 1u);
+}
+
+TEST_F(SceneMaterials, MistakesAreNamed)
+{
+    const std::vector<std::pair<const char*, const char*>> mistakes{
+        {"[material.a]\nroughness = 0.5",
+         "2:13: error: 'roughness' in [material.a] needs type 'metal' or 'glass' or 'plastic', not 'lambert'"},
+        {"[material.a]\ntype = \"mix\"\nfirst = \"b\"\nbase_color = 1\n[material.b]",
+         "1:1: error: [material.a] of type 'mix' needs 'second'\n"
+         "s.toml:4:14: error: 'base_color' in [material.a] needs type 'lambert' or 'mirror' or 'metal' or 'glass' or "
+         "'plastic', not 'mix'"},
+        {"[material.a]\ntype = \"mix\"\nfirst = \"a\"\nsecond = \"bb\"\n[material.b]",
+         "4:10: error: unknown material 'bb'; did you mean 'b'? known: a, b"},
+        {"[material.a]\ntype = \"metal\"\nk = 1", "1:1: error: [material.a] of type 'metal' needs 'eta'"},
+        {"[material.a]\nopacity = 1.5", "2:11: error: 'opacity' in [material.a] must be from 0 to 1, not 1.5"},
+        {"[material.a]\ntexture = \"d.png\"", "2:11: error: picture 'd.png' does not exist"},
+        {"[texture.wood]\nfile = \"c.png\"\n[material.a]\ntexture = \"woood\"",
+         "4:11: error: no [texture.NAME] has this name, and picture 'woood' does not exist; did you mean 'wood'? "
+         "known: wood"},
+        {"[texture.a]", "1:1: error: [texture.a] of type 'image' needs 'file'"},
+        {"[texture.a]\nfile = \"../c.png\"",
+         "2:8: error: picture '../c.png' lies outside of the folder of the scene; --asset-root FOLDER allows another "
+         "folder"},
+        {"[texture.a]\ntype = \"checker\"\nfile = \"c.png\"",
+         "3:8: error: 'file' in [texture.a] needs type 'image', not 'checker'"},
+        {"[texture.a]\ntype = \"checker\"\nscale = [1, 2, 3]",
+         "3:9: error: 'scale' in [texture.a] must be one number or two, not 3"},
+        {"[texture.a]\nfile = \"c.png\"\nchannel = \"red\"",
+         "3:11: error: unknown channel 'red' in [texture.a]; known: r, g, b, a, luminance, auto"},
+        {"[texture.a]\nfile = \"c.png\"\nwarp = \"clamp\"",
+         "3:1: error: unknown key 'warp' in [texture.a]; did you mean 'wrap'? known: type, scale, offset, file, "
+         "encoding, wrap, channel, gain, bias, even, odd"},
+        {"[[material_override]]\nroughness = 1", "1:1: error: [[material_override]] needs 'match'"},
+        {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"",
+         "3:12: error: unknown material 'a'; the file has no [material.NAME]"},
+        {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"\nior = 2\n[material.a]",
+         "3:12: error: 'material' in [[material_override]] takes the place of a material as a whole: no other key than "
+         "'match' can stand beside it"},
+        {"[[material_override]]\nmatch = \"*\"\ntype = \"mirror\"\nior = 2",
+         "4:7: error: 'ior' in [[material_override]] needs type 'glass' or 'plastic', not 'mirror'"}};
+    for (const auto& [text, message] : mistakes) EXPECT_EQ(problems(text), "s.toml:" + std::string(message)) << text;
+}
+
+}  // namespace
+}  // namespace lancer
