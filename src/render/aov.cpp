@@ -22,8 +22,8 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
                 return point.eval(m.albedo);
             } else if constexpr (requires { m.base; }) {
                 return point.eval(m.base);
-            } else if constexpr (requires { m.f0; }) {
-                return point.eval(m.f0);
+            } else if constexpr (requires { m.color; }) {
+                return point.eval(m.color);
             } else {
                 return point.eval(m.tint);
             }
