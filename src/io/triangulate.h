@@ -1,6 +1,7 @@
-// Polygons of a mesh file into triangles: quads along a diagonal that keeps both halves facing the same way, others
-// by a fan if that is right and else by ear clipping, seen along the Newell normal. A polygon of n corners gives at
-// most n - 2 triangles, corner numbers in the polygon's own direction.
+// Polygons of a mesh file into triangles: quads along the shorter of the diagonals that keep both halves facing the
+// same way, which is what most programs do and where bent quads bend least; others by a fan if that is right and else
+// by ear clipping, seen along the Newell normal. A polygon of n corners gives at most n - 2 triangles, corner numbers
+// in the polygon's own direction.
 #pragma once
 
 #include <algorithm>
@@ -33,10 +34,10 @@ public:
         const auto n = static_cast<uint32_t>(polygon.size());
         if (n < 3) return triangles_;
         project(polygon);
-        if (fan(n)) return triangles_;
-        if (n == 4 && area(0, 1, 3) > 0 && area(1, 2, 3) > 0) {
+        const bool is_fan = fan(n);
+        if (n == 4 && area(0, 1, 3) > 0 && area(1, 2, 3) > 0 && !(is_fan && diagonal(0, 2) <= diagonal(1, 3))) {
             triangles_.assign({{0, 1, 3}, {1, 2, 3}});
-        } else if (n > 4) {
+        } else if (n > 4 && !is_fan) {
             triangles_.clear();
             clip_ears_(points_, triangles_);
         }
@@ -45,6 +46,8 @@ public:
 
 private:
     double area(uint32_t a, uint32_t b, uint32_t c) const { return signed_area(points_[a], points_[b], points_[c]); }
+
+    double diagonal(size_t a, size_t b) const { return length(local_[b] - local_[a]); }
 
     // Drops the axis along which the normal is longest, so that the polygon runs counter-clockwise. Relative to a
     // corner and to the size, so that neither a far place nor a tiny polygon costs digits.

@@ -71,6 +71,14 @@ TEST_F(Polygon, QuadsAreSplitAlongTheDiagonalInside)
     EXPECT_THAT(load(square + "f 1 2 2 3\n")->triangles, ElementsAre(Triangle{0, 1, 2}));
 }
 
+// Where both diagonals lie inside, along the shorter; along the first where they are as long.
+TEST_F(Polygon, QuadsAreSplitAlongTheShorterDiagonal)
+{
+    const std::string kite = "v 0 0 0\nv 1 -0.3 0.1\nv 2 0 0\nv 1 0.3 0.1\n";
+    EXPECT_THAT(load(kite + "f 1 2 3 4\n")->triangles, ElementsAre(Triangle{0, 1, 3}, Triangle{1, 2, 3}));
+    EXPECT_THAT(load(kite + "f 2 3 4 1\n")->triangles, ElementsAre(Triangle{1, 2, 3}, Triangle{1, 3, 0}));
+}
+
 TEST_F(Polygon, ConcavePolygonsKeepTheirArea)
 {
     for (const size_t n : {5u, 6u, 16u, 255u, 256u, 257u, 300u, 512u, 10'000u})
