@@ -16,8 +16,7 @@ void add(std::vector<std::string>& files, const std::string& file)
 
 void add_pictures(std::vector<std::string>& files, const MaterialDescription& m)
 {
-    for (const TextureUse* use : {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map, &m.bump_map,
-                                  &m.normal_map, &m.emission_map, &m.weight_map})
+    for (const TextureUse* use : textures_of(m))
         if (*use) add(files, (*use)->file);
 }
 

@@ -73,10 +73,12 @@ std::string to_toml_string(const std::string& text)
 
 }  // namespace
 
-SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics)
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures)
 {
-    const SceneFileOptions options{
-        .asset_root = choice.asset_root, .mesh_loader = load_obj, .definitions = choice.definitions};
+    const SceneFileOptions options{.asset_root = choice.asset_root,
+                                   .mesh_loader = load_obj,
+                                   .pictures = pictures,
+                                   .definitions = choice.definitions};
     SceneDescription scene;
     if (is_mesh(choice.file)) {
         scene = wrap_mesh(choice.file, options, diagnostics);

@@ -17,8 +17,9 @@ struct SceneChoice {
     std::string camera;                    // the name of one of its cameras; empty: its default
 };
 
-// A scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
-SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics);
+// A scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name. pictures is
+// asked for the textures of mesh files while the meshes themselves are still being read.
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures = {});
 
 // Options that make the same choice again, with a blank before each.
 std::string options_text(const SceneChoice& choice);

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/load_scene.h"
+#include "core/parallel.h"
 
 namespace lancer {
 namespace {
@@ -28,7 +29,9 @@ auto with_warnings(const Diagnostics& diagnostics, F&& f)
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet)
 {
     Prepared p;
-    with_warnings(diagnostics, [&] { p.description = load_scene(options.scene, diagnostics); });
+    p.images = std::make_unique<ImageSource>(options.threads.value_or(available_threads()));
+    const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.images->request(file)); };
+    with_warnings(diagnostics, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     p.settings = resolve_settings(options, p.description.render);
     // Where Scene::begin looks for them.
     p.description.render.multiscatter = p.settings.multiscatter;
@@ -42,8 +45,8 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 
 void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    p.images = std::make_unique<ImageSource>(p.settings.threads);
     with_warnings(diagnostics, [&] { p.scene = Scene::begin(p.description, diagnostics, p.images->source()); });
+    p.early.clear();  // what the scene did not ask for again it does not use
 }
 
 std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& options, uint32_t batch,

@@ -15,7 +15,8 @@ namespace lancer {
 struct Prepared {
     Settings settings;
     SceneDescription description;         // with a camera
-    std::unique_ptr<ImageSource> images;  // reads the pictures of the scene while the accelerator is built
+    std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
+    std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     Scene scene;
     std::vector<std::string> warnings;
 };

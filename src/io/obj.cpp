@@ -38,12 +38,6 @@ struct Tally {
 // For each usemtl name its material; none: the default.
 using UsedMaterials = std::vector<std::optional<MaterialDescription>>;
 
-bool reads_textures(const std::optional<MaterialDescription>& m)
-{
-    return m && (m->base_color_map || m->roughness_map || m->metallic_map || m->opacity_map || m->bump_map ||
-                 m->normal_map || m->emission_map);
-}
-
 class MeshBuilder {
 public:
     // uvs: whether to keep texture coordinates.
@@ -53,7 +47,7 @@ public:
         if (uvs) {
             mesh_.uvs.reserve(summary.texcoords);
             mesh_.uv_triangles.reserve(summary.triangles);
-            for (const auto& m : materials_) textured_.push_back(reads_textures(m));
+            for (const auto& m : materials_) textured_.push_back(m && reads_textures(*m));
         }
         textured_.resize(materials_.size() + 1);
         mesh_.positions.reserve(summary.vertices);
@@ -351,8 +345,16 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
         library.add_file(file, material_file.text(), options.assets, diagnostics);
     }
     const UsedMaterials materials = describe_materials(*summary, library, path, diagnostics);
-    const bool uvs =
-        summary->texcoords > 0 && (options.uvs || std::any_of(materials.begin(), materials.end(), reads_textures));
+    bool textured = false;
+    for (const auto& m : materials) {
+        if (!m || !reads_textures(*m)) continue;
+        textured = true;
+        if (!options.pictures) continue;
+        // Pictures are read beside the faces.
+        for (const TextureUse* use : textures_of(*m))
+            if (*use && (*use)->type == TextureType::image) options.pictures((*use)->file);
+    }
+    const bool uvs = summary->texcoords > 0 && (options.uvs || textured);
     MeshBuilder builder(*summary, materials, uvs, *mesh);
     builder.read(text);
     if (!builder.finish(text, diagnostics)) return nullptr;

@@ -55,25 +55,19 @@ std::string syntax_message(std::string_view description)
     return "invalid TOML in " + std::string(description.substr(prefix.size()));
 }
 
-bool reads_textures(const MaterialDescription& m)
-{
-    return m.base_color_map || m.roughness_map || m.metallic_map || m.opacity_map || m.bump_map || m.normal_map ||
-           m.emission_map || m.weight_map;
-}
-
-void load_meshes(const std::vector<MeshFile>& files, const MeshLoader& load, const AssetFolder& assets,
+void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& scene_options, const AssetFolder& assets,
                  SceneDescription& scene, Diagnostics& diagnostics)
 {
     // What an override gives to a material of a mesh is known only when it is applied.
     const bool uvs =
         !scene.overrides.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), reads_textures);
-    const MeshOptions options{.assets = &assets, .uvs = uvs};
+    const MeshOptions options{.assets = &assets, .pictures = scene_options.pictures, .uvs = uvs};
     std::map<std::string, std::shared_ptr<const MeshData>> loaded;
     for (size_t i = 0; i < files.size(); ++i) {
         const AssetFolder::Found& file = files[i].file;
         if (file.path.empty()) continue;
         const auto [entry, is_new] = loaded.try_emplace(file.identity);
-        if (is_new) entry->second = load(file.path, diagnostics, options);
+        if (is_new) entry->second = scene_options.mesh_loader(file.path, diagnostics, options);
         scene.meshes[i].data = entry->second;
         // No caller should meet a null that nobody has reported.
         if (!entry->second && !diagnostics.has_errors()) {
@@ -114,7 +108,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     }
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
-    load_meshes(files, options.mesh_loader, assets, scene, diagnostics);
+    load_meshes(files, options, assets, scene, diagnostics);
 }
 
 }  // namespace

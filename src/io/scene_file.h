@@ -21,6 +21,7 @@ using MeshLoader =
 struct SceneFileOptions {
     std::string asset_root = {};                // empty: only files in the folder of the scene file may be named in it
     MeshLoader mesh_loader = {};                // called once for each mesh file; must be set if the scene names one
+    RasterSource pictures = {};                 // as in MeshOptions
     std::vector<std::string> definitions = {};  // KEY=VALUE, over what the file says; see io/definition.h
 };
 

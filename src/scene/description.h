@@ -58,6 +58,19 @@ struct MaterialDescription {
     TextureUse weight_map{};
 };
 
+// Every texture that a material may have.
+inline std::array<const TextureUse*, 8> textures_of(const MaterialDescription& m)
+{
+    return {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map,
+            &m.bump_map,       &m.normal_map,    &m.emission_map, &m.weight_map};
+}
+inline bool reads_textures(const MaterialDescription& m)
+{
+    for (const TextureUse* use : textures_of(m))
+        if (*use) return true;
+    return false;
+}
+
 // [[material_override]]: the materials of mesh files whose name matches get what is said here.
 struct MaterialOverride {
     Location where;

@@ -71,9 +71,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.normal_map = texture(m.normal_map);
     traits.bump_scale = m.bump_scale;
     traits.mirrors = m.type != MaterialType::lambert && m.type != MaterialType::mix;
-    for (const TextureUse* use : {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map, &m.bump_map,
-                                  &m.normal_map, &m.emission_map, &m.weight_map})
-        traits.reads_uv = traits.reads_uv || use->has_value();
+    traits.reads_uv = reads_textures(m);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
     if (!scene_.mix_of.empty()) scene_.mix_of.push_back(Scene::none);
