@@ -81,6 +81,12 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         return Sampler(settings.sampler, settings.seed, uint64_t{id.y} * width + id.x, id.sample, s.branch);
     };
     w.queue.radiance.assign(w.slots.size(), Color{});
+    // One of each per path is the most today's integrators ask for. Without this a later batch may be the first to ask
+    // for so many, and allocate.
+    w.queue.next.reserve(w.slots.size());
+    w.queue.shadow_rays.reserve(w.slots.size());
+    w.queue.shadows.reserve(w.slots.size());
+    w.occluded.reserve(w.slots.size());
     w.states.clear();
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
         State s;

@@ -1,7 +1,7 @@
 // Furnaces: places so uniform that the picture is known exactly, whatever the shape.
 #include <gtest/gtest.h>
 
-#include "support/shoot.h"
+#include "support/ways.h"
 
 namespace lancer {
 namespace {
@@ -21,8 +21,7 @@ SceneDescription closed_furnace(float rho)
     return d;
 }
 
-constexpr std::array<DirectLight, 3> ways{DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}};
-std::string name_of(DirectLight how) { return !how.nee ? "bsdf" : how.mis ? "nee and mis" : "nee"; }
+std::string name_of(DirectLight how) { return way_names[!how.nee ? 2 : how.mis ? 0 : 1]; }
 
 TEST(ClosedFurnace, RadianceIsTheGeometricSeries)
 {
@@ -123,6 +122,65 @@ TEST(SkyFurnace, MirrorAndGlassAreInvisibleInEverySample)
     for (const int shape : {0, 1, 2})
         expect_all_equal(shoot(under_sky(mirror, shape), {.integrator = Direct{.roulette_depth = no_roulette}}), sky,
                          gamma(8), "mirror, direct");
+}
+
+// The mean of a ball under a sky, over that of the sky.
+double brightness_of_ball(const MaterialDescription& m, DirectLight how)
+{
+    SceneDescription d = under_sky(m, 0);
+    d.render.multiscatter = true;
+    d.camera->fov_deg = 28;  // nothing but the ball, to its edge
+    const Film film = shoot(d, {.integrator = Path{.direct = how}, .width = 16, .height = 16, .spp = 128});
+    return tally(film).mean / static_cast<double>(luminance(sky));
+}
+
+// What facets lose is made up for, as well as the tables say. Light sampling alone hardly finds a narrow lobe.
+TEST(SkyFurnace, RoughThingsThatLoseNothingAreInvisible)
+{
+    for (const float roughness : {0.1f, 0.5f, 1.0f})
+        for (const DirectLight how : ways) {
+            if (how.nee && !how.mis && roughness < 0.5f) continue;
+            const std::string what = name_of(how) + " " + std::to_string(roughness);
+            const MaterialDescription metal = make_glossy("metal", MaterialType::metal, {1, 1, 1}, roughness);
+            EXPECT_NEAR(brightness_of_ball(metal, how), 1, 0.01) << "metal, " << what;
+            const MaterialDescription plastic = make_glossy("plastic", MaterialType::plastic, {1, 1, 1}, roughness);
+            EXPECT_NEAR(brightness_of_ball(plastic, how), 1, 0.005) << "plastic, " << what;
+        }
+}
+
+// Rough glass has nothing that makes up for its facets: it loses light with its roughness, and never makes any.
+TEST(SkyFurnace, RoughGlassLosesOnlyWhatItsFacetsDo)
+{
+    for (const DirectLight how : {ways[0], ways[2]}) {
+        double last = 1.001;
+        for (const auto& [roughness, least] :
+             {std::pair{0.0f, 0.99999}, {0.1f, 0.997}, {0.2f, 0.985}, {0.6f, 0.0}, {1.0f, 0.0}}) {
+            const double seen =
+                brightness_of_ball(make_glossy("glass", MaterialType::glass, {1, 1, 1}, roughness), how);
+            EXPECT_GT(seen, least) << roughness << ", " << name_of(how);
+            EXPECT_LT(seen, last) << roughness << ", " << name_of(how);
+            std::printf("glass of roughness %.1f, %s: loses %.2g %%\n", static_cast<double>(roughness),
+                        name_of(how).c_str(), 100 * (1 - seen));
+            last = seen;
+        }
+    }
+}
+
+TEST(SkyFurnace, WhiteGauzeIsInvisible)
+{
+    stats::Family family;
+    for (const int shape : {0, 1, 2})
+        for (const DirectLight how : ways) {
+            const Film film =
+                shoot(under_sky(make_gauze("gauze", {1, 1, 1}, 0.5f), shape), {.integrator = Path{.direct = how},
+                                                                               .width = 16,
+                                                                               .height = 16,
+                                                                               .spp = 64,
+                                                                               .sampler = SamplerKind::independent});
+            for (const Pixel& p : film.pixels)
+                family.add(stats::mean_p(tally(p), static_cast<double>(luminance(sky)), 1e-5),
+                           name_of(how) + " shape " + std::to_string(shape));
+        }
 }
 
 }  // namespace

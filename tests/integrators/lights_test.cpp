@@ -4,13 +4,10 @@
 
 #include "support/random.h"
 #include "support/rasters.h"
-#include "support/shoot.h"
+#include "support/ways.h"
 
 namespace lancer {
 namespace {
-
-constexpr std::array<DirectLight, 3> ways{DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}};
-constexpr std::array<const char*, 3> way_names{"nee and mis", "nee", "bsdf"};
 
 // A floor of albedo 1/2 at y = 0, of two triangles; the camera sees a part of it and nothing that hangs above.
 SceneDescription floor_scene()
@@ -70,32 +67,10 @@ std::vector<Lit> every_light()
 
 TEST(EveryLight, IsTheSameByLightSamplingByTheBsdfAndByBoth)
 {
-    stats::Family tiles, wholes;
-    for (const Lit& lit : every_light()) {
-        std::vector<std::vector<stats::Tally>> found;
-        for (size_t i = 0; i < ways.size(); ++i) {
-            Shot shot{.integrator = Path{.max_depth = 1, .direct = ways[i]}, .width = 16, .height = 16, .spp = 64};
-            shot.seed = i + 1;
-            shot.images = lit.images;
-            found.push_back(tiles_over_seeds(lit.description, shot, 16));
-        }
-        double detectable = 0;
-        for (size_t a = 0; a < ways.size(); ++a)
-            for (size_t b = a + 1; b < ways.size(); ++b) {
-                const std::string what = lit.name + ": " + way_names[a] + " against " + way_names[b];
-                const size_t whole = found[a].size() - 1;
-                for (size_t t = 0; t < whole; ++t) tiles.add(stats::welch_p(found[a][t], found[b][t]), what);
-                const stats::Tally &x = found[a][whole], &y = found[b][whole];
-                wholes.add(stats::welch_p(x, y), what);
-                // What four sigma of the whole's difference are.
-                const double sigma = std::sqrt(x.error() * x.error() + y.error() * y.error());
-                detectable = std::max(detectable, 4 * sigma / x.mean);
-            }
-        EXPECT_GT(found[0].back().mean, 0.05) << lit.name << ": hardly lit";
-        EXPECT_LT(detectable, 0.03) << lit.name << ": too noisy to tell";
-        RecordProperty(lit.name + ": smallest detectable bias", std::to_string(detectable));
-        std::printf("%s: biases above %.2g %% would show\n", lit.name.c_str(), 100 * detectable);
-    }
+    SameByAllWays same(0.03);
+    for (const Lit& lit : every_light())
+        same.add(lit.name, lit.description, {.width = 16, .height = 16, .spp = 64, .images = lit.images},
+                 {.max_depth = 1}, 16);
 }
 
 // irradiance * cosine * albedo / pi, in every sample.

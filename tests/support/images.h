@@ -44,6 +44,11 @@ inline std::shared_ptr<const Raster> make_picture(const std::string& name)
         return make_bytes(8, 3, [&](double, double, uint32_t c) { return c == 2 ? 1.0 : 127.5 / 255; });
     // Heights that rise by one 255th from texel to texel.
     if (name == "ramp") return make_bytes(256, 1, [&](double x, double, uint32_t) { return (x * 256 - 0.5) / 255; });
+    // A bright spot over a ground that is darker on one side.
+    if (name == "sky")
+        return make_bytes(32, 3, [&](double x, double y, uint32_t c) {
+            return std::hypot(x - 0.4, y - 0.75) < 0.08 ? 1.0 : 0.3 + 0.1 * c + 0.2 * std::sin(turn * x) * y;
+        });
     if (name == "discs")
         return make_bytes(
             32, 1, [&](double x, double y, uint32_t) { return std::hypot(x - 0.5, y - 0.5) < 0.35 ? 0.0 : 1.0; });

@@ -353,6 +353,77 @@ inline SceneDescription holes_scene()
     return d;
 }
 
+// roughness: perceptual.
+inline MaterialDescription make_glossy(std::string name, MaterialType type, Color base_color, float roughness)
+{
+    MaterialDescription m = make_lambert(std::move(name), base_color);
+    m.type = type;
+    m.roughness = roughness;
+    return m;
+}
+inline MaterialDescription make_copper(std::string name, float roughness)
+{
+    MaterialDescription m = make_glossy(std::move(name), MaterialType::metal, {1, 1, 1}, roughness);
+    m.eta = Color{0.2f, 0.92f, 1.1f};
+    m.k = Color{3.91f, 2.45f, 2.14f};
+    return m;
+}
+// Everything between mirror and matt: rough metal by colour and by index, rough glass as a ball and as a pane with a
+// point of light behind it, plastic smooth and rough, mixes by a checker and by a map of what is metal, and bumps;
+// under a ball, a textured panel and a map of the sky.
+inline SceneDescription glossy_scene()
+{
+    SceneDescription d;
+    MaterialDescription brushed = make_glossy("brushed", MaterialType::metal, {0.9f, 0.8f, 0.5f}, 0.8f);
+    brushed.roughness_map = heights_of("waves");
+    MaterialDescription copper = make_copper("copper", 0.4f);
+    copper.bump_map = heights_of("waves");
+    copper.bump_scale = 4;
+    MaterialDescription inlay = make_glossy("inlay", MaterialType::plastic, {0.2f, 0.5f, 0.3f}, 0.5f);
+    inlay.base_color_map = picture_of("colours", Encoding::srgb);
+    inlay.metallic = 1;
+    inlay.metallic_map = heights_of("discs");
+    MaterialDescription floor = make_lambert("floor", {});
+    floor.type = MaterialType::mix;
+    floor.first = "lacquer";
+    floor.second = "steel";
+    floor.weight = 0.9f;
+    floor.weight_map.emplace();
+    floor.weight_map->type = TextureType::checker;
+    floor.weight_map->odd = {0.2f, 0.2f, 0.2f};
+    d.materials = {brushed,
+                   copper,
+                   inlay,
+                   floor,
+                   make_glossy("lacquer", MaterialType::plastic, {0.6f, 0.2f, 0.2f}, 0.3f),
+                   make_glossy("steel", MaterialType::metal, {0.6f, 0.6f, 0.7f}, 0.5f),
+                   make_glossy("frosted", MaterialType::glass, {0.9f, 1, 0.9f}, 0.4f),
+                   make_glossy("glazed", MaterialType::plastic, {0.3f, 0.3f, 0.8f}, 0)};
+    d.meshes.push_back(make_mesh(make_mapped_quad({-2, -0.5, 1.5}, {2, -0.5, 1.5}, {2, -0.5, -1.5}, {-2, -0.5, -1.5},
+                                                  {8, 6}, make_lambert("", {}))));
+    d.meshes.back().material = "floor";
+    d.spheres = {sphere_of({-1.1, -0.1, 0}, 0.4, "brushed"), sphere_of({-0.3, -0.15, 0.5}, 0.35, "frosted"),
+                 sphere_of({0.4, -0.2, -0.3}, 0.3, "copper"), sphere_of({1.3, -0.1, -0.6}, 0.4, "glazed")};
+    MeshDescription box = make_mesh(make_cube());
+    box.material = "lacquer";
+    box.transform = {{-0.4, -0.25, -0.7}, {0, 30, 0}, {0.25, 0.25, 0.25}};
+    d.meshes.push_back(std::move(box));
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({0.6, -0.5, 0.8}, {1.2, -0.5, 0.5}, {1.2, 0.1, 0.3}, {0.6, 0.1, 0.6}, {1, 1}, inlay)));
+    // The pane is a boundary only: what lies behind it is all glass.
+    d.meshes.push_back(make_mesh(make_quad({-1.5, 0.3, -1.2}, {0.1, 0.3, -1.2}, {0.1, 1.2, -1}, {-1.5, 1.2, -1},
+                                           make_glossy("pane", MaterialType::glass, {1, 1, 1}, 0.5f))));
+    d.lights.push_back(light_of(LightType::point, {3, 3, 3}, {-0.7, 0.8, -1.8}));
+    d.lights.push_back(light_of(LightType::sphere, {6, 6, 5}, {1.2, 1.6, 1}, 0.4));
+    MaterialDescription panel = make_emitter("panel", {5, 5, 5});
+    panel.emission_map = picture_of("colours", Encoding::srgb);
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-1.4, 1.5, -0.4}, {-0.4, 1.5, -0.4}, {-0.4, 1.5, 0.6}, {-1.4, 1.5, 0.6}, {1, 1}, panel)));
+    d.lights.push_back(sky_map_of({0.5f, 0.5f, 0.6f}, {10, 40, 0}));
+    d.camera = make_camera({0.1, 0.7, 4}, {0, 0.1, 0}, 40);
+    return d;
+}
+
 struct NamedScene {
     const char* name;
     SceneDescription description;
@@ -366,6 +437,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"instances", instances_scene()});
     all.push_back({"textured", textured_scene()});
     all.push_back({"holes", holes_scene()});
+    all.push_back({"glossy", glossy_scene()});
     return all;
 }
 
