@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -7,6 +8,7 @@
 #include "app/console.h"
 #include "app/option_parser.h"
 #include "app/option_values.h"
+#include "app/paths.h"
 #include "app/settings.h"
 #include "io/definition.h"
 
@@ -55,7 +57,7 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.value("--max-depth", "N", "Surface vertices of a path; 1 is direct light only, 0 no limit (0)",
             [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
     p.values("--set", "NAME=true|false,...",
-             "Switches: nee (light sampling), mis (multiple importance sampling), multiscatter (rough materials lose no "
+             "Switches: nee (light sampling), mis (multiple importance sampling), multiscatter (rough metal loses no "
              "light), terminator (softer shadow edges on smoothed meshes)",
              [&](const std::string& t) { set_switches(t, o); });
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
@@ -141,6 +143,9 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     if (!p.parse(argc, argv)) return {};
     take_environment(o.picture.threads);
     if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
+    const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
+    if (!o.aovs.empty() && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+        fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
     for (size_t i = 0; i < files.size(); ++i)
