@@ -35,7 +35,7 @@ set(OpenEXR_owner "^io/exr\\.cpp$")
 set(libpng_include "^(libpng[0-9]*/)?png\\.h")
 set(libpng_owner "^io/png\\.cpp$")
 set(CLI11_include "^CLI(/|11)")
-set(CLI11_owner "^app/options\\.cpp$")
+set(CLI11_owner "^app/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
 set(nlohmann-json_owner "^report/stats_json\\.cpp$")
 

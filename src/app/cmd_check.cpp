@@ -47,6 +47,7 @@ private:
         with_threads(settings.threads, [&] {
             ImageSource images(settings.threads);
             Scene scene = Scene::begin(description, problems_, images.source());
+            check_texture_coordinates(description, scene, problems_);
             const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
         });

@@ -36,6 +36,12 @@ std::string listed(const std::map<std::string, uint64_t>& counts)
     return text.empty() ? "none" : text;
 }
 
+// For listed(): what some are called, and one alone.
+std::pair<const std::string, uint64_t> of_kind(const char* one, const char* several, uint64_t n)
+{
+    return {n == 1 ? one : several, n};
+}
+
 std::string to_text(Vec3d v) { return format_text("%.7g %.7g %.7g", v.x, v.y, v.z); }
 
 class SceneInfo {
@@ -67,10 +73,9 @@ private:
         for (const Instance& i : scene_.geometry.instances) drawn += scene_.geometry.meshes[i.mesh].triangles.size();
         say("triangles", format_text("%zu, drawn %zu", size_t{scene_.triangle_count()}, size_t{drawn}));
         say("vertices", std::to_string(vertices));
-        say("shapes", listed({{"meshes", d_.meshes.size()},
-                              {"instances", d_.instances.size()},
-                              {"spheres", d_.spheres.size()},
-                              {"planes", d_.planes.size()}}));
+        say("shapes",
+            listed({of_kind("mesh", "meshes", d_.meshes.size()), of_kind("instance", "instances", d_.instances.size()),
+                    of_kind("sphere", "spheres", d_.spheres.size()), of_kind("plane", "planes", d_.planes.size())}));
         const Bounds b = subject_bounds(d_);
         if (b.extent() > 0) say("bounds", to_text(b.lower) + " to " + to_text(b.upper));
     }
@@ -94,16 +99,19 @@ private:
                 sizes += format_text("%s%ux%u (%s)", sizes.empty() ? "" : ", ", image->width(), image->height(),
                                      megabytes(image->bytes()).c_str());
             }
-        say("textures", listed({{"images", images}, {"others", scene_.textures.size() - images}}) +
-                            (sizes.empty() ? "" : ": " + sizes));
+        say("textures",
+            listed({of_kind("image", "images", images), of_kind("other", "others", scene_.textures.size() - images)}) +
+                (sizes.empty() ? "" : ": " + sizes));
     }
     void print_lights() const
     {
         std::map<std::string, uint64_t> counts;
+        uint64_t triangles = 0;
         constexpr std::array names{"point", "directional", "sphere", "environment"};
         for (const LightDescription& l : d_.lights) ++counts[names[static_cast<size_t>(l.type)]];
         for (const Light& l : scene_.lights.lights)
-            if (std::holds_alternative<TriangleLight>(l)) ++counts["emitting triangles"];
+            if (std::holds_alternative<TriangleLight>(l)) ++triangles;
+        counts.insert(of_kind("emitting triangle", "emitting triangles", triangles));
         say("lights", listed(counts));
     }
     void print_cameras() const
@@ -160,9 +168,9 @@ std::string to_text(const Window& w) { return format_text("%dx%d at %d %d", w.wi
 
 void print_picture(const std::string& path)
 {
-    say("file", path);
     if (extension_of(path) == ".exr") {
         const ExrInfo info = read_exr_info(path);
+        say("file", path);
         say("size", format_text("%dx%d", info.display.width(), info.display.height()));
         if (info.data != info.display) say("pixels", to_text(info.data));
         std::string channels;
@@ -173,11 +181,13 @@ void print_picture(const std::string& path)
     }
     if (extension_of(path) == ".png") {
         const PngInfo info = read_png_info(path);
+        say("file", path);
         say("size", format_text("%ux%u", info.width, info.height));
         say("channels", format_text("%u of %u bits", info.channels, info.bits));
         return print_metadata(info.metadata);
     }
     const Image image = read_image(path);
+    say("file", path);
     say("size", format_text("%dx%d", image.display.width(), image.display.height()));
 }
 

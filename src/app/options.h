@@ -1,4 +1,4 @@
-// The command line, as one struct per command. options.cpp is the only file that knows CLI11.
+// The command line, as one struct per command.
 #pragma once
 
 #include <array>

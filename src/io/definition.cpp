@@ -52,8 +52,8 @@ TomlValue* step(TomlValue& at, const Definition& definition, size_t part, uint32
     size_t place = 0;
     std::from_chars(name.data(), name.data() + name.size(), place);
     if (place > array->size())
-        return fail(before + " has " + std::to_string(array->size()) + " entries, counted from 0; " + in_quotes(name) +
-                    " lies beyond the next one");
+        return fail(before + " has no entry " + in_quotes(name) + ": they count from 0, and the next one would be " +
+                    std::to_string(array->size()));
     if (place == array->size()) array->push_back({.data = TomlValue::Table{}, .source = source});
     return &(*array)[place];
 }

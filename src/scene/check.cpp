@@ -45,7 +45,7 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
                                        of_all + ": they are flat");
     }
     if (const uint64_t twice = count_repeated(data.triangles))
-        notes.warning({data.file}, std::to_string(twice) + of_all + " have the corners of another one");
+        notes.warning({data.file}, "the corners of another triangle in " + std::to_string(twice) + of_all);
 }
 
 // One emitter as far as rays are sent from it: the triangles of a mesh that share a material.
@@ -141,6 +141,25 @@ void check_description(const SceneDescription& d, Diagnostics& problems, Diagnos
     for (const MeshDescription& mesh : d.meshes)
         if (mesh.data && seen.insert(mesh.data.get()).second) check_mesh(*mesh.data, problems, notes);
     if (!d.camera) notes.warning({d.file}, "no camera: one that sees the whole scene is added");
+}
+
+void check_texture_coordinates(const SceneDescription& d, const Scene& scene, Diagnostics& problems)
+{
+    for (size_t i = 0; i < scene.shading.size(); ++i) {
+        const MeshShading& s = scene.shading[i];
+        const auto triangles = static_cast<uint32_t>(scene.geometry.meshes[i].triangles.size());
+        uint64_t textured = 0, lacking = 0;
+        for (uint32_t t = 0; t < triangles; ++t) {
+            if (!scene.traits[s.material_of(t)].reads_uv) continue;
+            ++textured;
+            if (s.uvs.empty() || s.uv_triangles[t][0] == MeshData::no_uv) ++lacking;
+        }
+        if (lacking)
+            problems.warning({d.meshes[i].data->file}, "no texture coordinates in " + std::to_string(lacking) + " of " +
+                                                           std::to_string(textured) +
+                                                           " triangles with textures: each has the colour of a corner "
+                                                           "of the picture");
+    }
 }
 
 void check_emitters(const SceneDescription& d, const Scene& scene, const Accelerator& accel, Diagnostics& problems)

@@ -12,6 +12,9 @@ namespace lancer {
 // twice, a camera that is not there.
 void check_description(const SceneDescription& description, Diagnostics& problems, Diagnostics& notes);
 
+// Meshes that wear textures without saying where.
+void check_texture_coordinates(const SceneDescription& description, const Scene& scene, Diagnostics& problems);
+
 // Emitters of one side that light nothing but a wall right in front of them, or the inside of their own shape. The
 // accelerator must be built from the scene's geometry.
 void check_emitters(const SceneDescription& description, const Scene& scene, const Accelerator& accel,

@@ -40,13 +40,27 @@ TEST_F(Check, EveryProblemHasItsPlace)
           "bad.obj:12: warning: zero-area face dropped\n", "bad.obj:13: warning: unknown material 'b'",
           "bad.obj: warning: vertex normals point away from the side that the winding shows in 1 of 5 triangles",
           "bad.toml:3:1: warning: material 'unused' is not used\n", "warning: nothing emits light",
-          "bad.obj: note: 1 of 5 triangles have the corners of another one\n",
+          "bad.obj: note: the corners of another triangle in 1 of 5 triangles\n",
           "bad.obj:10: note: polygon of more than 4 corners, cut into triangles\n",
           "bad.obj:2: note: the material library 'bad.mtl' is named again\n",
           "bad.obj: note: no vertex normals in 4 of 5 triangles: they are flat\n", "bad.toml: note: no camera",
           "0 errors, "})
         expect_words(said.out, line);
     EXPECT_EQ(run({"check", "bad.toml", "--strict"}).code, 65);
+}
+
+TEST_F(Check, TexturesWithoutTextureCoordinatesAreFound)
+{
+    const auto check = [&](const char* faces) {
+        write("t.obj", std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n") + faces);
+        write("t.toml",
+              "[[mesh]]\nfile = \"t.obj\"\nmaterial = \"m\"\n[material.m]\ntexture = \"c\"\n"
+              "[texture.c]\ntype = \"checker\"\n");
+        return run({"check", "t.toml"}).out;
+    };
+    expect_words(check("f 1 2 3\nf 1 3 4\n"), "t.obj: warning: no texture coordinates in 2 of 2 triangles");
+    expect_words(check("f 1/1 2/2 3/3\nf 1 3 4\n"), "t.obj: warning: no texture coordinates in 1 of 2 triangles");
+    EXPECT_EQ(check("f 1/1 2/2 3/3\nf 1/1 3/2 4/3\n").find("texture coordinates"), std::string::npos);
 }
 
 TEST_F(Check, ErrorsAreCountedAndEndIt)

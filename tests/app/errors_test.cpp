@@ -50,6 +50,7 @@ TEST_F(Wrong, Options)
     expect_usage({"--set", "nne=false"}, "did you mean 'nee'?");
     expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
     expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
+    expect_usage({"--aov", "normal", "-o", "a.png"}, "--aov: its channels are written to EXR pictures");
     expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr or .png");
     expect_usage({"--size", "8x8", "-o", "a.exr", "-o", "./a.exr"}, "is named twice");
 }
@@ -115,6 +116,7 @@ TEST_F(Wrong, WarningsFailOnlyIfStrict)
 
 TEST_F(Wrong, OutputsThatCannotBeWritten)
 {
+    expect_usage({"--aov", "normal", "-o", "a.png"}, "--aov: its channels are written to EXR pictures");
     expect_usage({"-o", "a.jpg"}, "must end in");
     expect_fault({"scene.toml", "-o", "none/a.exr"}, 1, "none/a.exr: error: cannot write: No such file or directory");
     expect_fault({"scene.toml", "-o", "quad.obj/a.png"}, 1, "quad.obj/a.png: error: cannot write: Not a directory");

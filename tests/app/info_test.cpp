@@ -22,7 +22,7 @@ TEST_F(Info, OfAScene)
     EXPECT_EQ(said.code, 0) << said.err;
     for (const char* line :
          {"file          full.toml\n", "triangles     3, drawn 6\n", "vertices      4\n",
-          "shapes        2 instances, 1 meshes, 1 planes, 1 spheres\n", "bounds        -1 -1 -1 to 6 3 1\n", " glass",
+          "shapes        2 instances, 1 mesh, 1 plane, 1 sphere\n", "bounds        -1 -1 -1 to 6 3 1\n", " glass",
           "lights        2 emitting triangles, 1 point\n", "cameras       the unnamed one, close\n",
           "textures      none\n", "accelerator ", "features      opacity, instances\n",
           "left out      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
@@ -45,7 +45,9 @@ TEST_F(Info, OfPictures)
         expect_words(png.out, line);
     write("broken.png", "\x89PNG\r\n\x1a\nbroken");
     EXPECT_EQ(run({"info", "broken.png"}).code, 65);
-    EXPECT_EQ(run({"info", "none.exr"}).code, 66);
+    const Said missing = run({"info", "none.exr"});
+    EXPECT_EQ(missing.code, 66);
+    EXPECT_EQ(missing.out, "");
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST_F(Definitions, MistakesAreNamedAsInTheFileWithTheirPlace)
     EXPECT_EQ(problems_with("camera.fov.x=1", "[camera]\nfov = 3"),
               "-D camera.fov.x=1: error: 'camera.fov' is neither a table nor a list, so it has no 'x'");
     EXPECT_EQ(problems_with("sphere.2.radius=1", "[[sphere]]"),
-              "-D sphere.2.radius=1: error: 'sphere' has 1 entries, counted from 0; '2' lies beyond the next one");
+              "-D sphere.2.radius=1: error: 'sphere' has no entry '2': they count from 0, and the next one would be 1");
     EXPECT_EQ(problems_with("sphere.radius=1", "[[sphere]]"),
               "-D sphere.radius=1: error: 'sphere' is a list: a number must follow, not 'radius'");
 }

@@ -249,6 +249,8 @@ TEST_F(SceneMaterials, MistakesAreNamed)
         {"[texture.wood]\nfile = \"c.png\"\n[material.a]\ntexture = \"woood\"",
          "4:11: error: no [texture.NAME] has this name, and picture 'woood' does not exist; did you mean 'wood'? "
          "known: wood"},
+        {"[material.a]\nbump_texture = \"t\"\n[texture.t]\ntype = \"checker\"",
+         "2:16: error: 'bump_texture' in [material.a] must be a picture: the squares of a checker have no slopes"},
         {"[texture.a]", "1:1: error: [texture.a] of type 'image' needs 'file'"},
         {"[texture.a]\nfile = \"../c.png\"",
          "2:8: error: picture '../c.png' lies outside of the folder of the scene; --asset-root FOLDER allows another "

@@ -1,0 +1,48 @@
+// The options of one command, and the help that tells of them. Every value comes as text and is turned into what it
+// means by a function that throws Error, so that messages are our own. option_parser.cpp alone knows CLI11.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace lancer {
+
+class OptionParser {
+public:
+    using Take = std::function<void(const std::string&)>;
+
+    // footer: the end of the help.
+    OptionParser(const std::string& command, const std::string& description, const std::string& footer);
+    ~OptionParser();
+    OptionParser(const OptionParser&) = delete;
+    OptionParser& operator=(const OptionParser&) = delete;
+
+    // By its place, in the order of the calls.
+    void argument(const std::string& name, const std::string& help, const Take& take, bool required = true);
+    // The last one counts. type: what the help shows for the value.
+    void value(const std::string& names, const std::string& type, const std::string& help, const Take& take);
+    // Each one counts.
+    void values(const std::string& names, const std::string& type, const std::string& help, const Take& take);
+    void flag(const std::string& names, const std::string& help, bool& set);
+    // The heading of the options that follow.
+    void group(const std::string& name);
+
+    // False if help or version was asked for and printed. Throws Error (usage).
+    bool parse(int argc, char** argv);
+
+private:
+    CLI::Option* add(const std::string& names, const std::string& help, const Take& take);
+    static bool print_version();
+    void check_extras() const;
+
+    std::unique_ptr<CLI::App> app_;
+    bool version_ = false;
+};
+
+}  // namespace lancer

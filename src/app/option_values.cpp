@@ -1,0 +1,113 @@
+#include "app/option_values.h"
+
+#include <algorithm>
+
+#include "app/paths.h"
+#include "scene/description.h"
+
+namespace lancer {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+void fail_usage(const std::string& message) { throw Error(ErrorKind::usage, {}, message); }
+
+uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most)
+{
+    return to_number<uint32_t>(option, text, least, most, "a whole number");
+}
+
+size_t to_choice(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
+{
+    const auto it = std::find(known.begin(), known.end(), text);
+    if (it == known.end()) fail_usage(option + ": unknown name " + in_quotes(text) + suggestion(text, known));
+    return static_cast<size_t>(it - known.begin());
+}
+
+std::string to_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
+{
+    return std::string(known[to_choice(option, text, known)]);
+}
+
+std::string listed(const std::vector<std::string_view>& names)
+{
+    std::string text;
+    for (const std::string_view name : names) text += (text.empty() ? "" : "|") + std::string(name);
+    return text;
+}
+
+std::array<uint32_t, 2> to_size(const std::string& text)
+{
+    const auto parts = split(text, 'x');
+    if (parts.size() != 2) fail_usage("--size: " + in_quotes(text) + " is not WIDTHxHEIGHT, such as 1280x720");
+    const std::array<uint32_t, 2> size{to_count("--size", parts[0], 1, max_picture_side),
+                                       to_count("--size", parts[1], 1, max_picture_side)};
+    if (uint64_t{size[0]} * size[1] > max_picture_pixels)
+        fail_usage("--size: " + in_quotes(text) + " is too large: at most 2^28 pixels");
+    return size;
+}
+
+Tile to_crop(const std::string& text)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() != 4)
+        fail_usage("--crop: " + in_quotes(text) + " is not x0,y0,x1,y1 (pixels, x1 and y1 exclusive)");
+    std::array<uint32_t, 4> c{};
+    for (size_t i = 0; i < 4; ++i) c[i] = to_count("--crop", parts[i], 0, max_picture_side);
+    if (c[0] >= c[2] || c[1] >= c[3])
+        fail_usage("--crop: " + in_quotes(text) + " is empty: x0 < x1 and y0 < y1 are needed");
+    return {c[0], c[1], c[2], c[3]};
+}
+
+void set_switches(const std::string& text, PictureOptions& o)
+{
+    const std::vector<std::string_view> known{"nee", "mis", "multiscatter", "terminator"};
+    for (const std::string& part : split(text, ',')) {
+        const size_t equals = part.find('=');
+        const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+        const std::string name = to_name("--set", part.substr(0, equals), known);
+        if (value != "true" && value != "false")
+            fail_usage("--set: " + in_quotes(part) + " is not " + name + "=true or =false");
+        const bool on = value == "true";
+        if (name == "nee") o.direct.nee = on;
+        if (name == "mis") o.direct.mis = on;
+        if (name == "multiscatter") o.multiscatter = on;
+        if (name == "terminator") o.terminator = on;
+    }
+}
+
+std::string to_output(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    if (extension != ".exr" && extension != ".png")
+        fail_usage("--output: " + in_quotes(path) + " must end in .exr or .png");
+    return path;
+}
+
+void add_aovs(const std::string& text, std::vector<Aov>& aovs)
+{
+    std::vector<std::string_view> known(aov_names.begin(), aov_names.end());
+    known.push_back("all");
+    for (const std::string& part : split(text, ',')) {
+        to_name("--aov", part, known);
+        for (size_t i = 0; i < aov_names.size(); ++i)
+            if (part == "all" || part == aov_names[i]) aovs.push_back(static_cast<Aov>(i));
+    }
+    std::sort(aovs.begin(), aovs.end());
+    aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());
+}
+
+}  // namespace lancer
