@@ -158,9 +158,14 @@ TEST(Glossy, InterpolatedNormalsAreTheSameByAllWays)
             for (const Vec3d& p : coarse.positions) coarse.normals.push_back(to_float(normalize(p + Vec3d{0, 0.3, 0})));
             coarse.normal_triangles = coarse.triangles;
             d.spheres.clear();
+            // Nothing behind the floor stops light that its normals alone would let in from below.
+            MeshData floor = *d.meshes[0].data;
+            floor.normals = {normalize(Vec3{1, 1, 0.5f}), normalize(Vec3{-1, 1, -0.5f})};
+            floor.normal_triangles = {{0, 1, 1}, {0, 1, 0}};
+            d.meshes[0].data = std::make_shared<const MeshData>(floor);
             d.meshes.push_back(
                 make_mesh(std::make_shared<const MeshData>(coarse), {{0.1, 0.1, 0}, {20, 30, 0}, {0.6, 0.6, 0.6}}));
-            same.add("coarse ball, " + m.name + (terminator ? ", moved origins" : ""), d,
+            same.add("coarse ball and floor, " + m.name + (terminator ? ", moved origins" : ""), d,
                      {.width = 16, .height = 16, .spp = 16}, {.max_depth = 3}, 8, effort_for(m));
         }
 }
