@@ -94,6 +94,22 @@ bool encode(png_structp png, png_infop info, const Window& data, bool crop, bool
     return true;
 }
 
+// libpng only warns of a chunk that is too long, and then asks for as much memory and fills it before it reads. Looks
+// at those that a reader of the header meets. A file that stops between chunks, or is none, is left to libpng.
+void check_chunks(InputFile& file)
+{
+    std::array<png_byte, 8> head = {};  // the signature, then each chunk's length, from its high byte, and name
+    const bool is_png = file.read(head.data(), head.size()) == head.size() && png_sig_cmp(head.data(), 0, 8) == 0;
+    uint64_t at = head.size();
+    constexpr uint64_t check_sum_bytes = 4;
+    while (is_png && file.read(head.data(), head.size()) == head.size() && std::memcmp(&head[4], "IDAT", 4) != 0) {
+        at += head.size() + png_get_uint_32(head.data()) + check_sum_bytes;
+        if (at > file.size()) throw file.invalid("not a valid PNG file: the file ends too early");
+        file.seek(at);
+    }
+    file.seek(0);
+}
+
 struct Layout {
     png_uint_32 width = 0, height = 0;
     uint32_t channels = 0;
@@ -107,8 +123,7 @@ bool decode_header(png_structp png, png_infop info, Layout* layout)
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, png_get_error_ptr(png), on_read);
     png_set_user_limits(png, max_image_side, max_image_side);
-    png_set_chunk_malloc_max(png, 64 << 20);
-    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // skip all that does not make pixels
     png_read_info(png, info);
     layout->width = png_get_image_width(png, info);
     layout->height = png_get_image_height(png, info);
@@ -128,7 +143,9 @@ bool decode_info(png_structp png, png_infop info)
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, png_get_error_ptr(png), on_read);
     png_set_user_limits(png, max_image_side, max_image_side);
-    png_set_chunk_malloc_max(png, 64 << 20);
+    // Compressed texts can be a thousand times longer than the file.
+    png_set_chunk_malloc_max(png, 1 << 20);
+    png_set_chunk_cache_max(png, 128);
     png_read_info(png, info);
     return true;
 }
@@ -260,6 +277,7 @@ Image read_png(const std::string& path, Encoding encoding) { return to_image(rea
 PngInfo read_png_info(const std::string& path)
 {
     InputFile file(path);
+    check_chunks(file);
     Reader reader;
     reader.context.in = &file;
     if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");

@@ -1,5 +1,7 @@
 #include "io/png.h"
 
+#include <sys/resource.h>
+
 #include <cmath>
 #include <limits>
 
@@ -165,6 +167,29 @@ TEST(Png, MissingTruncatedAndChangedFiles)
     for (const std::string& file : malformed_files("images")) {
         expect_read_or_refused(file, [](const std::string& p) { return read_png(p); });
     }
+}
+
+long peak_kilobytes()
+{
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
+TEST(Png, AChunkThatSaysItIsLongTakesNoMemory)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("a.png");
+    write_png(path, make_image(2, 2));
+    std::string bytes = read_bytes(path);
+    const size_t text = bytes.find("tEXt");
+    ASSERT_NE(text, std::string::npos);
+    bytes.replace(text - 4, 4, "\x20\0\0\0", 4);  // 512 MB
+    write_bytes(path, bytes);
+    const long before = peak_kilobytes();
+    expect_error(ErrorKind::invalid_input, path, "ends too early", [&] { read_png(path); });
+    expect_error(ErrorKind::invalid_input, path, "ends too early", [&] { read_png_info(path); });
+    EXPECT_LT(peak_kilobytes() - before, 100000);
 }
 
 }  // namespace
