@@ -28,6 +28,18 @@ struct Raster {
     size_t value_count() const { return size_t{width} * height * channels; }
 };
 
+// The numbers of a raster, linear: integers decoded as `encoding` says, floats as they stand. The raster must outlive
+// it.
+class LinearValues {
+public:
+    LinearValues(const Raster& raster, Encoding encoding);
+    float operator[](size_t i) const;  // i < raster.value_count()
+
+private:
+    const Raster& raster_;
+    std::vector<float> table_;  // of the integers; those of more than 16 bits are rounded to 65536 steps
+};
+
 // Linear RGB: integers decoded as `encoding` says, floats as they stand; alpha is dropped, grey becomes RGB.
 Image to_image(const Raster& raster, Encoding encoding);
 

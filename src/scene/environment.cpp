@@ -22,30 +22,6 @@ double sample_linear(double a, double b, double u)
     return divisor > 0 ? std::min(1.0, u * (a + b) / divisor) : 0;
 }
 
-// Linear values of a picture, pixel by pixel.
-class Reader {
-public:
-    explicit Reader(const Raster& picture) : picture_(picture), table_(make_linear_table(Encoding::srgb, 256)) {}
-
-    Color color(size_t pixel) const
-    {
-        const size_t first = pixel * picture_.channels;
-        if (picture_.channels < 3) return Color{1, 1, 1} * value(first);
-        return {value(first), value(first + 1), value(first + 2)};
-    }
-
-private:
-    float value(size_t i) const
-    {
-        if (!picture_.bytes.empty()) return table_[picture_.bytes[i]];
-        if (picture_.is_float) return picture_.floats[i];
-        return static_cast<float>(linear_from_srgb(static_cast<double>(picture_.floats[i])));
-    }
-
-    const Raster& picture_;
-    std::vector<float> table_;
-};
-
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg)
@@ -65,12 +41,14 @@ uint64_t EnvironmentMap::bytes() const
 void EnvironmentMap::take_texels(const Raster& picture, Color factor, Color constant)
 {
     texels_ = std::make_unique_for_overwrite<float[]>(size_t{width_} * height_ * 3);
-    const Reader reader(picture);
+    const LinearValues value(picture, Encoding::srgb);
+    const size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
     std::atomic<uint64_t> bad{0};
     parallel_for(height_, [&](size_t row) {
         uint64_t bad_here = 0;
         for (size_t i = row * width_; i < (row + 1) * width_; ++i) {
-            const Color c = reader.color(i) * factor;
+            const size_t first = i * picture.channels;
+            const Color c = Color{value[first], value[first + green], value[first + blue]} * factor;
             // std::max keeps its first argument where the other is not a number.
             const Color kept =
                 is_finite(c) ? Color{std::max(0.0f, c.r), std::max(0.0f, c.g), std::max(0.0f, c.b)} : Color{};

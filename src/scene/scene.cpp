@@ -113,11 +113,6 @@ private:
         for (const Vec3& n : data.normals)
             shading.normals.push_back(to_float(normalize(back.normal_by_inverse(to_double(n)))));
         shading.normal_triangles = data.normal_triangles;
-        // A mirroring map turns the winding round, not the side that a face shows.
-        if (place.determinant() < 0) {
-            for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-            for (auto& t : shading.normal_triangles) std::swap(t[1], t[2]);
-        }
         if (!m.material.empty()) {
             shading.material = materials_.named(m.material, m.where);
         } else {
@@ -136,9 +131,11 @@ private:
                 : std::any_of(shading.face_material.begin(), shading.face_material.end(), reads_uv)) {
             shading.uvs = data.uvs;
             shading.uv_triangles = data.uv_triangles;
-            if (place.determinant() < 0)
-                for (auto& t : shading.uv_triangles) std::swap(t[1], t[2]);
         }
+        // A mirroring map turns the winding round, not the side that a face shows.
+        if (place.determinant() < 0)
+            for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles})
+                for (auto& t : *triangles) std::swap(t[1], t[2]);
         scene_.geometry.meshes.push_back(std::move(mesh));
         scene_.shading.push_back(std::move(shading));
     }
