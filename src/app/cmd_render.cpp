@@ -115,10 +115,7 @@ void Run::describe(const Renderer& renderer)
                        .filter = s.filter,
                        .accel = s.accel,
                        .isa = s.isa,
-                       .nee = s.direct.nee,
-                       .mis = s.direct.mis,
-                       .multiscatter = s.multiscatter,
-                       .terminator = s.terminator,
+                       .switches = s.switches,
                        .hash = to_hex(hash_bytes(reproducing_options(s) + " --camera " + options_.picture.scene.camera +
                                                  " --spp " + std::to_string(s.spp)))};
 }

@@ -74,18 +74,15 @@ Tile to_crop(const std::string& text)
 
 void set_switches(const std::string& text, PictureOptions& o)
 {
-    const std::vector<std::string_view> known{"nee", "mis", "multiscatter", "terminator"};
+    const std::vector<std::string_view> known(switch_names.begin(), switch_names.end());
     for (const std::string& part : split(text, ',')) {
         const size_t equals = part.find('=');
         const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
         const std::string name = to_name("--set", part.substr(0, equals), known);
         if (value != "true" && value != "false")
             fail_usage("--set: " + in_quotes(part) + " is not " + name + "=true or =false");
-        const bool on = value == "true";
-        if (name == "nee") o.direct.nee = on;
-        if (name == "mis") o.direct.mis = on;
-        if (name == "multiscatter") o.multiscatter = on;
-        if (name == "terminator") o.terminator = on;
+        for (size_t i = 0; i < switch_names.size(); ++i)
+            if (name == switch_names[i]) o.switches[i] = value == "true";
     }
 }
 

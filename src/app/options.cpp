@@ -57,9 +57,11 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.value("--max-depth", "N", "Surface vertices of a path; 1 is direct light only, 0 no limit (0)",
             [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
     p.values("--set", "NAME=true|false,...",
-             "Switches: nee (light sampling), mis (multiple importance sampling), multiscatter (rough metal loses no "
-             "light), terminator (softer shadow edges on smoothed meshes)",
+             "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
+             "the light), fresnel, soft_shadows, stop (end pixels that are known well enough), multiscatter (rough "
+             "metal loses no light), terminator (softer shadow edges on smoothed meshes)",
              [&](const std::string& t) { set_switches(t, o); });
+    p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
     add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
     add_name(p, "--accel", "Ray intersection; list tries every primitive (embree)", accel_names, o.accel);

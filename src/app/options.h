@@ -9,7 +9,7 @@
 
 #include "app/load_scene.h"
 #include "core/film.h"
-#include "integrators/transport.h"
+#include "core/switches.h"
 #include "io/tonemap.h"
 #include "render/aov.h"
 
@@ -23,9 +23,9 @@ struct PictureOptions {
     std::optional<uint64_t> seed;
     std::optional<uint32_t> max_depth;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
-    DirectLight direct;
-    std::optional<bool> multiscatter, terminator;
+    SaidSwitches switches{};
     std::optional<uint32_t> threads;
+    bool legacy = false;  // as --set legacy=true
     bool strict = false;
 };
 

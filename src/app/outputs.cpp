@@ -19,8 +19,12 @@ std::string bias_ledger(const RunStats& s)
     std::string ledger;
     const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
     if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
-    if (s.settings.multiscatter) add("multiscatter");
-    if (s.settings.terminator) add("terminator");
+    for (size_t i = 0; i < switch_names.size(); ++i) {
+        const auto x = static_cast<Switch>(i);
+        const bool is_on = s.settings.switches[x];
+        if (x == Switch::nee || x == Switch::mis || is_on == Switches::default_of(x)) continue;
+        add((is_on ? "" : "no_") + std::string(switch_names[i]));
+    }
     if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
     return ledger.empty() ? "none" : ledger;
 }

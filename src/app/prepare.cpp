@@ -34,8 +34,8 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
     with_warnings(diagnostics, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     p.settings = resolve_settings(options, p.description.render);
     // Where Scene::begin looks for them.
-    p.description.render.multiscatter = p.settings.multiscatter;
-    p.description.render.terminator = p.settings.terminator;
+    for (size_t i = 0; i < switch_names.size(); ++i)
+        p.description.render.set(static_cast<Switch>(i), p.settings.switches[static_cast<Switch>(i)]);
     const std::string added = complete_scene(p.description, double(p.settings.width) / p.settings.height);
     if (!added.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +

@@ -5,7 +5,7 @@
 
 namespace lancer {
 
-const std::vector<std::string_view> integrator_names{Path::name, Direct::name};
+const std::vector<std::string_view> integrator_names = names_of_integrators();
 const std::vector<std::string_view> sampler_names{"sobol", "independent"};
 const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris"};
 const std::vector<std::string_view> accel_names{"embree", "list"};
@@ -42,8 +42,7 @@ Settings settings_of_scene(const RenderDescription& scene)
     s.spp = scene.spp.value_or(s.spp);
     s.seed = scene.seed.value_or(s.seed);
     s.max_depth = scene.max_depth.value_or(s.max_depth);
-    s.multiscatter = scene.multiscatter.value_or(s.multiscatter);
-    s.terminator = scene.terminator.value_or(s.terminator);
+    s.switches.take(scene.switches);
     return s;
 }
 
@@ -61,9 +60,8 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.filter = o.filter.value_or(s.filter);
     s.accel = o.accel.value_or(s.accel);
     s.isa = o.isa.value_or(s.isa);
-    s.direct = o.direct;
-    s.multiscatter = o.multiscatter.value_or(s.multiscatter);
-    s.terminator = o.terminator.value_or(s.terminator);
+    s.switches.take(o.switches);
+    if (o.legacy) s.switches.set(Switch::legacy, true);
     s.threads = o.threads ? *o.threads : available_threads();
     return s;
 }
@@ -71,9 +69,7 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
 RenderSettings to_render_settings(const Settings& s, uint32_t batch)
 {
     RenderSettings r;
-    if (s.integrator == Direct::name) r.integrator = Direct{};
-    std::visit([&](auto& integrator) { integrator.max_depth = s.max_depth, integrator.direct = s.direct; },
-               r.integrator);
+    r.integrator = make_integrator(s.integrator, {.max_depth = s.max_depth, .switches = s.switches});
     r.accel = s.accel == "list" ? AccelKind::list : AccelKind::embree;
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
@@ -90,10 +86,9 @@ std::string reproducing_options(const Settings& s)
                        std::to_string(s.seed) + " --integrator " + s.integrator + " --max-depth " +
                        std::to_string(s.max_depth) + " --sampler " + s.sampler + " --filter " + s.filter + " --accel " +
                        s.accel + " --isa " + s.isa;
-    if (!s.direct.nee) text += " --set nee=false";
-    if (!s.direct.mis) text += " --set mis=false";
-    if (s.multiscatter) text += " --set multiscatter=true";
-    if (s.terminator) text += " --set terminator=true";
+    for (size_t i = 0; i < switch_names.size(); ++i)
+        if (const auto x = static_cast<Switch>(i); s.switches[x] != Switches::default_of(x))
+            text += " --set " + std::string(switch_names[i]) + (s.switches[x] ? "=true" : "=false");
     return text;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "core/switches.h"
 #include "render/renderer.h"
 
 namespace lancer {
@@ -20,8 +21,7 @@ struct Settings {
     uint64_t seed = 0;
     uint32_t max_depth = 0;
     std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "embree", isa = "avx2";
-    DirectLight direct;
-    bool multiscatter = false, terminator = false;  // see the bias ledger in docs/architecture.md
+    Switches switches;
     uint32_t threads = 1;
 };
 

@@ -2,6 +2,7 @@
 // followed.
 #pragma once
 
+#include "integrators/integrator_settings.h"
 #include "integrators/transport.h"
 
 namespace lancer {
@@ -13,6 +14,11 @@ struct Direct {
     uint32_t roulette_depth = 5;  // vertices before roulette may end a chain of mirrors
     DirectLight direct{};
 
+    void take(const IntegratorSettings& settings)
+    {
+        max_depth = settings.max_depth;
+        direct = {settings.switches[Switch::nee], settings.switches[Switch::mis]};
+    }
     template <class V>
     void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
     {

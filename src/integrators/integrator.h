@@ -1,7 +1,10 @@
-// The list of integrators. A new one is a header, a word here and a file render/kernels_NAME.cpp.
+// The list of integrators. A new one is a header, a word here and a file render/kernels_NAME.cpp; the command line, the
+// scene files and the laws in tests/ take it from here.
 #pragma once
 
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "integrators/direct.h"
 #include "integrators/path.h"
@@ -9,5 +12,11 @@
 namespace lancer {
 
 using AnyIntegrator = std::variant<Path, Direct>;
+
+// The first is the default.
+std::vector<std::string_view> names_of_integrators();
+
+// name: one of those.
+AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings);
 
 }  // namespace lancer

@@ -33,12 +33,19 @@ struct Queue {
         uint32_t slot;
     };
     std::vector<Color> radiance;  // of each slot
+    struct TintedShadow {
+        Ray ray;
+        Color radiance;  // if nothing is in between
+        uint32_t slot;
+    };
     std::vector<Ray> shadow_rays;
     std::vector<Shadow> shadows;  // parallel to shadow_rays
+    std::vector<TintedShadow> tinted_shadows;
     std::vector<State> next;
 };
 
-// The steps of one sample. Their order is the order of summation: all adds of a depth, then its shadow rays.
+// The steps of one sample. Their order is the order of summation: all adds of a depth, then its shadow rays, then its
+// tinted ones, those that went through fewer surfaces first.
 class Steps {
 public:
     Steps(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
@@ -49,6 +56,12 @@ public:
         if (!is_traceable(ray)) return spoil();
         queue_.shadow_rays.push_back(ray);
         queue_.shadows.push_back({radiance_if_unoccluded, slot_});
+    }
+    // As shadow(), but what lies in between takes only its part: the integrator's through() says which.
+    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded)
+    {
+        if (!is_traceable(ray)) return spoil();
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, slot_});
     }
     void next(const State& state)
     {

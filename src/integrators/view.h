@@ -28,6 +28,8 @@ struct View {
             id = scene.scattering_material(id, point, sampler.get1(bounce, Dim::mix));
         return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[id]);
     }
+    // What the classic integrators see of the place; of a mix, mixed.
+    Phong phong(const Surface& s) const { return scene.phong(s.material, scene.shading_point(s)); }
     Color emission(const Surface& s) const
     {
         const Emission& e = scene.emission[s.material];

@@ -55,7 +55,9 @@ void SceneReader::read_version()
 
 void SceneReader::read_render(const TomlTable& table)
 {
-    table.allow({"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler", "multiscatter", "terminator"});
+    NameList keys{"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler"};
+    keys.insert(keys.end(), switch_names.begin(), switch_names.end());
+    table.allow(keys);
     RenderDescription& render = scene_.render;
     render.where = table.where();
     render.integrator = table.text("integrator");
@@ -65,8 +67,7 @@ void SceneReader::read_render(const TomlTable& table)
     render.max_depth = table.integer("max_depth", 0, max_int);
     render.seed = table.integer("seed", 0, INT64_MAX);
     render.size = table.size("size");
-    render.multiscatter = table.boolean("multiscatter");
-    render.terminator = table.boolean("terminator");
+    for (size_t i = 0; i < switch_names.size(); ++i) render.switches[i] = table.boolean(std::string(switch_names[i]));
 }
 
 TransformDescription SceneReader::read_transform(const TomlTable& table)

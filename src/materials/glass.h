@@ -5,6 +5,7 @@
 
 #include "materials/fresnel.h"
 #include "materials/microfacet.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -99,6 +100,18 @@ struct Glass {
         const float alpha = alpha_of_roughness(p.eval(roughness));
         const bool bends = alpha * std::min(1.0f, std::abs(ior - 1)) >= least_alpha;
         return {p.eval(tint), p.front ? ior : 1 / ior, bends ? alpha : 0};
+    }
+    Phong phong(const ShadingPoint& p) const
+    {
+        const Color color = p.eval(tint);
+        const float reflected = fresnel_dielectric(1.0f, ior).reflectance;
+        return {.diffuse = color,
+                .specular = color,
+                .shininess = shininess_of(p.eval(roughness)),
+                .diffusion = 0,
+                .reflexion = reflected,
+                .refraction = 1 - reflected,
+                .inside_ior = ior};
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/warp.h"
 #include "materials/bsdf.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -34,6 +35,7 @@ struct Lambert {
     ColorParam albedo;
 
     LambertBsdf at(const ShadingPoint& p) const { return {p.eval(albedo)}; }
+    Phong phong(const ShadingPoint& p) const { return {.diffuse = p.eval(albedo)}; }
 };
 
 }  // namespace lancer

@@ -7,6 +7,7 @@
 #include "materials/albedo_table.h"
 #include "materials/fresnel.h"
 #include "materials/microfacet.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -122,6 +123,15 @@ struct Metal {
     MetalBsdf at(const ShadingPoint& p) const
     {
         return {p.eval(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
+    }
+    // What is no mirror any more is a highlight.
+    Phong phong(const ShadingPoint& p) const
+    {
+        const float rough = p.eval(roughness);
+        return {.specular = at(p).reflectance(),
+                .shininess = shininess_of(rough),
+                .diffusion = std::min(1.0f, rough),
+                .reflexion = 1 - std::min(1.0f, rough)};
     }
 };
 

@@ -21,6 +21,13 @@ inline float alpha_of_roughness(float roughness)
     return alpha < least_alpha ? 0 : alpha;
 }
 
+// The exponent of the highlight that is about as wide: Walter et al., section 5.2. 0 for a mirror, which has none.
+inline float shininess_of(float roughness)
+{
+    const float alpha = alpha_of_roughness(roughness);
+    return alpha > 0 ? 2 / (alpha * alpha) - 2 : 0;
+}
+
 inline Vec3d unit_in_double(Vec3 w) { return normalize(to_double(w)); }
 
 // wi mirrored about h, both unit.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "materials/bsdf.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -26,6 +27,7 @@ struct Mirror {
     ColorParam tint;
 
     MirrorBsdf at(const ShadingPoint& p) const { return {p.eval(tint)}; }
+    Phong phong(const ShadingPoint& p) const { return {.specular = p.eval(tint), .diffusion = 0, .reflexion = 1}; }
 };
 
 }  // namespace lancer

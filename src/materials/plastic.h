@@ -13,6 +13,7 @@
 #include "materials/albedo_table.h"
 #include "materials/fresnel.h"
 #include "materials/microfacet.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -97,6 +98,18 @@ struct Plastic {
     {
         const float alpha = coat ? alpha_of_roughness(p.eval(roughness)) : 0;
         return {p.eval(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
+    }
+    Phong phong(const ShadingPoint& p) const
+    {
+        const float rough = std::min(1.0f, p.eval(roughness));
+        const float reflected = fresnel_dielectric(1.0f, ior).reflectance;
+        // The coat's part, as a highlight as far as it is rough and as a mirror for the rest.
+        const float diffusion = 1 - reflected * (1 - rough);
+        return {.diffuse = p.eval(base) * ((1 - reflected) / diffusion),
+                .specular = specular * (rough > 0 ? reflected * rough / diffusion : 0),
+                .shininess = shininess_of(rough),
+                .diffusion = diffusion,
+                .reflexion = reflected * (1 - rough)};
     }
 };
 

@@ -8,7 +8,7 @@
 
 #include "core/film.h"
 #include "core/image.h"
-#include "render/kernel.h"
+#include "render/workspace.h"
 
 namespace lancer {
 

@@ -1,74 +1,57 @@
 // The one pixel loop. A batch of paths of one tile advances in lockstep: their rays are traced together, each end is
 // handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
 // A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
+// Only the files kernels_NAME.cpp include this, each for one integrator, so that they compile side by side.
 #pragma once
 
-#include <functional>
-#include <optional>
-
-#include "core/film.h"
-#include "core/sampler.h"
-#include "geometry/accel.h"
-#include "integrators/steps.h"
-#include "integrators/view.h"
-#include "render/filter.h"
-#include "scene/camera.h"
+#include "render/aov.h"
+#include "render/kernels.h"
 
 namespace lancer {
 
-// Everything but the place in the picture.
-struct KernelSettings {
-    SamplerKind sampler = SamplerKind::sobol;
-    uint64_t seed = 0;
-    Filter filter{FilterKind::blackman_harris};
-    uint32_t batch = 256;  // paths under way at once, >= 1
-};
-
-struct SampleId {
-    uint32_t x = 0, y = 0, sample = 0;
-    friend auto operator<=>(const SampleId&, const SampleId&) = default;
-};
-
-struct Counters {
-    uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
-    uint64_t dropped = 0;                   // samples that were not finite
-    std::optional<SampleId> first_dropped;  // in order of x, y, sample
-
-    void drop(const SampleId& id)
+// An integrator whose shadow rays go through what lets light pass: through() says which part of it, and black ends the
+// ray.
+template <class Integrator>
+concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s)
+{
     {
-        ++dropped;
-        if (!first_dropped || id < *first_dropped) first_dropped = id;
-    }
-    Counters& operator+=(const Counters& o)
-    {
-        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays, dropped += o.dropped;
-        if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
-        return *this;
-    }
+        i.through(v, r, s)
+        } -> std::same_as<Color>;
 };
 
-// Memory of one thread at work, kept from tile to tile.
-struct Workspace {
-    Queue queue;
-    std::vector<State> states;
-    std::vector<Ray> rays;
-    std::vector<Hit> hits;
-    std::vector<uint8_t> occluded;
-    std::vector<SampleId> slots;
-    std::vector<Pixel> block;         // one per pixel of the tile
-    std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
-};
-
-// Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
-// one hears nothing, at no cost.
-struct NoListener {
-    void ray(const State&, const Hit&) const {}
-    void vertex(const State&, const Surface&) const {}
-    void added(const State&, Color) const {}
-    void shadow(const Ray&, Color, bool) const {}
-    void begin_block() const {}
-    void end_block() const {}
-};
+// Follows the tinted shadow rays from surface to surface, all of them one surface further in each round.
+template <class Integrator, class Listener>
+void trace_tinted_shadows(const View& view, const Accelerator& accel, const Integrator& integrator, Workspace& w,
+                          Counters& counters, const Listener& listener)
+{
+    std::vector<Queue::TintedShadow>& shadows = w.queue.tinted_shadows;
+    while (!shadows.empty()) {
+        w.rays.clear();
+        for (const Queue::TintedShadow& s : shadows) w.rays.push_back(s.ray);
+        w.hits.resize(w.rays.size());
+        accel.closest(w.rays, w.hits, Coherence::incoherent);
+        counters.shadow_rays += w.rays.size();
+        size_t kept = 0;
+        for (size_t i = 0; i < shadows.size(); ++i) {
+            Queue::TintedShadow s = shadows[i];
+            if (!w.hits[i]) {
+                listener.shadow(s.ray, s.radiance, false);
+                w.queue.radiance[s.slot] += s.radiance;
+                continue;
+            }
+            const Surface surface = view.surface_at(s.ray, w.hits[i], {});
+            s.radiance *= integrator.through(view, s.ray, surface);
+            if (is_black(s.radiance)) {
+                listener.shadow(s.ray, s.radiance, true);
+                continue;
+            }
+            s.ray.org = ray_origin(surface, s.ray.dir);
+            s.ray.t_max -= surface.t;
+            shadows[kept++] = s;
+        }
+        shadows.resize(kept);
+    }
+}
 
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
 template <class Integrator, class Listener>
@@ -112,6 +95,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         w.queue.next.clear();
         w.queue.shadow_rays.clear();
         w.queue.shadows.clear();
+        w.queue.tinted_shadows.clear();
         for (size_t i = 0; i < w.states.size(); ++i) {
             const State& s = w.states[i];
             Steps steps(w.queue, s.slot);
@@ -135,6 +119,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
             listener.shadow(w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
             if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
         }
+        if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
         std::swap(w.states, w.queue.next);
     }
 }
@@ -181,6 +166,30 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
         listener.end_block();
         first = last;
     }
+}
+
+template <class Integrator>
+void Kernels<Integrator>::render(const View& view, const Accelerator& accel, const Camera& camera,
+                                 const KernelSettings& settings, const Integrator& integrator, Film& film, Tile tile,
+                                 SampleRange samples, Workspace& w, Counters& counters)
+{
+    const auto render = [&](const auto& listener) {
+        render_tile(view, accel, camera, settings, integrator, film, tile, samples, w, counters, listener);
+    };
+    if (film.aovs.empty()) return render(NoListener{});
+    render(AovListener(view.scene, film, tile, w));
+}
+
+template <class Integrator>
+Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                                  const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
+                                  const PathListener& listener)
+{
+    Workspace w;
+    Counters counters;
+    w.slots.push_back(id);
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, listener);
+    return w.queue.radiance[0];
 }
 
 }  // namespace lancer

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "integrators/integrator.h"
-#include "render/kernel.h"
 #include "render/specialize.h"
 
 namespace lancer {

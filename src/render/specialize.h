@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "integrators/integrator.h"
-#include "render/kernel.h"
+#include "render/kernels.h"
 
 namespace lancer {
 
@@ -14,14 +14,6 @@ using TileKernel = std::function<void(const Camera&, Film&, Tile, SampleRange, W
 // All references must outlive the kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings);
-
-// What happened to one sample, for a reader. Every function must be set.
-struct PathListener {
-    std::function<void(const State&, const Hit&)> ray;         // traced to its end
-    std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
-    std::function<void(const State&, Color)> added;            // radiance added there at once
-    std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
-};
 
 // Traces one sample as a render would, with the same bits, and returns its radiance.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,

@@ -31,6 +31,13 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"warnings", s.warnings}};
 }
 
+Json switches_of(const Switches& switches)
+{
+    Json json;
+    for (size_t i = 0; i < switch_names.size(); ++i) json[switch_names[i]] = switches[static_cast<Switch>(i)];
+    return json;
+}
+
 Json settings_of(const RunStats::SettingsUsed& s)
 {
     return {{"width", s.width},
@@ -40,10 +47,7 @@ Json settings_of(const RunStats::SettingsUsed& s)
             {"seed", s.seed},
             {"integrator", s.integrator},
             {"max_depth", s.max_depth},
-            {"nee", s.nee},
-            {"multiscatter", s.multiscatter},
-            {"terminator", s.terminator},
-            {"mis", s.mis},
+            {"switches", switches_of(s.switches)},
             {"sampler", s.sampler},
             {"filter", s.filter},
             {"accel", s.accel},

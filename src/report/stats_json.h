@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "core/film.h"
-#include "render/kernel.h"
+#include "core/switches.h"
+#include "render/workspace.h"
 
 namespace lancer {
 
@@ -27,7 +28,7 @@ struct RunStats {
         Tile crop;
         uint64_t seed = 0;
         std::string integrator, sampler, filter, accel, isa;
-        bool nee = true, mis = true, multiscatter = false, terminator = false;
+        Switches switches;
         std::string hash;  // of all that decides the value of a pixel, but the scene
     };
     struct Phase {

@@ -12,7 +12,9 @@
 
 #include "core/color.h"
 #include "core/error.h"
+#include "core/switches.h"
 #include "core/vec.h"
+#include "materials/phong.h"
 #include "materials/texture.h"
 
 namespace lancer {
@@ -29,7 +31,7 @@ struct TextureDescription {
 };
 using TextureUse = std::optional<TextureDescription>;
 
-enum class MaterialType { lambert, mirror, metal, glass, plastic, mix };
+enum class MaterialType { lambert, mirror, metal, glass, plastic, mix, interface };
 
 // What a material says, each parameter with its default. A texture multiplies the number it belongs to.
 struct MaterialDescription {
@@ -56,6 +58,7 @@ struct MaterialDescription {
     std::string first{}, second{};     // mix: names of [material.NAME]
     float weight = 0.5f;               // mix: of the second
     TextureUse weight_map{};
+    Phong phong{};  // interface; its diffuse colour is base_color
 };
 
 // Every texture that a material may have.
@@ -164,8 +167,11 @@ struct RenderDescription {
     std::optional<std::string> integrator, filter, sampler;
     std::optional<uint32_t> spp, max_depth;
     std::optional<uint64_t> seed;
-    std::optional<std::array<uint32_t, 2>> size;   // width, height
-    std::optional<bool> multiscatter, terminator;  // see Settings
+    std::optional<std::array<uint32_t, 2>> size;  // width, height
+    SaidSwitches switches{};
+
+    bool is_on(Switch s) const { return switches[static_cast<size_t>(s)].value_or(Switches::default_of(s)); }
+    void set(Switch s, bool on) { switches[static_cast<size_t>(s)] = on; }
 };
 
 struct SceneDescription {

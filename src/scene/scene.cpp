@@ -23,7 +23,8 @@ public:
     Scene build()
     {
         scene_.file = d_.file;
-        scene_.terminator_fix = d_.render.terminator.value_or(false);
+        scene_.terminator_fix = d_.render.is_on(Switch::terminator);
+        scene_.legacy = d_.render.is_on(Switch::legacy);
         scene_.normalisation = normalise(frame());
         add_spheres();
         add_planes();
@@ -241,6 +242,15 @@ uint32_t Scene::scattering_material(uint32_t material, const ShadingPoint& point
         material = second ? mix.second : mix.first;
     }
     return material;
+}
+
+Phong Scene::phong(uint32_t material, const ShadingPoint& point) const
+{
+    if (!mix_of.empty() && mix_of[material] != none) {
+        const Mix& m = mixes[mix_of[material]];
+        return mix(std::clamp(point.eval(m.weight), 0.0f, 1.0f), phong(m.first, point), phong(m.second, point));
+    }
+    return std::visit([&](const auto& m) { return m.phong(point); }, materials[material]);
 }
 
 uint64_t Scene::triangle_count() const

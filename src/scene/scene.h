@@ -75,6 +75,7 @@ struct Scene {
     std::optional<PendingEnvironment> pending_environment;
     bool is_complete = false;
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
+    bool legacy = false;          // see Switch::legacy
 
     // Checks what only the whole scene can tell, resolves names, normalises; asks `images` for the pictures that the
     // scene uses, but does not wait for them. Problems go to diagnostics; throws Error if there are any.
@@ -92,6 +93,9 @@ struct Scene {
     ShadingPoint shading_point(const Surface& surface) const;
     // The material that scatters at a place where `material` may be a mix. u in [0, 1) decides.
     uint32_t scattering_material(uint32_t material, const ShadingPoint& point, float u) const;
+
+    // What the classic integrators see of a material there; of a mix, mixed.
+    Phong phong(uint32_t material, const ShadingPoint& point) const;
 
     uint64_t triangle_count() const;  // instances not multiplied
 };

@@ -32,7 +32,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "fov, aperture, focus"},
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
-          "sampler, multiscatter, terminator"},
+          "sampler, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, stop, multiscatter, terminator, "
+          "legacy"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, translate, "
           "rotate, scale"},

@@ -34,15 +34,15 @@ size = [65536, 4096])")
     EXPECT_EQ(r.max_depth, 2147483647u);
     EXPECT_EQ(r.seed, 9223372036854775807u);
     EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65536, 4096}));
-    EXPECT_EQ(r.multiscatter, true);
-    EXPECT_EQ(r.terminator, false);
+    EXPECT_TRUE(r.is_on(Switch::multiscatter));
+    EXPECT_FALSE(r.is_on(Switch::terminator));
 }
 
 TEST_F(SceneFileTest, WhatRenderDoesNotSayIsLeftOpen)
 {
     const RenderDescription r = scene("[render]").render;
-    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size || r.multiscatter ||
-                 r.terminator);
+    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size);
+    EXPECT_EQ(r.switches, SaidSwitches{});
     const RenderDescription least = scene("[render]\nspp = 1\nmax_depth = 0\nseed = 0\nsize = [1, 1]").render;
     EXPECT_EQ(least.spp, 1u);
     EXPECT_EQ(least.max_depth, 0u);

@@ -177,7 +177,7 @@ TEST_P(Stopping, AfterTheLastTileThePassIsComplete)
 TEST(Replay, IsTheSampleThatTheFilmGot)
 {
     for (const NamedScene& s : all_test_scenes())
-        for (const AnyIntegrator& integrator : {AnyIntegrator{Path{}}, AnyIntegrator{Direct{}}}) {
+        for (const AnyIntegrator& integrator : all_integrators()) {
             RenderRequest r;
             r.width = 24, r.height = 18;
             r.spp = {1};

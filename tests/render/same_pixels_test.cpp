@@ -38,10 +38,8 @@ struct Case {
 std::vector<Case> all_cases()
 {
     std::vector<Case> cases;
-    for (const NamedScene& s : all_test_scenes()) {
-        cases.push_back({s.name, Path{}});
-        cases.push_back({s.name, Direct{}});
-    }
+    for (const NamedScene& s : all_test_scenes())
+        for (const AnyIntegrator& integrator : all_integrators()) cases.push_back({s.name, integrator});
     return cases;
 }
 

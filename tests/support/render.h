@@ -7,6 +7,14 @@
 
 namespace lancer {
 
+// Every integrator, with its defaults.
+inline std::vector<AnyIntegrator> all_integrators()
+{
+    std::vector<AnyIntegrator> all;
+    for (const std::string_view name : names_of_integrators()) all.push_back(make_integrator(name, {}));
+    return all;
+}
+
 struct RenderRequest {
     uint32_t width = 32, height = 24;
     std::optional<Tile> crop;       // default: the whole picture

@@ -1,0 +1,53 @@
+#include "integrators/integrator.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lancer {
+namespace {
+
+// Some names stand for two integrators: the second one does what the first does in the ways of the past.
+template <class Integrator>
+constexpr bool is_legacy()
+{
+    if constexpr (requires { Integrator::is_legacy; })
+        return Integrator::is_legacy;
+    else
+        return false;
+}
+
+// f(i) for each alternative of the list, default constructed, in order.
+template <class F, size_t... i>
+void for_each_integrator(const F& f, std::index_sequence<i...>)
+{
+    (f(std::variant_alternative_t<i, AnyIntegrator>{}), ...);
+}
+template <class F>
+void for_each_integrator(const F& f)
+{
+    for_each_integrator(f, std::make_index_sequence<std::variant_size_v<AnyIntegrator>>{});
+}
+
+}  // namespace
+
+std::vector<std::string_view> names_of_integrators()
+{
+    std::vector<std::string_view> names;
+    for_each_integrator([&]<class Integrator>(const Integrator&) {
+        if (!is_legacy<Integrator>()) names.push_back(Integrator::name);
+    });
+    return names;
+}
+
+AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings)
+{
+    AnyIntegrator found;
+    for_each_integrator([&]<class Integrator>(Integrator integrator) {
+        if (name != Integrator::name || (is_legacy<Integrator>() && !settings.switches[Switch::legacy])) return;
+        if constexpr (requires { integrator.take(settings); }) integrator.take(settings);
+        found = integrator;
+    });
+    return found;
+}
+
+}  // namespace lancer

@@ -1,0 +1,32 @@
+// The compiled pixel loops, one for each integrator: what render/specialize.cpp picks from. Defined in render/kernel.h
+// and instantiated in kernels_NAME.cpp.
+#pragma once
+
+#include <functional>
+
+#include "integrators/view.h"
+#include "render/workspace.h"
+
+namespace lancer {
+
+// What happened to one sample, for a reader. Every function must be set.
+struct PathListener {
+    std::function<void(const State&, const Hit&)> ray;         // traced to its end
+    std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
+    std::function<void(const State&, Color)> added;            // radiance added there at once
+    std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
+};
+
+template <class Integrator>
+struct Kernels {
+    // Adds samples [begin, end) of every pixel of a tile to the film, and to its AOVs if it has any.
+    static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                       const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                       Counters& counters);
+    // Traces one sample as render() would, with the same bits, and returns its radiance. width: of the whole picture.
+    static Color replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                        const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
+                        const PathListener& listener);
+};
+
+}  // namespace lancer

@@ -1,0 +1,70 @@
+// What the pixel loop works with: its settings, its memory, what it counts and who listens.
+#pragma once
+
+#include <optional>
+
+#include "core/film.h"
+#include "core/sampler.h"
+#include "geometry/accel.h"
+#include "integrators/steps.h"
+#include "integrators/view.h"
+#include "render/filter.h"
+#include "scene/camera.h"
+
+namespace lancer {
+
+// Everything but the place in the picture.
+struct KernelSettings {
+    SamplerKind sampler = SamplerKind::sobol;
+    uint64_t seed = 0;
+    Filter filter{FilterKind::blackman_harris};
+    uint32_t batch = 256;  // paths under way at once, >= 1
+};
+
+struct SampleId {
+    uint32_t x = 0, y = 0, sample = 0;
+    friend auto operator<=>(const SampleId&, const SampleId&) = default;
+};
+
+struct Counters {
+    uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
+    uint64_t dropped = 0;                   // samples that were not finite
+    std::optional<SampleId> first_dropped;  // in order of x, y, sample
+
+    void drop(const SampleId& id)
+    {
+        ++dropped;
+        if (!first_dropped || id < *first_dropped) first_dropped = id;
+    }
+    Counters& operator+=(const Counters& o)
+    {
+        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays, dropped += o.dropped;
+        if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
+        return *this;
+    }
+};
+
+// Memory of one thread at work, kept from tile to tile.
+struct Workspace {
+    Queue queue;
+    std::vector<State> states;
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<uint8_t> occluded;
+    std::vector<SampleId> slots;
+    std::vector<Pixel> block;         // one per pixel of the tile
+    std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
+};
+
+// Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
+// one hears nothing, at no cost.
+struct NoListener {
+    void ray(const State&, const Hit&) const {}
+    void vertex(const State&, const Surface&) const {}
+    void added(const State&, Color) const {}
+    void shadow(const Ray&, Color, bool) const {}
+    void begin_block() const {}
+    void end_block() const {}
+};
+
+}  // namespace lancer
