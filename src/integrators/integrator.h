@@ -6,12 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "integrators/ao.h"
 #include "integrators/direct.h"
 #include "integrators/path.h"
 
 namespace lancer {
 
-using AnyIntegrator = std::variant<Path, Direct>;
+using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion>;
 
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();

@@ -1,0 +1,33 @@
+// Ambient occlusion: the part of the sky that a white, diffuse world would see, within the scene's own radius. A look at
+// geometry alone, with one shadow ray per sample: Pharr, Jakob, Humphreys, 4th ed., section 13.2.
+#pragma once
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "integrators/steps.h"
+#include "integrators/view.h"
+
+namespace lancer {
+
+struct AmbientOcclusion {
+    static constexpr const char* name = "ao";
+
+    template <class V>
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    {
+        const Vec3 wi =
+            normalize(Frame(surface.ns).to_world(square_to_cosine_hemisphere(sampler.get2(s.depth, Dim::bsdf))));
+        if (dot(wi, surface.side) <= 0) return;
+        Ray ray{.org = ray_origin(surface, wi), .dir = wi};
+        ray.t_max = std::max(1.0f, static_cast<float>(view.scene.bounds.radius()));
+        ray.key = view.ray_key(sampler, s.depth, Dim::shadow_hole);
+        steps.shadow(ray, {1, 1, 1});
+    }
+    template <class V>
+    void miss(const V&, const State&, Steps& steps) const
+    {
+        steps.add({1, 1, 1});
+    }
+};
+
+}  // namespace lancer
