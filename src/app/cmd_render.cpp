@@ -104,7 +104,7 @@ void Run::describe(const Renderer& renderer)
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,
-                       .max_depth = s.max_depth,
+                       .max_depth = max_depth_of(renderer.integrator()),
                        .threads = s.threads,
                        .tile = options_.tile,
                        .batch = options_.batch,
@@ -116,6 +116,7 @@ void Run::describe(const Renderer& renderer)
                        .accel = s.accel,
                        .isa = s.isa,
                        .switches = s.switches,
+                       .biases = biases_of(renderer.integrator()),
                        .hash = to_hex(hash_bytes(reproducing_options(s) + " --camera " + options_.picture.scene.camera +
                                                  " --spp " + std::to_string(s.spp)))};
 }

@@ -18,6 +18,7 @@ std::string bias_ledger(const RunStats& s)
 {
     std::string ledger;
     const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
+    for (const std::string& bias : s.settings.biases) add(bias);
     if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
     for (size_t i = 0; i < switch_names.size(); ++i) {
         const auto x = static_cast<Switch>(i);

@@ -43,6 +43,19 @@ public:
     {
         return static_cast<float>((cumulative_[i] - (i ? cumulative_[i - 1] : 0)) / total_);
     }
+    // An index that is not below `first`, and its probability among these; 0 if they weigh nothing beside the others.
+    struct Choice {
+        uint32_t index;
+        float probability;
+    };
+    Choice sample_from(uint32_t first, double u) const
+    {
+        const double below = first ? cumulative_[first - 1] : 0, rest = total_ - below;
+        if (!(rest > 0)) return {first, 0};
+        const auto it = std::upper_bound(cumulative_.begin() + first, cumulative_.end(), below + u * rest);
+        const auto i = std::min(static_cast<uint32_t>(it - cumulative_.begin()), static_cast<uint32_t>(size() - 1));
+        return {i, static_cast<float>((cumulative_[i] - (i ? cumulative_[i - 1] : 0)) / rest)};
+    }
 
 private:
     std::vector<double> cumulative_;

@@ -50,4 +50,28 @@ AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& s
     return found;
 }
 
+uint32_t max_depth_of(const AnyIntegrator& integrator)
+{
+    return std::visit(
+        []<class Integrator>(const Integrator& concrete) -> uint32_t {
+            if constexpr (requires { concrete.max_depth; })
+                return concrete.max_depth;
+            else
+                return 0;
+        },
+        integrator);
+}
+
+std::vector<std::string> biases_of(const AnyIntegrator& integrator)
+{
+    return std::visit(
+        []<class Integrator>(const Integrator&) -> std::vector<std::string> {
+            if constexpr (requires { Integrator::biases; })
+                return {Integrator::biases.begin(), Integrator::biases.end()};
+            else
+                return {};
+        },
+        integrator);
+}
+
 }  // namespace lancer

@@ -2,6 +2,7 @@
 // scene files and the laws in tests/ take it from here.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -9,15 +10,23 @@
 #include "integrators/ao.h"
 #include "integrators/direct.h"
 #include "integrators/path.h"
+#include "integrators/random_decision.h"
+#include "integrators/whitted.h"
 
 namespace lancer {
 
-using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion>;
+using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion>;
 
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();
 
 // name: one of those.
 AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings);
+
+// How many surface vertices its paths have at most; 0: no limit.
+uint32_t max_depth_of(const AnyIntegrator& integrator);
+
+// What its pictures lack by its nature, as entries of the bias ledger.
+std::vector<std::string> biases_of(const AnyIntegrator& integrator);
 
 }  // namespace lancer

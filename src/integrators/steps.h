@@ -35,7 +35,8 @@ struct Queue {
     std::vector<Color> radiance;  // of each slot
     struct TintedShadow {
         Ray ray;
-        Color radiance;  // if nothing is in between
+        Color radiance;  // if nothing more is in between
+        Color light;     // what is left of the light's own colour, likewise
         uint32_t slot;
     };
     std::vector<Ray> shadow_rays;
@@ -57,11 +58,12 @@ public:
         queue_.shadow_rays.push_back(ray);
         queue_.shadows.push_back({radiance_if_unoccluded, slot_});
     }
-    // As shadow(), but what lies in between takes only its part: the integrator's through() says which.
-    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded)
+    // As shadow(), but what lies in between takes only its part: the integrator's through() says which. light: the
+    // colour of the light itself, for is_spent().
+    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light)
     {
         if (!is_traceable(ray)) return spoil();
-        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, slot_});
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_});
     }
     void next(const State& state)
     {

@@ -97,12 +97,11 @@ inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
     return {cone.width + cone.spread * t, std::min(1.0f, std::max(cone.spread, opened))};
 }
 
-// The ray that the BSDF sends on, or nothing if it absorbs.
-template <class V, class B>
-std::optional<State> scatter(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo,
-                             const B& bsdf, const Sampler& sampler)
+// The ray that a sample of the BSDF sends on, or nothing if there is none or the surface keeps it.
+template <class V>
+std::optional<State> send_on(const V& view, const State& s, const Surface& surface, const Frame& frame,
+                             const std::optional<BsdfSample>& b, const Sampler& sampler)
 {
-    const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
     if (!b || is_black(b->weight)) return {};
     const Vec3 wi = normalize(frame.to_world(b->wi));
     if (!sides_agree(surface, wi, b->wi)) return {};
@@ -117,6 +116,15 @@ std::optional<State> scatter(const V& view, const State& s, const Surface& surfa
     n.cone = scattered(s.cone, surface.t, *b);
     ++n.depth;
     return n;
+}
+
+// The ray that the BSDF sends on, or nothing if it absorbs.
+template <class V, class B>
+std::optional<State> scatter(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo,
+                             const B& bsdf, const Sampler& sampler)
+{
+    const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
+    return send_on(view, s, surface, frame, b, sampler);
 }
 
 // Russian roulette on the energy that the path still carries. The first vertices are spared: on bright scenes ending

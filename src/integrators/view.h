@@ -46,6 +46,19 @@ struct View {
         const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;
         return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light), through);
     }
+    // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
+    // choice.
+    uint32_t delta_lights() const { return scene.lights.deltas; }
+    std::optional<LightSample> delta_light(const Surface& from, uint32_t i) const
+    {
+        return sample_given_light(scene, from, i, {});
+    }
+    // One of the others.
+    std::optional<LightSample> sample_extended_light(const Surface& from, const Sampler& sampler, uint32_t bounce) const
+    {
+        return lancer::sample_extended_light(scene, from, sampler.get1(bounce, Dim::light),
+                                             sampler.get2(bounce, Dim::light));
+    }
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {

@@ -10,14 +10,27 @@
 namespace lancer {
 
 // An integrator whose shadow rays go through what lets light pass: through() says which part of it, and black ends the
-// ray.
+// ray. So does a light of which so little is left that is_spent(): that little arrives.
 template <class Integrator>
-concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s)
+concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s, const Color light)
 {
     {
         i.through(v, r, s)
         } -> std::same_as<Color>;
+    {
+        i.is_spent(light)
+        } -> std::same_as<bool>;
 };
+
+// Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
+template <class Integrator>
+uint32_t batch_of(const KernelSettings& settings)
+{
+    if constexpr (requires { Integrator::branches; })
+        return std::min(settings.batch, 16u);
+    else
+        return settings.batch;
+}
 
 // Follows the tinted shadow rays from surface to surface, all of them one surface further in each round.
 template <class Integrator, class Listener>
@@ -34,20 +47,26 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
         size_t kept = 0;
         for (size_t i = 0; i < shadows.size(); ++i) {
             Queue::TintedShadow s = shadows[i];
-            if (!w.hits[i]) {
-                listener.shadow(s.ray, s.radiance, false);
-                w.queue.radiance[s.slot] += s.radiance;
-                continue;
+            if (w.hits[i]) {
+                const Surface surface = view.surface_at(s.ray, w.hits[i], {});
+                const Color part = integrator.through(view, s.ray, surface);
+                s.radiance *= part;
+                s.light *= part;
+                if (is_black(s.radiance)) {
+                    listener.shadow(s.ray, s.radiance, true);
+                    continue;
+                }
+                // As far as before: what the new origin is off the surface counts, or the ray might meet its light.
+                const Vec3 org = ray_origin(surface, s.ray.dir);
+                s.ray.t_max -= dot(org - s.ray.org, s.ray.dir);
+                s.ray.org = org;
+                if (!integrator.is_spent(s.light) && s.ray.t_max > s.ray.t_min) {
+                    shadows[kept++] = s;
+                    continue;
+                }
             }
-            const Surface surface = view.surface_at(s.ray, w.hits[i], {});
-            s.radiance *= integrator.through(view, s.ray, surface);
-            if (is_black(s.radiance)) {
-                listener.shadow(s.ray, s.radiance, true);
-                continue;
-            }
-            s.ray.org = ray_origin(surface, s.ray.dir);
-            s.ray.t_max -= surface.t;
-            shadows[kept++] = s;
+            listener.shadow(s.ray, s.radiance, false);
+            w.queue.radiance[s.slot] += s.radiance;
         }
         shadows.resize(kept);
     }
@@ -147,7 +166,8 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
     };
     constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
     w.slots.clear();
-    w.slots.reserve(settings.batch);
+    const uint32_t batch = batch_of<Integrator>(settings);
+    w.slots.reserve(batch);
     for (uint32_t first = samples.begin; first < samples.end;) {
         const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
         w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
@@ -158,7 +178,7 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
                     for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x)
                         for (uint32_t i = first; i < last; ++i) {
                             w.slots.push_back({x, y, i});
-                            if (w.slots.size() == settings.batch) flush();
+                            if (w.slots.size() == batch) flush();
                         }
         flush();
         for (uint32_t y = tile.y0; y < tile.y1; ++y)

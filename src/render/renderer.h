@@ -45,6 +45,7 @@ public:
     // See lancer::replay.
     Color replay(const Camera& camera, uint32_t width, const SampleId& id, const PathListener& listener) const;
 
+    const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }
     const Accelerator& accelerator() const { return *accel_; }
 

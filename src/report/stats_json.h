@@ -29,6 +29,7 @@ struct RunStats {
         uint64_t seed = 0;
         std::string integrator, sampler, filter, accel, isa;
         Switches switches;
+        std::vector<std::string> biases;  // of the integrator, whatever its settings
         std::string hash;  // of all that decides the value of a pixel, but the scene
     };
     struct Phase {

@@ -106,6 +106,26 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     const LightTable& table = scene.lights;
     if (table.pick.empty()) return {};
     const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(lengthened(pick, u.x));
+    auto s = sample_given_light(scene, from, id, u, through);
+    if (s) s->pdf *= table.pick.probability(id);
+    return s;
+}
+
+std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u)
+{
+    const LightTable& table = scene.lights;
+    if (table.deltas == table.lights.size() || table.pick.empty()) return {};
+    const auto [id, probability] = table.pick.sample_from(table.deltas, lengthened(pick, u.x));
+    if (!(probability > 0)) return {};
+    auto s = sample_given_light(scene, from, id, u);
+    if (s) s->pdf *= probability;
+    return s;
+}
+
+std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                              bool through)
+{
+    const LightTable& table = scene.lights;
     // Where every ray on a side starts: the density that pdf_light() finds for such a ray is then the same. From
     // from.p itself the two could disagree even on which side of a sphere they are.
     const auto sampled_from = [&](Vec3 side) {
@@ -119,7 +139,6 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     } else if (s && dot(s->wi, from.side) <= 0) {
         return {};
     }
-    if (s) s->pdf *= table.pick.probability(id);
     return s;
 }
 

@@ -33,8 +33,9 @@ struct EnvironmentLight {};  // Scene::environment_map, or the constant Scene::e
 using Light = std::variant<PointLight, DirectionalLight, SphereLight, TriangleLight, EnvironmentLight>;
 
 struct LightTable {
-    std::vector<Light> lights;
-    Discrete pick;  // by power
+    std::vector<Light> lights;  // point and directional ones first
+    uint32_t deltas = 0;        // how many these are
+    Discrete pick;              // by power
 };
 
 struct LightSample {
@@ -52,6 +53,13 @@ struct LightSample {
 // sampled as seen from where rays leave on the other side.
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u,
                                         bool through = false);
+
+// Light `id` of the table, its choice not counted in the density.
+std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                              bool through = false);
+
+// As sample_light(), but chosen among those alone that are neither points nor directional.
+std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
 
 // Density, per solid angle at `from`, with which sample_light() would have found the emitter at `at`, hit along wi
 // (unit); 0 if it is in no list of lights. from: the origin of the ray that hit it.

@@ -51,6 +51,7 @@ public:
         disk_ = pi_d * r * r;
         for (const PointLight& light : scene_.point_lights) add(light, 4 * pi_d * power_of(light.intensity));
         for (const DirectionalLight& light : scene_.directional_lights) add(light, disk_ * power_of(light.irradiance));
+        scene_.lights.deltas = next();
         list_spheres();
         list_meshes();
         list_environment();

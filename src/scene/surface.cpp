@@ -248,6 +248,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     const Vec3 wo = -ray.dir;
     s.front = dot(s.n, wo) > 0;
     if (!s.front) s.n = -s.n, s.ns = -s.ns;
+    // In the ways of the past normals stay what they are, wherever they point, and decide the sides.
+    if (scene.legacy) {
+        s.origin = s.p;
+        s.side = s.n;
+        return s;
+    }
     // A normal may face away from the ray although the surface does not: mirrored about the silhouette, which is
     // continuous there and keeps it in the hemisphere of n.
     if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));

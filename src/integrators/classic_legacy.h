@@ -1,0 +1,110 @@
+// A vertex as the course's ray tracer had it: Phong's formula with the coefficients as they are, so that energy may be
+// gained; no Fresnel equations; lights that do not fade with distance, and shadow rays that do not end at them. The
+// shading normal alone decides what is inside; where light would be reflected totally it slides along the surface.
+#pragma once
+
+#include "integrators/steps.h"
+#include "integrators/view.h"
+
+namespace lancer {
+
+// Below this part of what the camera gets a branch is given up, and where no more is left of a light its shadow ray.
+inline constexpr float least_part = 0.003f;
+
+// By how much each of the ways that light goes on from a vertex counts, about.
+struct ClassicParts {
+    float diffusion, reflection, refraction;
+    float sum() const { return diffusion + reflection + refraction; }
+};
+
+template <class V>
+class LegacyVertex {
+public:
+    // last: no ray goes on from here, and the illumination stands for all.
+    LegacyVertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, bool last)
+        : view_(view),
+          s_(s),
+          surface_(surface),
+          sampler_(sampler),
+          last_(last),
+          phong_(view.phong(surface)),
+          outwards_(surface.front ? surface.ns : -surface.ns),
+          inside_(dot(s.ray.dir, outwards_) > 0)
+    {
+    }
+
+    std::optional<State> reflection() const
+    {
+        if (last_ || phong_.reflexion == 0) return {};
+        const Vec3 wi = mirrored();
+        return sent(wi, phong_.specular * phong_.reflexion, ray_origin(surface_, wi));
+    }
+    std::optional<State> refraction() const
+    {
+        if (last_ || phong_.refraction == 0) return {};
+        const Vec3 v = s_.ray.dir, n = inside_ ? -outwards_ : outwards_;
+        const float r = inside_ ? phong_.inside_ior / phong_.outside_ior : phong_.outside_ior / phong_.inside_ior;
+        const float c = -dot(n, v), root = std::sqrt(std::max(0.0f, 1 - r * r * (1 - c * c)));
+        // What slides along the surface has no side of its own: beyond it, where it came to.
+        const Vec3 org = offset_origin(surface_.p, surface_.p_error, surface_.n, -surface_.n);
+        return sent(normalize(v * r + n * (r * c - root)), phong_.diffuse * phong_.refraction, org);
+    }
+
+    ClassicParts parts() const
+    {
+        if (last_) return {1, 0, 0};
+        return {phong_.diffusion, phong_.reflexion, phong_.refraction};
+    }
+
+    // Adds what points and directions of light give, times factor. The highlight also shows where the light is below
+    // the horizon, as far as no shadow is there.
+    void illuminate(float factor, Steps& steps) const
+    {
+        const Color throughput = s_.throughput * (factor * (last_ ? 1 : phong_.diffusion));
+        if (is_black(throughput)) return;
+        steps.add(throughput * phong_.ambient);
+        const uint32_t key = view_.ray_key(sampler_, s_.depth, Dim::shadow_hole);
+        uint32_t i = 0;
+        // Positions and intensities are in units of the scene; the colours of lights are those of the file.
+        const auto scale = static_cast<float>(view_.scene.normalisation.scale);
+        for (const PointLight& light : view_.scene.point_lights)
+            add_light(normalize(light.position - surface_.p), light.intensity / (scale * scale), throughput, key + i++,
+                      steps);
+        for (const DirectionalLight& light : view_.scene.directional_lights)
+            add_light(light.wi, light.irradiance, throughput, key + i++, steps);
+    }
+
+private:
+    Vec3 mirrored() const { return s_.ray.dir - outwards_ * (2 * dot(s_.ray.dir, outwards_)); }
+    std::optional<State> sent(Vec3 wi, Color weight, Vec3 org) const
+    {
+        State n = s_;
+        n.ray = {.org = org, .dir = wi};
+        n.ray.key = view_.ray_key(sampler_, n.depth + 1, Dim::hole);
+        n.throughput *= weight;
+        n.normal = surface_.ns;
+        n.cone.width += n.cone.spread * surface_.t;
+        ++n.depth;
+        return n;
+    }
+    void add_light(Vec3 wi, Color light, Color throughput, uint32_t key, Steps& steps) const
+    {
+        const float diffuse = std::max(0.0f, dot(wi, outwards_)), b = dot(mirrored(), wi);
+        const float highlight = b < 0 ? 0 : std::pow(b, phong_.shininess);
+        const Color seen = throughput * light * (phong_.diffuse * diffuse + phong_.specular * highlight);
+        if (is_black(seen)) return;
+        if (!(max_component(light) > least_part)) return steps.add(seen);
+        steps.tinted_shadow({.org = ray_origin(surface_, wi), .dir = wi, .key = key}, seen, light);
+    }
+
+    const V& view_;
+    const State& s_;
+    const Surface& surface_;
+    const Sampler& sampler_;
+    bool last_;
+    Phong phong_;
+    Vec3 outwards_;
+    bool inside_;
+};
+
+}  // namespace lancer

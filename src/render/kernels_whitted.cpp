@@ -1,0 +1,8 @@
+#include "integrators/whitted.h"
+#include "render/kernel.h"
+
+namespace lancer {
+
+template struct Kernels<Whitted>;
+
+}  // namespace lancer
