@@ -14,6 +14,8 @@ const std::vector<TypedKey> typed_keys{{"base_color", {"lambert", "mirror", "met
                                        {"metallic", {"metal", "plastic"}},
                                        {"metallic_texture", {"metal", "plastic"}},
                                        {"ior", {"glass", "plastic"}},
+                                       {"absorption", {"glass"}},
+                                       {"priority", {"glass"}},
                                        {"eta", {"metal"}},
                                        {"k", {"metal"}},
                                        {"specular", {"plastic"}},
@@ -25,9 +27,10 @@ const std::vector<TypedKey> typed_keys{{"base_color", {"lambert", "mirror", "met
 // What one table says of a material; what it does not say is empty.
 struct MaterialKeys {
     std::optional<MaterialType> type;
-    std::optional<Color> base_color, eta, k, specular, emission;
+    std::optional<Color> base_color, eta, k, specular, absorption, emission;
     std::optional<float> roughness, metallic, ior, opacity, bump_scale, weight;
     TextureUse base_color_map, roughness_map, metallic_map, opacity_map, bump_map, normal_map, emission_map, weight_map;
+    std::optional<int32_t> priority;
     std::optional<bool> emission_both_sides;
     std::optional<std::string> first, second;
 };
@@ -97,6 +100,8 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
     keys.eta = table.color("eta", index_of_refraction);
     keys.k = table.color("k", brightness);
     keys.specular = table.color("specular", reflectance);
+    keys.absorption = table.color("absorption", brightness);
+    if (const auto n = table.integer("priority", -1'000'000, 1'000'000)) keys.priority = static_cast<int32_t>(*n);
     keys.emission = table.color("emission", brightness);
     keys.roughness = number("roughness", reflectance);
     keys.metallic = number("metallic", reflectance);
@@ -132,6 +137,8 @@ void change_type(MaterialDescription& m, MaterialType type)
     m.eta = m.k = {};
     m.metallic = m.metallic_map ? std::optional(1.0f) : std::nullopt;
     m.specular = fresh.specular;
+    m.absorption = fresh.absorption;
+    m.priority = fresh.priority;
     m.weight = m.weight_map ? 1 : fresh.weight;
 }
 
@@ -161,6 +168,8 @@ void apply(const MaterialKeys& keys, MaterialDescription& m)
     m.ior = keys.ior.value_or(m.ior);
     if (keys.eta && keys.k) m.eta = keys.eta, m.k = keys.k;
     m.specular = keys.specular.value_or(m.specular);
+    m.absorption = keys.absorption.value_or(m.absorption);
+    if (keys.priority) m.priority = keys.priority;
     m.emission_both_sides = keys.emission_both_sides.value_or(m.emission_both_sides);
     m.first = keys.first.value_or(m.first);
     m.second = keys.second.value_or(m.second);
