@@ -7,6 +7,7 @@
 
 #include "core/color.h"
 #include "core/ray.h"
+#include "materials/medium.h"
 #include "scene/surface.h"
 
 namespace lancer {
@@ -18,6 +19,7 @@ struct State {
     float pdf = 0;              // with which the BSDF chose the ray, per solid angle
     Vec3 normal;                // shading normal where it started
     RayCone cone;               // of the light that the ray stands for
+    MediumStack media;          // what the ray is in; only kept in scenes that have media
     float eta_scale = 1;        // product of eta^2 over refractions: throughput times it speaks of energy
     uint32_t slot = 0;          // the sample that it adds to
     uint32_t branch = 0;        // part of the address of its random numbers; siblings differ

@@ -43,6 +43,7 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
     camera.target = target.value_or(camera.target);
     camera.fov_deg = table.number("fov", half_turn).value_or(camera.fov_deg);
     camera.aperture = table.number("aperture", zero_or_more).value_or(camera.aperture);
+    camera.inside = table.text("inside").value_or(camera.inside);
     const std::optional<double> focus = table.number("focus", above_zero);
     if (focus) camera.focus = focus;
     if (camera.type == CameraType::pinhole) camera.aperture = 0, camera.focus.reset();
@@ -68,7 +69,7 @@ void read_cameras(const TomlTable& root, SceneDescription& scene)
 {
     const std::optional<TomlTable> table = root.table("camera");
     if (!table) return;
-    const NameList keys{"type", "position", "target", "up", "fov", "aperture", "focus"};
+    const NameList keys{"type", "position", "target", "up", "fov", "aperture", "focus", "inside"};
     table->allow_besides_tables(keys);
     CameraDescription base;
     if (!table->has_only_tables()) scene.camera = base = read_camera(*table, base);

@@ -17,6 +17,8 @@ const std::vector<TypedKey> typed_keys{{"base_color", coloured},
                                        {"metallic", {"metal", "plastic"}},
                                        {"metallic_texture", {"metal", "plastic"}},
                                        {"ior", {"glass", "plastic", "interface"}},
+                                       {"absorption", {"glass"}},
+                                       {"priority", {"glass"}},
                                        {"eta", {"metal"}},
                                        {"k", {"metal"}},
                                        {"specular", {"plastic", "interface"}},
@@ -34,10 +36,11 @@ const std::vector<TypedKey> typed_keys{{"base_color", coloured},
 // What one table says of a material; what it does not say is empty.
 struct MaterialKeys {
     std::optional<MaterialType> type;
-    std::optional<Color> base_color, eta, k, specular, emission, ambient;
+    std::optional<Color> base_color, eta, k, specular, absorption, emission, ambient;
     std::optional<float> roughness, metallic, ior, opacity, bump_scale, weight;
     std::optional<float> shininess, diffusion, reflexion, refraction, outside_ior;
     TextureUse base_color_map, roughness_map, metallic_map, opacity_map, bump_map, normal_map, emission_map, weight_map;
+    std::optional<int32_t> priority;
     std::optional<bool> emission_both_sides;
     std::optional<std::string> first, second;
 };
@@ -112,6 +115,8 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
     keys.eta = table.color("eta", index_of_refraction);
     keys.k = table.color("k", brightness);
     keys.specular = table.color("specular", reflectance);
+    keys.absorption = table.color("absorption", brightness);
+    if (const auto n = table.integer("priority", -1'000'000, 1'000'000)) keys.priority = static_cast<int32_t>(*n);
     keys.emission = table.color("emission", brightness);
     keys.roughness = number("roughness", reflectance);
     keys.metallic = number("metallic", reflectance);
@@ -155,6 +160,8 @@ void change_type(MaterialDescription& m, MaterialType type)
     m.specular = fresh.specular;
     m.phong = fresh.phong;
     m.phong.inside_ior = fresh.ior;
+    m.absorption = fresh.absorption;
+    m.priority = fresh.priority;
     m.weight = m.weight_map ? 1 : fresh.weight;
 }
 
@@ -197,6 +204,8 @@ void apply(const MaterialKeys& keys, MaterialDescription& m)
     m.ior = keys.ior.value_or(m.ior);
     if (keys.eta && keys.k) m.eta = keys.eta, m.k = keys.k;
     m.specular = keys.specular.value_or(m.specular);
+    m.absorption = keys.absorption.value_or(m.absorption);
+    if (keys.priority) m.priority = keys.priority;
     m.emission_both_sides = keys.emission_both_sides.value_or(m.emission_both_sides);
     m.first = keys.first.value_or(m.first);
     m.second = keys.second.value_or(m.second);

@@ -97,21 +97,21 @@ struct Glass {
     {
         // Facets turn what goes through by about alpha times the index's distance from 1. Where float cannot tell that
         // from nothing the boundary is smooth: one of index 1 is not there, however rough.
-        const float alpha = alpha_of_roughness(p.eval(roughness));
-        const bool bends = alpha * std::min(1.0f, std::abs(ior - 1)) >= least_alpha;
-        return {p.eval(tint), p.front ? ior : 1 / ior, bends ? alpha : 0};
+        const float alpha = alpha_of_roughness(p.eval(roughness)), n = p.inner_over_outer(ior);
+        const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
+        return {p.eval(tint), p.front ? n : 1 / n, bends ? alpha : 0};
     }
     Phong phong(const ShadingPoint& p) const
     {
         const Color color = p.eval(tint);
-        const float reflected = fresnel_dielectric(1.0f, ior).reflectance;
+        const float n = p.inner_over_outer(ior), reflected = fresnel_dielectric(1.0f, n).reflectance;
         return {.diffuse = color,
                 .specular = color,
                 .shininess = shininess_of(p.eval(roughness)),
                 .diffusion = 0,
                 .reflexion = reflected,
                 .refraction = 1 - reflected,
-                .inside_ior = ior};
+                .inside_ior = n};
     }
 };
 

@@ -8,6 +8,7 @@
 #include "materials/glass.h"
 #include "materials/interface.h"
 #include "materials/lambert.h"
+#include "materials/medium.h"
 #include "materials/metal.h"
 #include "materials/mirror.h"
 #include "materials/plastic.h"
@@ -40,6 +41,7 @@ struct MaterialTraits {
     uint32_t bump = no_texture;        // heights
     uint32_t normal_map = no_texture;  // normals, tangent space, encoded in [0, 1]
     float bump_scale = 1;              // slope of a step from black to white between neighbouring texels
+    uint16_t medium = no_medium;       // what is behind the surface, in Scene::media
     bool mirrors = false;              // it has a lobe around the mirror direction
     bool reads_uv = false;             // something of the material, its BSDF included, is looked up in a texture
 

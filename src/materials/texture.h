@@ -102,6 +102,10 @@ struct ShadingPoint {
     Vec2 uv{};                          // of the surface; only filled where the material reads textures
     float uv_width = 0;                 // footprint of the ray there, in uv
     const Texture* textures = nullptr;  // what indices of textures refer to
+    float eta = 0;                      // index beyond the surface over index before it, where media tell; else 0
+
+    // Of a boundary: index behind the geometric normal over index in front of it. said: by the material itself.
+    float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }
 
     Color eval(uint32_t texture) const
     {

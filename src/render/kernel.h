@@ -4,6 +4,7 @@
 // Only the files kernels_NAME.cpp include this, each for one integrator, so that they compile side by side.
 #pragma once
 
+#include "integrators/media.h"
 #include "render/aov.h"
 #include "render/kernels.h"
 
@@ -100,10 +101,12 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
             numbers.get2(0, Dim::lens));
         s.ray.key = view.ray_key(numbers, 0, Dim::hole);
         s.cone = {0, camera.pixel_spread()};
+        s.media = view.scene.camera_media;
         w.states.push_back(s);
     }
     counters.camera_rays += w.slots.size();
 
+    const bool has_media = !view.scene.media.empty();
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const State& s : w.states) w.rays.push_back(s.ray);
@@ -116,15 +119,20 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         w.queue.shadows.clear();
         w.queue.tinted_shadows.clear();
         for (size_t i = 0; i < w.states.size(); ++i) {
-            const State& s = w.states[i];
+            State& s = w.states[i];
             Steps steps(w.queue, s.slot);
             const Color before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
-                const Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
+                Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
                 listener.vertex(s, surface);
-                integrator.hit(view, s, surface, sampler(s), steps);
+                const auto hit = [&] { integrator.hit(view, s, surface, sampler(s), steps); };
+                if (has_media)
+                    hit_in_media(view, s, surface, w.queue, steps, hit);
+                else
+                    hit();
             } else {
+                if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, steps);
             }
             listener.added(s, w.queue.radiance[s.slot] - before);

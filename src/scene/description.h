@@ -40,8 +40,10 @@ struct MaterialDescription {
     MaterialType type = MaterialType::lambert;
     Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
     TextureUse base_color_map{};
-    float ior = 1.5f;     // glass, plastic: index of refraction inside over outside, > 0
-    float roughness = 0;  // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
+    float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
+    Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
+    std::optional<int32_t> priority{};  // glass, interface: over other media in the same place
+    float roughness = 0;                // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
     TextureUse roughness_map{};
     std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
     std::optional<float> metallic{};  // metal, plastic: part of metal in a mix of both, in [0, 1]
@@ -155,6 +157,7 @@ struct CameraDescription {
     double fov_deg = 40;          // vertical, in (0, 180)
     double aperture = 0;          // thin lens: radius of the lens, scene units
     std::optional<double> focus;  // thin lens: distance of the plane in focus; default: |target - position|
+    std::string inside{};         // if not empty: the material that fills what the camera is in
 };
 
 // Larger pictures are refused before anything is allocated for them.

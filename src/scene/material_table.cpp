@@ -7,6 +7,7 @@
 
 #include "core/names.h"
 #include "scene/presets.h"
+#include "scene/media.h"
 
 namespace lancer {
 namespace {
@@ -92,6 +93,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.bump_scale = m.bump_scale;
     traits.mirrors = mirrors(m);
     traits.reads_uv = reads_textures(m);
+    traits.medium = add_medium(m, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
     if (!scene_.mix_of.empty()) scene_.mix_of.push_back(Scene::none);
@@ -106,6 +108,10 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
     for (const uint32_t part : {first, second}) {
         traits.reads_uv = traits.reads_uv || scene_.traits[part].reads_uv;
         traits.mirrors = traits.mirrors || scene_.traits[part].mirrors;
+        if (const uint16_t medium = scene_.traits[part].medium; medium != no_medium && matters(scene_.media[medium]))
+            diagnostics_.error(m.where, "material " + in_quotes(scene_.material_names[part]) +
+                                            " has a 'priority' or 'absorption' and cannot be a part of the mix " +
+                                            in_quotes(m.name) + ": a body has one inside");
     }
     scene_.mix_of.resize(scene_.materials.size(), Scene::none);
     scene_.mix_of[id] = static_cast<uint32_t>(scene_.mixes.size());
@@ -165,8 +171,19 @@ uint32_t MaterialTable::named(const std::string& name, const Location& where)
     return default_material();
 }
 
+void MaterialTable::put_camera_into(const std::string& name, const Location& where)
+{
+    const uint16_t medium = scene_.traits[named(name, where)].medium;
+    if (medium != no_medium)
+        scene_.camera_media.enter(medium);
+    else if (index_.count(name))
+        diagnostics_.error(where, "the camera cannot be inside of " + in_quotes(name) + ", which fills nothing");
+}
+
 void MaterialTable::finish()
 {
+    if (d_.camera && !d_.camera->inside.empty()) put_camera_into(d_.camera->inside, d_.camera->where);
+    finish_media(scene_);
     for (size_t i = 0; i < d_.materials.size(); ++i)
         if (!used_[i])
             diagnostics_.warning(d_.materials[i].where, "material '" + d_.materials[i].name + "' is not used");

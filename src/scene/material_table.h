@@ -32,6 +32,7 @@ private:
     uint32_t add_plain(const MaterialDescription& material, const Material& bsdf);
     uint32_t add_mix(const MaterialDescription& material, uint32_t first, uint32_t second, FloatParam weight);
     void resolve_named(size_t index);
+    void put_camera_into(const std::string& material, const Location& where);
 
     const SceneDescription& d_;
     Scene& scene_;

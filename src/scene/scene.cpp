@@ -228,7 +228,7 @@ Color Scene::radiance_from(Vec3 dir) const { return environment_map ? environmen
 
 ShadingPoint Scene::shading_point(const Surface& s) const
 {
-    return {.front = s.front, .uv = s.uv, .uv_width = s.uv_width, .textures = textures.data()};
+    return {.front = s.front, .uv = s.uv, .uv_width = s.uv_width, .textures = textures.data(), .eta = s.eta};
 }
 
 uint32_t Scene::scattering_material(uint32_t material, const ShadingPoint& point, float u) const

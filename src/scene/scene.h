@@ -48,6 +48,8 @@ struct Scene {
     std::vector<uint32_t> mix_of;  // of each material its place in mixes, or none; empty if there are no mixes
     std::vector<Mix> mixes;
     std::vector<Texture> textures;
+    std::vector<Medium> media;  // what transparent materials fill; empty if none has a priority or absorbs
+    MediumStack camera_media;   // where the camera is
 
     LightTable lights;
     std::vector<uint32_t> mesh_first_light, instance_first_light, sphere_light;  // ids in lights, or none

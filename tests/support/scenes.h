@@ -424,6 +424,8 @@ inline SceneDescription glossy_scene()
     return d;
 }
 
+SceneDescription media_scene();  // in support/media_scenes.h
+
 struct NamedScene {
     const char* name;
     SceneDescription description;
@@ -438,6 +440,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"textured", textured_scene()});
     all.push_back({"holes", holes_scene()});
     all.push_back({"glossy", glossy_scene()});
+    all.push_back({"media", media_scene()});
     return all;
 }
 
@@ -458,6 +461,7 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     }
     for (auto& i : d.instances) resize(i.transform);
     for (auto& x : d.spheres) x.center *= s, x.radius *= s;
+    for (auto& m : d.materials) m.absorption /= static_cast<float>(s);
     for (auto& p : d.planes) {
         p.point *= s;
         // The texture coordinates of a plane are lengths.
@@ -491,3 +495,5 @@ inline Camera camera_of(const SceneDescription& d, const Scene& scene, uint32_t 
 }
 
 }  // namespace lancer
+
+#include "support/media_scenes.h"
