@@ -271,6 +271,44 @@ Rgb sky(Point d)
     return k;
 }
 
+// An evening: the sun stands twelve degrees above a glowing horizon, under clouds that it lights from below. d: z up.
+Rgb evening(Point d)
+{
+    const Point low_sun = unit({0.62, -0.75, 0.207});
+    const double c = dot(d, low_sun), up = std::fmax(d.z, 0), towards = std::exp((c - 1) / 0.5);
+    Rgb k = blend({0.05, 0.09, 0.24}, {0.30, 0.40, 0.58}, std::exp(-up / 0.35));
+    k = blend(k, blend({0.62, 0.42, 0.36}, {1.0, 0.62, 0.25}, towards), std::exp(-up / 0.16));
+    k = k + Rgb{0.9, 0.55, 0.2} * (0.5 * std::exp((c - 1) / 0.03));
+    const double px = d.x / (up + 0.18), py = d.y / (up + 0.18);
+    const double warp = fractal(px * 0.7 + 90, py * 0.7 + 90, 2, 512, 502);
+    const double cover = between(0.46, 0.74, fractal(px * 0.8 + warp + 90, py * 1.3 + warp + 90, 4, 512, 501));
+    k = blend(k, blend({0.22, 0.20, 0.27}, {1.0, 0.72, 0.46}, towards), 0.8 * cover * between(0.02, 0.25, up));
+    return blend(k, {1, 1, 1}, between(std::cos(0.030), std::cos(0.024), c));
+}
+
+// As through a fish-eye that looks up: the angle to the zenith grows evenly from the middle to the rim, which ends 15
+// pixels from the edges; +x is on the right, +y below. Black outside.
+void write_fish_eye_sky(const std::string& path)
+{
+    constexpr int n = 480, side = 3;
+    Picture p(n, n, 3);
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            Rgb sum;
+            for (int k = 0; k < side * side; ++k) {
+                const double dx = x + (k % side + 0.5) / side - n / 2.0, dy = y + (k / side + 0.5) / side - n / 2.0;
+                const double angle = pi / 2 * std::hypot(dx, dy) / (n / 2.0 - 15), azimuth = std::atan2(dy, dx);
+                // What lies beyond the rim is black from two pixels on: looking up at the rim mixes in what is next.
+                if (angle > pi / 2 * 1.01) continue;
+                sum = sum + evening({std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
+                                     std::cos(angle)});
+            }
+            const auto encoded = [&](double v) { return std::pow(std::clamp(v / (side * side), 0.0, 1.0), 1 / 2.2); };
+            p.set(x, y, {encoded(sum.r), encoded(sum.g), encoded(sum.b)});
+        }
+    write_png(path, p);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -295,4 +333,5 @@ int main(int argc, char** argv)
     write_path_mask(folder + "path_mask.png");
     write_patches(folder + "patches.png");
     write_hdr(folder + "sky.hdr", 1024, 512, sky);
+    write_fish_eye_sky(folder + "evening_fish_eye.png");
 }

@@ -31,6 +31,10 @@ std::vector<std::string> picture_files(const SceneDescription& scene)
     for (const MaterialOverride& o : scene.overrides)
         if (o.change) add_pictures(files, o.change({}));
     for (const LightDescription& light : scene.lights) add(files, light.file);
+    if (scene.background) {
+        add(files, scene.background->sky_picture.file);
+        add(files, scene.background->ground_picture.file);
+    }
     return files;
 }
 

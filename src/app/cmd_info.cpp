@@ -13,6 +13,7 @@
 #include "io/exr.h"
 #include "io/image_read.h"
 #include "io/png.h"
+#include "scene/background.h"
 
 namespace lancer {
 namespace {
@@ -57,6 +58,7 @@ public:
         print_materials();
         print_textures();
         print_lights();
+        print_background();
         print_cameras();
         print_memory();
         say("features", features());
@@ -113,6 +115,23 @@ private:
             if (std::holds_alternative<TriangleLight>(l)) ++triangles;
         counts.insert(of_kind("emitting triangle", "emitting triangles", triangles));
         say("lights", listed(counts));
+    }
+    void print_background() const
+    {
+        if (!d_.background) return;
+        const BackgroundDescription& b = *d_.background;
+        constexpr std::array skies{"a colour", "gradient", "night", "dawn", "dusk", "noon", "picture"};
+        constexpr std::array grounds{"none", "a colour", "checker", "picture"};
+        const auto sized = [](const char* name, const auto& picture) {
+            return picture ? format_text("%s %dx%d", name, int(picture->width()), int(picture->height())) : name;
+        };
+        std::string sky = skies[static_cast<size_t>(b.sky)], ground = grounds[static_cast<size_t>(b.ground)];
+        if (const Background* made = scene_.background.get()) {
+            sky = sized(sky.c_str(), made->sky_picture());
+            ground = made->ground_plane() ? sized(ground.c_str(), made->ground_plane())
+                                          : sized(ground.c_str(), made->ground_picture());
+        }
+        say("background", "sky: " + sky + ", ground: " + ground + (b.glow ? ", glow of lights" : ""));
     }
     void print_cameras() const
     {

@@ -44,7 +44,7 @@ void add_emission(const V& view, const State& s, const Surface& surface, DirectL
 template <class V>
 void add_environment(const V& view, const State& s, DirectLight how, Steps& steps)
 {
-    const Color e = view.environment(s.ray.dir);
+    const Color e = s.specular ? view.background(s.ray, s.cone) : view.environment(s.ray.dir);
     if (is_black(e)) return;
     const float pdf = s.specular || !how.nee ? 0 : view.pdf_environment(s.normal, s.ray.dir);
     steps.add(s.throughput * e * weight_of_found(s, how, pdf));

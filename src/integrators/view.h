@@ -37,6 +37,9 @@ struct View {
     }
     // Radiance of a ray that left the scene.
     Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
+    // The same for the camera and behind mirrors, where nothing samples it as a light: filtered, and with the glow of
+    // lights.
+    Color background(const Ray& ray, RayCone cone) const { return scene.radiance_seen(ray, cone); }
 
     // through: also lights behind the surface.
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "io/background_tables.h"
 #include "io/camera_tables.h"
 #include "io/material_tables.h"
 #include "scene/presets.h"
@@ -228,8 +229,8 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 
 std::vector<MeshFile> SceneReader::read()
 {
-    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "light", "material",
-                 "material_override", "texture"});
+    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "light", "background",
+                 "material", "material_override", "texture"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) read_render(*render);
     read_cameras(root_, scene_);
@@ -239,6 +240,7 @@ std::vector<MeshFile> SceneReader::read()
     for (const TomlTable& sphere : root_.tables("sphere")) read_sphere(sphere);
     for (const TomlTable& plane : root_.tables("plane")) read_plane(plane);
     for (const TomlTable& light : root_.tables("light")) read_light(light);
+    read_background(root_, assets_, scene_);
 
     NameList meshes;
     for (const MeshDescription& mesh : scene_.meshes) {

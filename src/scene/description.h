@@ -16,6 +16,7 @@
 #include "core/vec.h"
 #include "materials/phong.h"
 #include "materials/texture.h"
+#include "scene/background_description.h"
 
 namespace lancer {
 
@@ -187,6 +188,7 @@ struct SceneDescription {
     std::vector<SphereDescription> spheres;
     std::vector<PlaneDescription> planes;
     std::vector<LightDescription> lights;
+    std::optional<BackgroundDescription> background;
     std::vector<MaterialDescription> materials;  // [material.NAME], names unique
     std::vector<MaterialOverride> overrides;     // in order; the first that matches counts
     uint64_t content_hash = 0;                   // of the bytes of every file read

@@ -87,10 +87,11 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
 // A constant sky: by the cosine at the surface, which is all that varies.
 std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
-    if (scene.environment_map) {
-        const EnvironmentSample s = scene.environment_map->sample(u);
+    if (scene.environment_table) {
+        const EnvironmentSample s = scene.environment_table->sample(u);
         if (!(s.pdf > 0)) return {};
-        return LightSample{.wi = s.wi, .infinite = true, .radiance = s.radiance, .pdf = s.pdf};
+        const Color radiance = scene.background ? scene.radiance_from(s.wi) : s.radiance;
+        return LightSample{.wi = s.wi, .infinite = true, .radiance = radiance, .pdf = s.pdf};
     }
     // The density of the direction as it is after rounding, which pdf_environment() sees.
     const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
@@ -167,7 +168,7 @@ float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
     const float choice = scene.lights.pick.probability(scene.environment_light);
-    return choice * (scene.environment_map ? scene.environment_map->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
+    return choice * (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
 }
 
 }  // namespace lancer

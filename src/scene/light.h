@@ -28,7 +28,7 @@ struct SphereLight {
 struct TriangleLight {
     uint32_t instance, mesh, triangle;
 };
-struct EnvironmentLight {};  // Scene::environment_map, or the constant Scene::environment
+struct EnvironmentLight {};  // all of Scene::radiance_from(), by Scene::environment_table if it is not constant
 
 using Light = std::variant<PointLight, DirectionalLight, SphereLight, TriangleLight, EnvironmentLight>;
 

@@ -125,7 +125,7 @@ private:
     }
     void list_environment()
     {
-        const EnvironmentMap* map = scene_.environment_map.get();
+        const EnvironmentMap* map = scene_.environment_table.get();
         if (map ? map->is_black() : is_black(scene_.environment)) return;
         scene_.environment_light = next();
         add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
@@ -152,6 +152,7 @@ void receive_environment(Scene& scene, Diagnostics& diagnostics)
     } catch (const Error& e) {
         return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
     }
+    scene.environment_table = scene.environment_map;
     scene.environment = {};
     if (const uint64_t bad = scene.environment_map->bad_texels())
         diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);

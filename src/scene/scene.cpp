@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/names.h"
+#include "scene/background.h"
 #include "scene/environment.h"
 #include "scene/light_table.h"
 #include "scene/material_table.h"
@@ -32,6 +33,7 @@ public:
         add_instances();
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
+        if (d_.background) add_background(*d_.background);
         materials_.finish();
         diagnostics_.throw_if_errors();
         return std::move(scene_);
@@ -188,6 +190,19 @@ private:
         }
     }
 
+    void add_background(const BackgroundDescription& b)
+    {
+        scene_.glow = b.glow;
+        if (b.sky == SkyType::color && b.ground == GroundType::none) {
+            scene_.environment += b.sky_color * b.strength;
+            return;
+        }
+        const auto ask = [&](const BackgroundPicture& p) {
+            return p.file.empty() || !images_ ? RasterFuture{} : images_(p.file);
+        };
+        scene_.pending_background = {b, ask(b.sky_picture), ask(b.ground_picture)};
+    }
+
     const SceneDescription& d_;
     Diagnostics& diagnostics_;
     const RasterSource& images_;
@@ -216,6 +231,7 @@ void Scene::complete(Diagnostics& diagnostics)
     if (is_complete) return;
     receive_textures(*this, diagnostics);
     receive_environment(*this, diagnostics);
+    receive_background(*this, diagnostics);
     diagnostics.throw_if_errors();
     build_light_table(*this);
     is_complete = true;
@@ -224,7 +240,19 @@ void Scene::complete(Diagnostics& diagnostics)
     if (!emits) diagnostics.warning({file, 0, 0}, "nothing emits light: the picture will be black");
 }
 
-Color Scene::radiance_from(Vec3 dir) const { return environment_map ? environment_map->eval(dir) : environment; }
+Color Scene::radiance_from(Vec3 dir) const
+{
+    const Color c = environment_map ? environment_map->eval(dir) : environment;
+    return background ? c + background->eval(dir) : c;
+}
+
+Color Scene::radiance_seen(const Ray& ray, RayCone cone) const
+{
+    Color c = environment_map ? environment_map->eval(ray.dir) : environment;
+    if (background) c += background->eval(ray.dir, cone.spread);
+    if (glow) c += glow_of_lights(*this, ray.org, ray.dir);
+    return c;
+}
 
 ShadingPoint Scene::shading_point(const Surface& s) const
 {

@@ -9,6 +9,7 @@
 
 #include "core/bounds.h"
 #include "core/error.h"
+#include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/material.h"
 #include "scene/description.h"
@@ -32,6 +33,7 @@ struct MeshShading {
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
 };
 
+class Background;
 class EnvironmentMap;
 
 struct Scene {
@@ -56,6 +58,9 @@ struct Scene {
     uint32_t environment_light = none;
     Color environment{};  // radiance of what no ray hits, where there is no map; else the map holds it
     std::shared_ptr<const EnvironmentMap> environment_map;
+    std::shared_ptr<const Background> background;             // adds to either; null if it is but a constant
+    std::shared_ptr<const EnvironmentMap> environment_table;  // by which all of it is drawn; null: it is a constant
+    bool glow = false;                                        // see glow_of_lights()
     std::vector<PointLight> point_lights;              // as the description lists them
     std::vector<DirectionalLight> directional_lights;  // likewise
 
@@ -75,6 +80,11 @@ struct Scene {
         RasterFuture image;
     };
     std::optional<PendingEnvironment> pending_environment;
+    struct PendingBackground {
+        BackgroundDescription what;
+        RasterFuture sky, ground;
+    };
+    std::optional<PendingBackground> pending_background;
     bool is_complete = false;
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
     bool legacy = false;          // see Switch::legacy
@@ -83,14 +93,17 @@ struct Scene {
     // scene uses, but does not wait for them. Problems go to diagnostics; throws Error if there are any.
     static Scene begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
     // Waits for the pictures and makes the textures, then lists the lights. A picture that could not be read is a
-    // warning, and its texture stands for 1; but an environment that could not be read would leave the picture black,
-    // and is thrown as an Error. Geometry does not change: an accelerator may have been built before.
+    // warning, and its texture stands for 1; but an environment or a background that could not be read would leave
+    // the picture black, and is thrown as an Error. Geometry does not change: an accelerator may have been built before.
     void complete(Diagnostics& diagnostics);
     // Both at once.
     static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
 
     // What arrives along a ray that leaves the scene towards `dir` (unit).
     Color radiance_from(Vec3 dir) const;
+    // What a ray sees that left the scene and that no light sampling could have found: the same, but for the pattern of
+    // the background's ground, which is averaged over the ray's spread; and the glow of lights.
+    Color radiance_seen(const Ray& ray, RayCone cone) const;
     // The place as materials see it.
     ShadingPoint shading_point(const Surface& surface) const;
     // The material that scatters at a place where `material` may be a mix. u in [0, 1) decides.
