@@ -56,7 +56,8 @@ private:
     {
         std::vector<std::string> files;
         for (const MeshDescription& mesh : scene.meshes)
-            if (std::find(files.begin(), files.end(), mesh.data->file) == files.end()) files.push_back(mesh.data->file);
+            if (mesh.data->shape.empty() && std::find(files.begin(), files.end(), mesh.data->file) == files.end())
+                files.push_back(mesh.data->file);
         return files;
     }
     int say_rest()

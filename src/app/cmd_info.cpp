@@ -1,4 +1,5 @@
 // lancer info: what is in a scene and what it takes, or what a picture says of its making.
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -26,6 +27,12 @@ template <class T>
 uint64_t bytes_of(const std::vector<T>& v)
 {
     return v.size() * sizeof(T);
+}
+
+template <class T, class F>
+uint64_t count(const std::vector<T>& v, const F& is_meant)
+{
+    return static_cast<uint64_t>(std::count_if(v.begin(), v.end(), is_meant));
 }
 
 // "3 lambert, 1 glass"
@@ -75,9 +82,22 @@ private:
         for (const Instance& i : scene_.geometry.instances) drawn += scene_.geometry.meshes[i.mesh].triangles.size();
         say("triangles", format_text("%zu, drawn %zu", size_t{scene_.triangle_count()}, size_t{drawn}));
         say("vertices", std::to_string(vertices));
+        const auto meshes = [&](const char* shape) {
+            return count(d_.meshes, [&](const MeshDescription& m) { return m.data->shape == shape; });
+        };
+        using Part = SphereDescription::Part;
+        const auto spheres = [&](Part part) {
+            return count(d_.spheres, [&](const SphereDescription& s) { return s.part == part; });
+        };
+        const uint64_t water = count(d_.planes, [](const PlaneDescription& p) { return p.is_water; });
         say("shapes",
-            listed({of_kind("mesh", "meshes", d_.meshes.size()), of_kind("instance", "instances", d_.instances.size()),
-                    of_kind("sphere", "spheres", d_.spheres.size()), of_kind("plane", "planes", d_.planes.size())}));
+            listed({of_kind("mesh", "meshes", meshes("")), of_kind("triangle", "triangles", meshes("triangle")),
+                    of_kind("pyramid", "pyramids", meshes("pyramid")),
+                    of_kind("instance", "instances", d_.instances.size()),
+                    of_kind("sphere", "spheres", spheres(Part::whole)),
+                    of_kind("bubble", "bubbles", spheres(Part::bubble)),
+                    of_kind("plane", "planes", d_.planes.size() - water),
+                    of_kind("plane of water", "planes of water", water)}));
         const Bounds b = subject_bounds(d_);
         if (b.extent() > 0) say("bounds", to_text(b.lower) + " to " + to_text(b.upper));
     }

@@ -36,11 +36,22 @@ private:
     std::string place(Vec3 p) const { return to_text(scene_.normalisation.to_file(to_double(p))); }
     double distance(float t) const { return double(t) / scene_.normalisation.scale; }
 
+    std::string part_of_bubble(uint32_t sphere) const
+    {
+        if (sphere >= description_.spheres.size()) return "";  // a light
+        const SphereDescription& s = description_.spheres[sphere];
+        if (s.part == SphereDescription::Part::whole) return "";
+        return (s.part == SphereDescription::Part::bubble ? ", the outside of the bubble at "
+                                                          : ", the inside of the bubble at ") +
+               to_string(s.where);
+    }
     std::string name_of(const Hit& h) const
     {
-        if (h.kind == Kind::sphere) return format_text("sphere %u", h.primitive);
+        if (h.kind == Kind::sphere) return format_text("sphere %u", h.primitive) + part_of_bubble(h.primitive);
         if (h.kind == Kind::plane) return format_text("plane %u", h.primitive);
         const MeshDescription& mesh = description_.meshes[h.geometry];
+        if (!mesh.data->shape.empty())
+            return format_text("triangle %u of the ", h.primitive) + mesh.data->shape + " at " + to_string(mesh.where);
         std::string text = format_text("triangle %u of mesh %u", h.primitive, h.geometry) + " " +
                            in_quotes(mesh.name.empty() ? mesh.data->file : mesh.name);
         if (h.instance != Hit::no_instance) text += format_text(", instance %u", h.instance);

@@ -48,13 +48,7 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
     if (focus) camera.focus = focus;
     if (camera.type == CameraType::pinhole) camera.aperture = 0, camera.focus.reset();
 
-    std::optional<Vec3d> up;
-    if (table.holds_text("up")) {
-        const std::optional<size_t> axis = table.choice("up", {"y", "z"}, 0);
-        if (axis) up = *axis == 0 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    } else {
-        up = table.vector("up");
-    }
+    const std::optional<Vec3d> up = read_up(table);
     camera.up = up.value_or(camera.up);
 
     // Where one was given and is wrong, its default must not be blamed as well.
@@ -64,6 +58,14 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
 }
 
 }  // namespace
+
+std::optional<Vec3d> read_up(const TomlTable& table)
+{
+    if (!table.holds_text("up")) return table.vector("up");
+    const std::optional<size_t> axis = table.choice("up", {"y", "z"}, 0);
+    if (!axis) return {};
+    return *axis == 0 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+}
 
 void read_cameras(const TomlTable& root, SceneDescription& scene)
 {

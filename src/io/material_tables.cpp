@@ -137,6 +137,8 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
     keys.bump_map = textures_.use(table, "bump_texture", TextureRole::number);
     if (keys.bump_map && keys.bump_map->type == TextureType::checker)
         table.error("bump_texture", " must be a picture: the squares of a checker have no slopes");
+    if (keys.bump_map && keys.bump_map->type == TextureType::grid)
+        table.error("bump_texture", " must be a picture: the bands of a grid have no slopes");
     keys.normal_map = textures_.use(table, "normal_texture", TextureRole::normal);
     keys.emission_map = textures_.use(table, "emission_texture", TextureRole::color);
     keys.weight_map = textures_.use(table, "weight_texture", TextureRole::number);

@@ -9,6 +9,7 @@
 #include "io/background_tables.h"
 #include "io/camera_tables.h"
 #include "io/material_tables.h"
+#include "io/shape_tables.h"
 #include "scene/presets.h"
 
 namespace lancer {
@@ -37,11 +38,9 @@ private:
     void read_mesh(const TomlTable& table);
     void read_instance(const TomlTable& table);
     void read_sphere(const TomlTable& table);
-    void read_plane(const TomlTable& table);
     void read_light(const TomlTable& table);
     void read_picture_of(const TomlTable& table, LightDescription& light);
     TransformDescription read_transform(const TomlTable& table);
-    std::string read_material_use(const TomlTable& table);
     void check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
                     const std::string& none = "");
 };
@@ -81,13 +80,6 @@ TransformDescription SceneReader::read_transform(const TomlTable& table)
     return transform;
 }
 
-std::string SceneReader::read_material_use(const TomlTable& table)
-{
-    const std::optional<std::string> name = table.text("material");
-    if (name) material_uses_.push_back({table.where("material"), *name});
-    return name.value_or("");
-}
-
 void SceneReader::read_mesh(const TomlTable& table)
 {
     table.allow({"name", "file", "material", "translate", "rotate", "scale"});
@@ -102,7 +94,7 @@ void SceneReader::read_mesh(const TomlTable& table)
                                    std::to_string(first->second));
         }
     }
-    mesh.material = read_material_use(table);
+    mesh.material = read_material_use(table, material_uses_);
     mesh.transform = read_transform(table);
     scene_.meshes.push_back(std::move(mesh));
 
@@ -139,22 +131,8 @@ void SceneReader::read_sphere(const TomlTable& table)
     sphere.where = table.where();
     sphere.center = table.vector("center").value_or(sphere.center);
     sphere.radius = table.number("radius", above_zero).value_or(sphere.radius);
-    sphere.material = read_material_use(table);
+    sphere.material = read_material_use(table, material_uses_);
     scene_.spheres.push_back(std::move(sphere));
-}
-
-void SceneReader::read_plane(const TomlTable& table)
-{
-    table.allow({"point", "normal", "material"});
-    PlaneDescription plane;
-    plane.where = table.where();
-    plane.point = table.vector("point").value_or(plane.point);
-    plane.normal = table.vector("normal").value_or(plane.normal);
-    const double size = length(plane.normal);
-    if (!(size > 0)) table.error("normal", " must not be the zero vector");
-    if (std::isinf(size)) table.error("normal", " is too long to be made a unit vector");
-    plane.material = read_material_use(table);
-    scene_.planes.push_back(std::move(plane));
 }
 
 void SceneReader::read_light(const TomlTable& table)
@@ -229,8 +207,8 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 
 std::vector<MeshFile> SceneReader::read()
 {
-    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "light", "background",
-                 "material", "material_override", "texture"});
+    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
+                 "pyramid", "light", "background", "material", "material_override", "texture"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) read_render(*render);
     read_cameras(root_, scene_);
@@ -238,7 +216,7 @@ std::vector<MeshFile> SceneReader::read()
     for (const TomlTable& mesh : root_.tables("mesh")) read_mesh(mesh);
     for (const TomlTable& instance : root_.tables("instance")) read_instance(instance);
     for (const TomlTable& sphere : root_.tables("sphere")) read_sphere(sphere);
-    for (const TomlTable& plane : root_.tables("plane")) read_plane(plane);
+    for (NameUse& use : read_shapes(root_, scene_)) material_uses_.push_back(std::move(use));
     for (const TomlTable& light : root_.tables("light")) read_light(light);
     read_background(root_, assets_, scene_);
 

@@ -13,6 +13,20 @@ Channel channel_for(TextureRole role)
 
 }  // namespace
 
+std::vector<Wave> read_waves(const TomlTable& table, std::string_view key)
+{
+    std::vector<Wave> waves;
+    for (const auto& [amplitude, direction, length, phase] :
+         table.quadruples(key, "[amplitude, direction, length, phase]")) {
+        if (length > 0) {
+            waves.push_back({amplitude, direction, length, phase});
+        } else {
+            table.error(key, " must have lengths greater than 0");
+        }
+    }
+    return waves;
+}
+
 TextureTables::TextureTables(const TomlTable& root, const AssetFolder& assets) : assets_(assets)
 {
     for (const auto& [name, table] : root.named_tables("texture")) named_.emplace(name, read(table));
@@ -37,7 +51,8 @@ TextureTables::Named TextureTables::read(const TomlTable& table) const
 {
     const std::vector<TypedKey> keys{{"file", {"image"}},    {"encoding", {"image"}}, {"wrap", {"image"}},
                                      {"channel", {"image"}}, {"gain", {"image"}},     {"bias", {"image"}},
-                                     {"even", {"checker"}},  {"odd", {"checker"}}};
+                                     {"even", {"checker"}},  {"odd", {"checker"}},    {"band", {"grid"}},
+                                     {"ground", {"grid"}},   {"width", {"grid"}},     {"waves", {"waves"}}};
     NameList known{"type", "scale", "offset"};
     for (const TypedKey& k : keys) known.push_back(k.key);
     table.allow(known);
@@ -45,14 +60,15 @@ TextureTables::Named TextureTables::read(const TomlTable& table) const
     Named result;
     TextureDescription& t = result.texture;
     t.where = table.where();
-    const NameList types{"image", "checker"};
+    const NameList types{"image", "checker", "grid", "waves"};
     const std::optional<size_t> type = table.choice("type", types, 0);
     if (type) {
-        t.type = *type == 0 ? TextureType::image : TextureType::checker;
+        t.type = std::array{TextureType::image, TextureType::checker, TextureType::grid, TextureType::waves}[*type];
         table.reject_keys_of_other_types(types[*type], keys);
         if (*type == 0 && table.require("file", "image"))
             if (const std::optional<std::string> file = table.text("file"))
                 t.file = find(table, "file", *file).value_or("");
+        if (t.type == TextureType::waves) table.require("waves", "waves");
     }
     if (table.has("encoding"))
         if (const auto i = table.choice("encoding", {"srgb", "linear"}, 0))
@@ -67,15 +83,23 @@ TextureTables::Named TextureTables::read(const TomlTable& table) const
     t.use.bias = static_cast<float>(table.number("bias", float_range).value_or(t.use.bias));
     t.even = table.color("even", brightness).value_or(t.even);
     t.odd = table.color("odd", brightness).value_or(t.odd);
+    t.band = table.color("band", brightness).value_or(t.band);
+    t.ground = table.color("ground", brightness).value_or(t.ground);
+    t.band_width = static_cast<float>(table.number("width", reflectance).value_or(t.band_width));
+    t.waves = read_waves(table, "waves");
     return result;
 }
 
 TextureUse TextureTables::use(const TomlTable& table, std::string_view key, TextureRole role) const
 {
-    const std::optional<std::string> name = table.text(key);
-    if (!name) return {};
     Named result;
-    if (const auto found = named_.find(*name); found != named_.end()) {
+    const std::optional<TomlTable> in_place = table.inner_table(key);
+    const std::optional<std::string> name = in_place ? std::nullopt : table.text(key);
+    if (in_place) {
+        result = read(*in_place);
+    } else if (!name) {
+        return {};
+    } else if (const auto found = named_.find(*name); found != named_.end()) {
         result = found->second;
     } else if (const std::optional<std::string> file = find(table, key, *name)) {
         result.texture.where = table.where(key);
@@ -83,6 +107,8 @@ TextureUse TextureTables::use(const TomlTable& table, std::string_view key, Text
     } else {
         return {};
     }
+    if (result.texture.type == TextureType::waves && key != "bump_texture")
+        table.error(key, " must not be waves: they are heights, for 'bump_texture' alone");
     result.texture.use.encoding = result.encoding.value_or(encoding_for(role));
     result.texture.use.channel = result.channel.value_or(channel_for(role));
     return result.texture;

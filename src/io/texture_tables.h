@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "io/asset_path.h"
 #include "io/toml_reader.h"
@@ -18,12 +19,15 @@ enum class TextureRole {
     opacity,  // one number: alpha where the picture has some
 };
 
+// The waves at a key: a list of [amplitude, direction, length, phase]; empty if there is none or it is wrong.
+std::vector<Wave> read_waves(const TomlTable& table, std::string_view key);
+
 class TextureTables {
 public:
     // Reads every [texture.NAME].
     TextureTables(const TomlTable& root, const AssetFolder& assets);
 
-    // The texture that a key names: a [texture.NAME], else a picture file.
+    // The texture at a key: one that stands there as a table, a [texture.NAME], else a picture file.
     TextureUse use(const TomlTable& table, std::string_view key, TextureRole role) const;
 
 private:

@@ -225,6 +225,33 @@ std::optional<Color> TomlTable::color(std::string_view key, const NumberRule& ru
     return Color{rgb.x, rgb.y, rgb.z};
 }
 
+std::vector<std::array<double, 4>> TomlTable::quadruples(std::string_view key, const char* form) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const TomlValue::Array* list = as_array(*value);
+    if (!list || list->empty()) {
+        error(key, std::string(" must be a list of ") + form + ", not " + (list ? "empty" : kind_of(*value)));
+        return {};
+    }
+    std::vector<std::array<double, 4>> result;
+    for (const TomlValue& element : *list) {
+        const TomlValue::Array* numbers = as_array(element);
+        if (!numbers || numbers->size() != 4) {
+            error(problems_->where(element),
+                  name(key) + " must be a list of " + form + ": four numbers each, not " + count_or_kind(element));
+            return {};
+        }
+        auto& four = result.emplace_back();
+        for (size_t i = 0; i < 4; ++i) {
+            const std::optional<double> x = number((*numbers)[i], key, any_number);
+            if (!x) return {};
+            four[i] = *x;
+        }
+    }
+    return result;
+}
+
 std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) const
 {
     constexpr int64_t max_side = max_picture_side, max_pixels = max_picture_pixels;
@@ -253,6 +280,13 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const
     if (as_table(*value)) return TomlTable(*value, heading, *problems_);
     error(key, " must be one table, written " + heading + ", not " + kind_of(*value));
     return {};
+}
+
+std::optional<TomlTable> TomlTable::inner_table(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value || !as_table(*value)) return {};
+    return TomlTable(*value, in_quotes(key) + (label_.empty() ? "" : " in " + label_), *problems_);
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const

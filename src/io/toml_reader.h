@@ -125,10 +125,14 @@ public:
     std::optional<Vec2> number_or_pair(std::string_view key) const;  // in the range of float
     std::optional<bool> boolean(std::string_view key) const;
     std::optional<Color> color(std::string_view key, const NumberRule& rule) const;
+    // A list of at least one list of four numbers, which `form` shows in messages; empty if it is wrong.
+    std::vector<std::array<double, 4>> quadruples(std::string_view key, const char* form) const;
     std::optional<std::array<uint32_t, 2>> size(std::string_view key) const;
     std::optional<TomlTable> table(std::string_view key) const;                               // [key]
     std::vector<TomlTable> tables(std::string_view key) const;                                // [[key]]
     std::vector<std::pair<std::string, TomlTable>> named_tables(std::string_view key) const;  // [key.NAME]
+    // The table at a key that may as well hold something else; nothing then.
+    std::optional<TomlTable> inner_table(std::string_view key) const;
     // [table.NAME] in [table]; what else there is in it is passed over.
     std::vector<std::pair<std::string, TomlTable>> tables_within(std::string_view name_of_table) const;
     bool has_only_tables() const;

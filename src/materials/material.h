@@ -29,9 +29,7 @@ struct Emission {
     {
         if (!front && !both_sides) return {};
         if (radiance.texture == no_texture) return radiance.value;
-        ShadingPoint finest = p;
-        finest.uv_width = 0;
-        return finest.eval(radiance);
+        return p.finest().eval(radiance);
     }
 };
 

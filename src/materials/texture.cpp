@@ -128,9 +128,9 @@ double ImageTexture::picture_v(float v) const
 
 Color ImageTexture::adjusted(Color c) const { return c * use_.gain + Color{use_.bias, use_.bias, use_.bias}; }
 
-Color ImageTexture::eval(Vec2 uv, float width) const
+Color ImageTexture::eval(Vec2 uv, Footprint footprint) const
 {
-    const Detail d = detail(width);
+    const Detail d = detail(footprint.width);
     const double u = wrapped(picture_u(uv.x), use_.wrap), v = wrapped(picture_v(uv.y), use_.wrap);
     return adjusted(with_texels(pyramid_, use_.wrap, [&](const auto& texels) {
         const Color fine = texels.bilinear(d.level, u, v);

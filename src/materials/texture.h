@@ -1,4 +1,4 @@
-// What varies over a surface: images and checkers, and the parameters of materials that they modulate.
+// What varies over a surface: images, checkers and other formulas, and the parameters of materials that they modulate.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,9 @@
 #include "core/color.h"
 #include "core/raster.h"
 #include "core/vec.h"
+#include "materials/footprint.h"
 #include "materials/mip_pyramid.h"
+#include "materials/procedural.h"
 
 namespace lancer {
 
@@ -28,9 +30,9 @@ struct ImageUse {
 class ImageTexture {
 public:
     ImageTexture(const Raster& raster, const ImageUse& use);
-    // uv: of the surface; width: side of the square in uv that shall be averaged over, 0 for the finest level. A uv
-    // that is not finite gives some colour of the picture.
-    Color eval(Vec2 uv, float width) const;
+    // uv: of the surface. Averaged over the square of the footprint's width, 0 for the finest level, also where it is
+    // longer. A uv that is not finite gives some colour of the picture.
+    Color eval(Vec2 uv, Footprint footprint) const;
     // Of the first channel, per texel of the finest level, towards +u and +v of the surface: a difference over one
     // texel of the level that the footprint asks for.
     Vec2 slope(Vec2 uv, float width) const;
@@ -64,7 +66,7 @@ struct Checker {
     Color even{1, 1, 1}, odd{};
     Vec2 scale{1, 1}, offset{0, 0};  // as for images
     // In double, where the product of two floats is exact. `odd` where uv is not finite.
-    Color eval(Vec2 uv, float) const
+    Color eval(Vec2 uv, Footprint) const
     {
         const auto parity = [](double x) {
             const double cell = std::floor(x);
@@ -77,7 +79,7 @@ struct Checker {
     }
 };
 
-using Texture = std::variant<Checker, ImageTexture>;
+using Texture = std::variant<Checker, ImageTexture, Grid, Rim, Waves>;
 
 inline constexpr uint32_t no_texture = UINT32_MAX;
 
@@ -101,6 +103,7 @@ struct ShadingPoint {
     bool front = true;                  // the path arrives from the side of the geometric normal
     Vec2 uv{};                          // of the surface; only filled where the material reads textures
     float uv_width = 0;                 // footprint of the ray there, in uv
+    Vec2 uv_along{};                    // what is more of it along the ray; see Footprint
     const Texture* textures = nullptr;  // what indices of textures refer to
     float eta = 0;                      // index beyond the surface over index before it, where media tell; else 0
 
@@ -109,7 +112,15 @@ struct ShadingPoint {
 
     Color eval(uint32_t texture) const
     {
-        return std::visit([&](const auto& t) { return t.eval(uv, uv_width); }, textures[texture]);
+        return std::visit([&](const auto& t) { return t.eval(uv, footprint()); }, textures[texture]);
+    }
+    Footprint footprint() const { return {uv_width, uv_along}; }
+    // The same place, to be looked up in full resolution.
+    ShadingPoint finest() const
+    {
+        ShadingPoint p = *this;
+        p.uv_width = 0, p.uv_along = {};
+        return p;
     }
     Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }
     float eval(const FloatParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture).r; }

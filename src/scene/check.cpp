@@ -139,7 +139,8 @@ void check_description(const SceneDescription& d, Diagnostics& problems, Diagnos
 {
     std::set<const MeshData*> seen;
     for (const MeshDescription& mesh : d.meshes)
-        if (mesh.data && seen.insert(mesh.data.get()).second) check_mesh(*mesh.data, problems, notes);
+        if (mesh.data && mesh.data->shape.empty() && seen.insert(mesh.data.get()).second)
+            check_mesh(*mesh.data, problems, notes);
     if (!d.camera) notes.warning({d.file}, "no camera: one that sees the whole scene is added");
 }
 

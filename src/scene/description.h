@@ -20,15 +20,25 @@
 
 namespace lancer {
 
-enum class TextureType { image, checker };
+enum class TextureType { image, checker, grid, rim, waves };
 
 // A texture as it is used in one place.
 struct TextureDescription {
     Location where;
     TextureType type = TextureType::image;
-    std::string file;            // image: path as found on disk
-    ImageUse use;                // image; scale and offset also of a checker
-    Color even{1, 1, 1}, odd{};  // checker
+    std::string file;               // image: path as found on disk
+    ImageUse use;                   // image; scale and offset also of the others but rim
+    Color even{1, 1, 1}, odd{};     // checker
+    Color band{1, 1, 1}, ground{};  // grid
+    float band_width = 0.05f;       // grid, rim; in [0, 1]
+    std::vector<Wave> waves{};      // waves
+
+    // Whether both make the same texture.
+    friend bool operator==(const TextureDescription& a, const TextureDescription& b)
+    {
+        return a.type == b.type && a.file == b.file && a.use == b.use && a.even == b.even && a.odd == b.odd &&
+               a.band == b.band && a.ground == b.ground && a.band_width == b.band_width && a.waves == b.waves;
+    }
 };
 using TextureUse = std::optional<TextureDescription>;
 
@@ -53,7 +63,7 @@ struct MaterialDescription {
     float opacity = 1;        // part of the rays that are stopped, in [0, 1]
     TextureUse opacity_map{};
     TextureUse bump_map{};    // heights
-    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels
+    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels; a factor on waves
     TextureUse normal_map{};  // tangent space, y along +v
     Color emission{};         // radiance
     TextureUse emission_map{};
@@ -87,7 +97,8 @@ struct MaterialOverride {
 
 // One mesh file after loading: validated, triangulated, still in double and in the file's units.
 struct MeshData {
-    std::string file;
+    std::string file;                                // empty for a shape
+    std::string shape;                               // what it is instead of a file: "triangle", "pyramid"
     std::vector<std::string> material_files;         // as found and read
     std::vector<Vec3d> positions;                    // finite
     std::vector<std::array<uint32_t, 3>> triangles;  // indices into positions, in range
@@ -97,7 +108,7 @@ struct MeshData {
     std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
     std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
     std::vector<uint32_t> face_material;         // per triangle, index into materials; empty if materials has one entry
-    std::vector<MaterialDescription> materials;  // at least one
+    std::vector<MaterialDescription> materials;  // at least one; none for a shape
     uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
     static constexpr uint32_t no_normal = UINT32_MAX, no_uv = UINT32_MAX;
 };
@@ -107,12 +118,19 @@ struct TransformDescription {
     Vec3d translate{0, 0, 0}, rotate_deg{0, 0, 0}, scale{1, 1, 1};
 };
 
+// A second material on a plane or a triangle: lines of it in a grid, or along the sides.
+struct Bands {
+    std::string material;
+    float width = 0.05f;  // part of a cell, or of a barycentric coordinate; in [0, 1]
+};
+
 struct MeshDescription {
     std::string name;  // may be empty; an [[instance]] refers to it
     Location where;
     std::shared_ptr<const MeshData> data;  // the same file named twice is loaded once
     std::string material;                  // if not empty: replaces every material of the file
     TransformDescription transform;
+    std::optional<Bands> bands{};  // a shape, with the texture coordinates that Rim wants
 };
 
 struct InstanceDescription {
@@ -126,12 +144,19 @@ struct SphereDescription {
     Vec3d center{};
     double radius = 1;     // finite, > 0
     std::string material;  // empty: the default grey Lambert
+    enum class Part { whole, bubble, inside_of_bubble };
+    Part part = Part::whole;  // inside of a bubble: the material is turned inside out
 };
 
 struct PlaneDescription {
     Location where;
     Vec3d point{}, normal{0, 1, 0};  // normal: finite, not zero, need not be unit
     std::string material;
+    std::optional<std::array<Vec3d, 2>> axes{};  // a step of 1 in u, in v, from the point; they span the plane, and
+                                                 // u x v is along the normal. Else coordinates are of the file
+    std::optional<Bands> bands{};
+    bool is_water = false;      // with waves in place of the material's own bumps; no material: clear water
+    std::vector<Wave> waves{};  // water; empty: default_waves()
 };
 
 enum class LightType { point, directional, sphere, environment };

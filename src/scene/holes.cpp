@@ -68,9 +68,7 @@ float opacity_at(const Scene& scene, uint32_t material, const ShadingPoint& poin
 {
     const FloatParam& opacity = scene.traits[material].opacity;
     if (opacity.texture == no_texture) return std::clamp(opacity.value, 0.0f, 1.0f);
-    ShadingPoint finest = point;
-    finest.uv_width = 0;
-    return std::clamp(finest.eval(opacity), 0.0f, 1.0f);
+    return std::clamp(point.finest().eval(opacity), 0.0f, 1.0f);
 }
 
 }  // namespace lancer

@@ -27,6 +27,16 @@ void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
                                    " are too far apart: their ratio is no number of 32 bits");
 }
 
+// What is no picture.
+Texture make_formula(const TextureDescription& t, bool legacy)
+{
+    const Vec2 scale = t.use.scale, offset = t.use.offset;
+    if (t.type == TextureType::waves) return Waves(t.waves, scale, offset, legacy);
+    if (t.type == TextureType::rim) return Rim{t.band_width, legacy};
+    if (t.type == TextureType::grid) return Grid{t.band, t.ground, t.band_width, scale, offset, legacy};
+    return Checker{.even = t.even, .odd = t.odd, .scale = scale, .offset = offset};
+}
+
 }  // namespace
 
 MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
@@ -63,17 +73,12 @@ void MaterialTable::resolve_named(size_t index)
 uint32_t MaterialTable::texture(const TextureUse& use)
 {
     if (!use) return no_texture;
-    const auto same = [&](const TextureDescription& t) {
-        return t.type == use->type && t.file == use->file && t.use == use->use && t.even == use->even &&
-               t.odd == use->odd;
-    };
-    if (const auto it = std::find_if(textures_.begin(), textures_.end(), same); it != textures_.end())
+    if (const auto it = std::find(textures_.begin(), textures_.end(), *use); it != textures_.end())
         return static_cast<uint32_t>(it - textures_.begin());
     const auto id = static_cast<uint32_t>(textures_.size());
     textures_.push_back(*use);
-    if (use->type == TextureType::checker) {
-        scene_.textures.emplace_back(
-            Checker{.even = use->even, .odd = use->odd, .scale = use->use.scale, .offset = use->use.offset});
+    if (use->type != TextureType::image) {
+        scene_.textures.push_back(make_formula(*use, d_.render.is_on(Switch::legacy)));
         return id;
     }
     scene_.textures.emplace_back(Checker{.even = {1, 1, 1}, .odd = {1, 1, 1}});
@@ -178,6 +183,35 @@ void MaterialTable::put_camera_into(const std::string& name, const Location& whe
         scene_.camera_media.enter(medium);
     else if (index_.count(name))
         diagnostics_.error(where, "the camera cannot be inside of " + in_quotes(name) + ", which fills nothing");
+}
+
+uint32_t MaterialTable::changed(const std::string& name, const Location& where, const std::string& how,
+                                const MaterialDescription& otherwise,
+                                const std::function<MaterialDescription(const MaterialDescription&)>& change)
+{
+    const auto it = index_.find(name);
+    const auto preset = it == index_.end() ? find_preset(name) : std::nullopt;
+    if (!name.empty() && it == index_.end() && !preset) return named(name, where);
+    if (it != index_.end()) used_[it->second] = true;
+    const auto [entry, is_new] = changed_.try_emplace({name, how}, Scene::none);
+    if (is_new) entry->second = add(change(name.empty() ? otherwise : preset ? *preset : d_.materials[it->second]));
+    return entry->second;
+}
+
+uint32_t MaterialTable::banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where)
+{
+    MaterialDescription mix;
+    mix.name = (name.empty() ? "default" : name) + " with bands of " + bands.material;
+    mix.where = where;
+    mix.type = MaterialType::mix;
+    mix.first = name;
+    mix.second = bands.material;
+    mix.weight = 1;
+    mix.weight_map.emplace();
+    mix.weight_map->where = where;
+    mix.weight_map->type = pattern;
+    mix.weight_map->band_width = bands.width;
+    return add(mix);
 }
 
 void MaterialTable::finish()

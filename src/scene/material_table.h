@@ -1,8 +1,10 @@
 // Builds the materials of a scene: resolves their names, applies overrides, merges equal textures, makes mixes.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -23,6 +25,12 @@ public:
     // The id of a named material or preset; an empty name is the default grey, as is an unknown one, so that building
     // goes on to find what else is wrong.
     uint32_t named(const std::string& name, const Location& where);
+    // The id of a changed copy of a named material, the same for the same `how`; an empty name is `otherwise`.
+    uint32_t changed(const std::string& name, const Location& where, const std::string& how,
+                     const MaterialDescription& otherwise,
+                     const std::function<MaterialDescription(const MaterialDescription&)>& change);
+    // The id of a named material with bands of another. pattern: grid or rim.
+    uint32_t banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where);
     // Warns of what nobody uses.
     void finish();
 
@@ -43,7 +51,8 @@ private:
     std::map<std::string, uint32_t> presets_;  // ids of those that are in use
     std::vector<uint32_t> ids_;                // of d_.materials, or none
     std::vector<bool> used_, in_progress_, override_used_;
-    std::vector<TextureDescription> textures_;  // parallel to scene_.textures
+    std::vector<TextureDescription> textures_;                         // parallel to scene_.textures
+    std::map<std::pair<std::string, std::string>, uint32_t> changed_;  // by name and way
     uint32_t default_material_ = Scene::none;
 };
 

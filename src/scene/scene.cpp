@@ -7,6 +7,7 @@
 #include "scene/environment.h"
 #include "scene/light_table.h"
 #include "scene/material_table.h"
+#include "scene/shapes.h"
 #include "scene/texture_table.h"
 
 namespace lancer {
@@ -68,7 +69,7 @@ private:
             return scene_.geometry.spheres.back();
         };
         for (const auto& s : d_.spheres) {
-            const Sphere added = add(s.center, s.radius, materials_.named(s.material, s.where));
+            const Sphere added = add(s.center, s.radius, material_of(s, materials_, diagnostics_));
             check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, s.where, "this sphere");
         }
         for (const auto& l : d_.lights) {
@@ -85,7 +86,8 @@ private:
             const Vec3d n = normalize(p.normal), point = scene_.normalisation.to_scene(p.point);
             check_near(point, p.where, "this plane");
             scene_.geometry.planes.push_back({n, dot(n, point)});
-            scene_.plane_material.push_back(materials_.named(p.material, p.where));
+            scene_.plane_material.push_back(material_of(p, scene_.legacy, materials_));
+            scene_.plane_maps.push_back(make_plane_map(p));
         }
     }
     void add_mesh(uint32_t index)
@@ -116,7 +118,9 @@ private:
         for (const Vec3& n : data.normals)
             shading.normals.push_back(to_float(normalize(back.normal_by_inverse(to_double(n)))));
         shading.normal_triangles = data.normal_triangles;
-        if (!m.material.empty()) {
+        if (m.bands) {
+            shading.material = materials_.banded(m.material, *m.bands, TextureType::rim, m.where);
+        } else if (!m.material.empty()) {
             shading.material = materials_.named(m.material, m.where);
         } else {
             std::vector<uint32_t> ids;
@@ -256,7 +260,12 @@ Color Scene::radiance_seen(const Ray& ray, RayCone cone) const
 
 ShadingPoint Scene::shading_point(const Surface& s) const
 {
-    return {.front = s.front, .uv = s.uv, .uv_width = s.uv_width, .textures = textures.data(), .eta = s.eta};
+    return {.front = s.front,
+            .uv = s.uv,
+            .uv_width = s.uv_width,
+            .uv_along = s.uv_along,
+            .textures = textures.data(),
+            .eta = s.eta};
 }
 
 uint32_t Scene::scattering_material(uint32_t material, const ShadingPoint& point, float u) const

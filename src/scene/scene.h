@@ -42,6 +42,7 @@ struct Scene {
     Geometry geometry;
     std::vector<MeshShading> shading;  // parallel to geometry.meshes
     std::vector<uint32_t> sphere_material, plane_material;
+    std::vector<PlaneMap> plane_maps;  // parallel to geometry.planes
 
     std::vector<Material> materials;
     std::vector<Emission> emission;      // parallel to materials

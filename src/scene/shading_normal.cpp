@@ -6,12 +6,22 @@
 namespace lancer {
 namespace {
 
-// Of heights: the slope, in texels, becomes a gradient on the surface, whatever the angle between the tangents.
+// Of pictures in texels, of waves in units of the file.
+Vec2 slope_of(const Texture& heights, const ShadingPoint& point, const Tangents& t)
+{
+    if (const auto* image = std::get_if<ImageTexture>(&heights)) return image->slope(point.uv, point.uv_width);
+    if (const auto* waves = std::get_if<Waves>(&heights)) {
+        const Vec2 slope = waves->slope(point.uv, point.footprint());
+        return {slope.x / t.unit.x, slope.y / t.unit.y};
+    }
+    return {};
+}
+
+// Of heights: the slope becomes a gradient on the surface, whatever the angle between the tangents.
 Vec3 bumped(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& t, Vec3 ns)
 {
-    const auto* const heights = std::get_if<ImageTexture>(&point.textures[traits.bump]);
-    if (!heights) return ns;
-    const Vec2 slope = heights->slope(point.uv, point.uv_width) * traits.bump_scale;
+    const Vec2 slope = slope_of(point.textures[traits.bump], point, t) * traits.bump_scale;
+    if (slope == Vec2{}) return ns;
     const float volume = dot(ns, cross(t.u, t.v));
     if (volume == 0) return ns;
     const Vec3 gradient = (cross(t.v, ns) * slope.x + cross(ns, t.u) * slope.y) / volume;

@@ -12,6 +12,7 @@ namespace lancer {
 // The directions in which u and v grow on a surface, unit; not along each other, nor need they be at right angles.
 struct Tangents {
     Vec3 u, v;
+    Vec2 unit{1, 1};  // how far one goes in a step of 1 in u, in v, units of the file
 };
 
 // ns: unit, on the front side. point: with the uv and the footprint of the place.

@@ -54,7 +54,8 @@ std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, co
     const Vec3d v = e2 * (sign * static_cast<double>(d1.x)) - e1 * (sign * static_cast<double>(d2.x));
     const double lu = length(u), lv = length(v);
     if (det == 0 || !(lu > 0) || !(lv > 0)) return {};
-    return Tangents{to_float(u / lu), to_float(v / lv)};
+    const double unit = 1 / (std::abs(det) * scene.normalisation.scale);
+    return Tangents{to_float(u / lu), to_float(v / lv), {static_cast<float>(lu * unit), static_cast<float>(lv * unit)}};
 }
 
 // Side of a square in uv that covers as much of the texture as a square of side 1 does of the triangle.
@@ -144,7 +145,8 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
     return to_float(moved);
 }
 
-void map_sphere(Surface& s, const Sphere& sphere, float width, std::optional<Tangents>& tangents)
+void map_sphere(Surface& s, const Sphere& sphere, const Normalisation& normalisation, float width,
+                std::optional<Tangents>& tangents)
 {
     const double x = static_cast<double>(s.n.x), y = static_cast<double>(s.n.y), z = static_cast<double>(s.n.z);
     const double around = std::sqrt(x * x + z * z);
@@ -152,18 +154,28 @@ void map_sphere(Surface& s, const Sphere& sphere, float width, std::optional<Tan
     const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * around;
     s.uv_width = area > 0 ? width * static_cast<float>(1 / std::sqrt(area)) : 1;
     if (!(around > 0)) return;
-    tangents = Tangents{to_float(Vec3d{z, 0, -x} / around), to_float(Vec3d{-y * x / around, around, -y * z / around})};
+    const double half_turn = pi_d * sphere.radius / normalisation.scale;
+    tangents = Tangents{to_float(Vec3d{z, 0, -x} / around),
+                        to_float(Vec3d{-y * x / around, around, -y * z / around}),
+                        {static_cast<float>(2 * half_turn * around), static_cast<float>(half_turn)}};
 }
 
-// The place in the plane, in units of the file, measured from where its origin falls.
-void map_plane(Surface& s, const Normalisation& normalisation, Vec3d n, float width, std::optional<Tangents>& tangents)
+// p: in scene units. d: of the ray, unit.
+void map_plane(Surface& s, const Normalisation& normalisation, const PlaneMap& map, Vec3d p, Vec3d n, Vec3d d,
+               float width, std::optional<Tangents>& tangents)
 {
-    // On floors u is along x and v away along -z, on walls v is up.
-    const Vec3d u = std::abs(n.y) > 0.9 ? normalize(Vec3d{n.y, -n.x, 0}) : normalize(cross(Vec3d{0, 1, 0}, n));
-    const Vec3d v = cross(n, u), p = normalisation.to_file(to_double(s.p));
-    s.uv = {static_cast<float>(dot(p, u)), static_cast<float>(dot(p, v))};
-    s.uv_width = width / static_cast<float>(normalisation.scale);
-    tangents = Tangents{to_float(u), to_float(v)};
+    const auto to_uv = [&](Vec3d x) {
+        return Vec2{static_cast<float>(dot(x, map.u)), static_cast<float>(dot(x, map.v))};
+    };
+    s.uv = to_uv(normalisation.to_file(p) - map.origin);
+    const double w = static_cast<double>(width) / normalisation.scale;
+    s.uv_width = static_cast<float>(w * std::sqrt(length(cross(map.u, map.v))));
+    // The cone's cut with the plane is longer than wide by the cosine.
+    const double cos = std::abs(dot(n, d));
+    if (cos > 0) s.uv_along = to_uv((d - n * dot(n, d)) * (w / cos));
+    const double lu = length(map.step_u), lv = length(map.step_v);
+    tangents = Tangents{
+        to_float(map.step_u / lu), to_float(map.step_v / lv), {static_cast<float>(lu), static_cast<float>(lv)}};
 }
 
 }  // namespace
@@ -213,17 +225,19 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             s.n = s.ns = to_float(n);
             s.material = scene.sphere_material[hit.primitive];
             s.light = scene.sphere_light[hit.primitive];
-            if (reads_uv()) map_sphere(s, sphere, width, tangents);
+            if (reads_uv()) map_sphere(s, sphere, scene.normalisation, width, tangents);
             break;
         }
         case Kind::plane: {
             const Plane& plane = scene.geometry.planes[hit.primitive];
-            const Vec3d p = along();
-            s.p = to_float(p - plane.normal * (dot(plane.normal, p) - plane.offset));
+            const Vec3d there = along(), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
+            s.p = to_float(p);
             s.p_error = scaled(abs(s.p), gamma(4));
             s.n = s.ns = to_float(plane.normal);
             s.material = scene.plane_material[hit.primitive];
-            if (reads_uv()) map_plane(s, scene.normalisation, plane.normal, width, tangents);
+            if (reads_uv())
+                map_plane(s, scene.normalisation, scene.plane_maps[hit.primitive], p, plane.normal, to_double(ray.dir),
+                          width, tangents);
             break;
         }
         default: {

@@ -23,7 +23,15 @@ struct Surface {
     float area = 0;      // of a triangle as a whole, scene units; else 0
     Vec2 uv{};           // texture coordinates; only filled where the material reads textures
     float uv_width = 0;  // footprint of the ray's cone there, in uv
+    Vec2 uv_along{};     // of a plane: what is more of it along the ray; see Footprint
     float eta = 0;       // index beyond over index before, where the media on the ray's way tell; else 0
+};
+
+// How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).
+struct PlaneMap {
+    Vec3d origin{}, u{1, 0, 0}, v{0, 1, 0};
+    Vec3d step_u{1, 0, 0},
+        step_v{0, 1, 0};  // steps in the plane by which u, by which v grows by 1, and the other stays
 };
 
 // A ray as thick as the light that it stands for: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail

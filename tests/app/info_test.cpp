@@ -30,6 +30,26 @@ TEST_F(Info, OfAScene)
     EXPECT_EQ(run({"info", "none.toml"}).code, 66);
 }
 
+// What is made of meshes, spheres and planes is counted as what it was called, and found again by its place.
+TEST_F(Info, OfShapesMadeOfOthers)
+{
+    write("shapes.toml",
+          "[camera]\nposition = [0, 0.2, 5]\n[[plane]]\n[[water]]\npoint = [0, -1, 0]\n[[bubble]]\nmaterial = \"g\"\n"
+          "center = [0, 0, -9]\nradius = 0.1\n[[triangle]]\na = [-5, -5, 0]\nb = [5, -5, 0]\nc = [0, 9, 0]\n"
+          "[[pyramid]]\n[[light]]\ntype = \"environment\"\nradiance = 1\n[material.g]\ntype = \"glass\"\n");
+    const Said said = run({"info", "shapes.toml"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    expect_words(said.out, "shapes        1 bubble, 1 plane, 1 plane of water, 1 pyramid, 1 triangle\n");
+    expect_words(said.out, "triangles     5, drawn 5\n");
+    expect_words(said.out, "left out      nothing\n");
+    const Said checked = run({"check", "--strict", "shapes.toml"});
+    EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+    expect_words(checked.out, "0 errors, 0 warnings, 0 notes\n");
+    const Said pixel = run({"pixel", "shapes.toml", "--size", "9x9", "4", "0"});
+    EXPECT_EQ(pixel.code, 0) << pixel.err;
+    expect_words(pixel.out, "hit            triangle 0 of the triangle at shapes.toml:10:1\n");
+}
+
 TEST_F(Info, OfPictures)
 {
     EXPECT_EQ(render({"-o", "a.exr", "-o", "a.png", "--crop", "2,3,10,9", "--aov", "depth", "--seed", "7"}).code, 0);

@@ -40,7 +40,9 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[[sphere]]\ncentre = [0, 0, 0]",
           "2:1: error: unknown key 'centre' in [[sphere]]; did you mean 'center'? known: center, radius, material"},
          {"[[plane]]\npiont = [0, 0, 0]",
-          "2:1: error: unknown key 'piont' in [[plane]]; did you mean 'point'? known: point, normal, material"},
+          "2:1: error: unknown key 'piont' in [[plane]]; did you mean 'point'? known: point, normal, u, v, material, "
+          "band_material, "
+          "band_width"},
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
           "roughness, roughness_texture, metallic, metallic_texture, ior, eta, k, specular, first, second, weight, "
@@ -52,13 +54,16 @@ TEST_F(SceneMistakes, UnknownKeys)
           "6:1: error: unknown key 'name' in [[instance]]; known: mesh, translate, rotate, scale"},
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, light, material, material_override, texture"},
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, material_override, "
+          "texture"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, light, material, material_override, texture"},
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, material_override, "
+          "texture"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
-          "camera, mesh, instance, sphere, plane, light, material, material_override, texture"}});
+          "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, "
+          "material_override, texture"}});
 }
 
 TEST_F(SceneMistakes, LightsAndCameras)

@@ -396,7 +396,7 @@ TEST_F(SceneMaterials, MistakesAreNamed)
          "3:11: error: unknown channel 'red' in [texture.a]; known: r, g, b, a, luminance, auto"},
         {"[texture.a]\nfile = \"c.png\"\nwarp = \"clamp\"",
          "3:1: error: unknown key 'warp' in [texture.a]; did you mean 'wrap'? known: type, scale, offset, file, "
-         "encoding, wrap, channel, gain, bias, even, odd"},
+         "encoding, wrap, channel, gain, bias, even, odd, band, ground, width, waves"},
         {"[[material_override]]\nroughness = 1", "1:1: error: [[material_override]] needs 'match'"},
         {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"",
          "3:12: error: unknown material 'a'; known: white_plastic, red_plastic, bronze, emerald, glass, black_matter, "
