@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/embree_callbacks.h"
+#include "geometry/embree_wide.h"
 
 namespace lancer {
 namespace {
@@ -21,7 +22,7 @@ using namespace embree;
 
 class Embree final : public Accelerator {
 public:
-    Embree(const Geometry& geometry, const std::string& isa) : g_(geometry)
+    Embree(const Geometry& geometry, const std::string& isa) : g_(geometry), data_{g_, choose_wide_shapes(g_)}
     {
         const auto start = std::chrono::steady_clock::now();
         device_ = rtcNewDevice(("isa=" + isa + build_threads).c_str());
@@ -48,9 +49,8 @@ public:
             attach_mesh(mesh_scenes_[i], i);
             rtcCommitScene(mesh_scenes_[i]);
         }
-        // An empty kind is not attached: Embree then has nothing to traverse for it.
-        if (!g_.spheres.empty()) attach_shapes<Kind::sphere>(sphere_id(g_));
-        if (!g_.planes.empty()) attach_shapes<Kind::plane>(plane_id(g_));
+        attach_shapes<Kind::sphere>(sphere_id(g_));
+        attach_shapes<Kind::plane>(plane_id(g_));
         for (uint32_t i = 0; i < g_.instances.size(); ++i) attach_instance(i);
         rtcCommitScene(scene_);
         if (const RTCError e = rtcGetDeviceError(device_); e != RTC_ERROR_NONE) {
@@ -67,14 +67,15 @@ public:
 
     Hit closest(const Ray& ray) const override
     {
-        if (!is_traceable(ray)) return {};
-        RTCRayHit r;
-        Query(Coherence::incoherent).closest(scene_, ray, r);
-        return to_hit(ray, r.hit.geomID, r.hit.primID, r.hit.instID[0], r.ray.tfar, r.hit.u);
+        Hit hit;
+        closest({&ray, 1}, {&hit, 1}, Coherence::incoherent);
+        return hit;
     }
     bool any(const Ray& ray) const override
     {
-        return is_traceable(ray) && Query(Coherence::incoherent).any(scene_, ray);
+        uint8_t occluded = 0;
+        any({&ray, 1}, {&occluded, 1});
+        return occluded != 0;
     }
     void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const override
     {
@@ -82,7 +83,9 @@ public:
         RTCRayHit8 r;
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
-            query.closest(scene_, rays.subspan(first, n), r);
+            query.load(rays.subspan(first, n), r);
+            closest_wide(g_, data_.wide, r);
+            if (attached_) query.closest(scene_, r);
             for (size_t i = 0; i < n; ++i)
                 hits[first + i] = to_hit(rays[first + i], r.hit.geomID[i], r.hit.primID[i], r.hit.instID[0][i],
                                          r.ray.tfar[i], r.hit.u[i]);
@@ -91,9 +94,13 @@ public:
     void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
     {
         Query query(Coherence::incoherent);
+        RTCRay8 r;
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
-            query.any(scene_, rays.subspan(first, n), occluded.subspan(first, n));
+            query.load(rays.subspan(first, n), r);
+            uint32_t met = any_wide(g_, data_.wide, r);
+            if (attached_) met = query.any(scene_, r, met);
+            for (size_t i = 0; i < n; ++i) occluded[first + i] = met >> i & 1;
         }
     }
     AccelStats stats() const override { return {build_seconds_, static_cast<uint64_t>(std::max<int64_t>(0, bytes_))}; }
@@ -112,13 +119,14 @@ private:
         rtcSetGeometryMask(g, 0xFFFFFFFFu);  // the default is 1 in Embree 4
         return g;
     }
-    static void attach(RTCScene scene, RTCGeometry g, uint32_t id)
+    void attach(RTCScene scene, RTCGeometry g, uint32_t id)
     {
+        attached_ = true;
         rtcCommitGeometry(g);
         rtcAttachGeometryByID(scene, g, id);
         rtcReleaseGeometry(g);
     }
-    void attach_mesh(RTCScene scene, uint32_t index) const
+    void attach_mesh(RTCScene scene, uint32_t index)
     {
         const Mesh& m = g_.meshes[index];
         RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -128,24 +136,25 @@ private:
                                    sizeof m.triangles[0], m.triangles.size());
         // Only where something is to be asked: a scene with a filter in it is traced by slower code throughout.
         if (g_.holes.let_pass && !g_.holes.meshes[index].empty()) {
-            rtcSetGeometryUserData(g, const_cast<Geometry*>(&g_));
+            rtcSetGeometryUserData(g, &data_);
             rtcSetGeometryIntersectFilterFunction(g, filter_callback);
             rtcSetGeometryOccludedFilterFunction(g, filter_callback);
         }
         attach(scene, g, index);
     }
     template <Kind kind>
-    void attach_shapes(uint32_t id) const
+    void attach_shapes(uint32_t id)
     {
+        if (shapes<kind>(g_).size() == numbers_of<kind>(data_.wide).size()) return;
         RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(shapes<kind>(g_).size()));
-        rtcSetGeometryUserData(g, const_cast<Geometry*>(&g_));
+        rtcSetGeometryUserData(g, &data_);
         rtcSetGeometryBoundsFunction(g, bounds_callback<kind>, nullptr);
         rtcSetGeometryIntersectFunction(g, intersect_callback<kind>);
         rtcSetGeometryOccludedFunction(g, occluded_callback<kind>);
         attach(scene_, g, id);
     }
-    void attach_instance(uint32_t i) const
+    void attach_instance(uint32_t i)
     {
         const Instance& instance = g_.instances[i];
         if (!mesh_scenes_[instance.mesh]) return;
@@ -179,6 +188,8 @@ private:
     }
 
     const Geometry& g_;
+    UserData data_;
+    bool attached_ = false;  // anything; else there is nothing to search
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<RTCScene> mesh_scenes_;

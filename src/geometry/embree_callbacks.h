@@ -1,10 +1,11 @@
-// What Embree calls back: spheres and planes, which it does not know, and the holes of meshes. The user data of every
-// geometry is the Geometry that it was built from. Only embree*.{h,cpp} include this.
+// What Embree calls back: spheres and planes, which it does not know, and the holes of meshes. Only embree*.{h,cpp}
+// include this.
 #pragma once
 
 #include <limits>
 
 #include "geometry/embree_query.h"
+#include "geometry/wide_shapes.h"
 
 namespace lancer::embree {
 
@@ -12,6 +13,13 @@ namespace lancer::embree {
 inline uint32_t sphere_id(const Geometry& g) { return static_cast<uint32_t>(g.meshes.size()); }
 inline uint32_t plane_id(const Geometry& g) { return sphere_id(g) + 1; }
 inline uint32_t first_instance_id(const Geometry& g) { return sphere_id(g) + 2; }
+
+// The user data of every geometry.
+struct UserData {
+    const Geometry& geometry;
+    WideShapes wide;  // Embree is not told of them
+};
+inline const UserData& user_data(const void* pointer) { return *static_cast<const UserData*>(pointer); }
 
 inline uint32_t instance_of(const Geometry& g, uint32_t embree_instance)
 {
@@ -27,7 +35,13 @@ const auto& shapes(const Geometry& g)
         return g.planes;
 }
 
-// A box in float that holds one in double.
+template <Kind kind>
+const std::vector<uint32_t>& numbers_of(const WideShapes& wide)
+{
+    return kind == Kind::sphere ? wide.spheres : wide.planes;
+}
+
+// A box in float that holds one in double; Embree leaves out what has an empty one.
 inline RTCBounds outwards(const Bounds& b)
 {
     const auto down = [](double x) {
@@ -52,13 +66,16 @@ inline Ray lane_ray(const BaseContext* context, RTCRayN* r, unsigned n, unsigned
 template <Kind kind>
 void bounds_callback(const RTCBoundsFunctionArguments* a)
 {
-    *a->bounds_o = outwards(bounds(shapes<kind>(*static_cast<const Geometry*>(a->geometryUserPtr))[a->primID]));
+    const UserData& data = user_data(a->geometryUserPtr);
+    const std::vector<uint32_t>& wide = numbers_of<kind>(data.wide);
+    const bool left_out = std::binary_search(wide.begin(), wide.end(), a->primID);
+    *a->bounds_o = outwards(left_out ? Bounds{} : bounds(shapes<kind>(data.geometry)[a->primID]));
 }
 
 template <Kind kind>
 void intersect_callback(const RTCIntersectFunctionNArguments* a)
 {
-    const Geometry& g = *static_cast<const Geometry*>(a->geometryUserPtr);
+    const Geometry& g = user_data(a->geometryUserPtr).geometry;
     RTCRayN* rays = RTCRayHitN_RayN(a->rayhit, a->N);
     RTCHitN* hits = RTCRayHitN_HitN(a->rayhit, a->N);
     for (unsigned i = 0; i < a->N; ++i) {
@@ -89,7 +106,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* a)
 template <Kind kind>
 void occluded_callback(const RTCOccludedFunctionNArguments* a)
 {
-    const Geometry& g = *static_cast<const Geometry*>(a->geometryUserPtr);
+    const Geometry& g = user_data(a->geometryUserPtr).geometry;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         const bool hit{first_stop<kind>(g, a->primID, lane_ray(a->context, a->ray, a->N, i))};
@@ -103,7 +120,7 @@ void occluded_callback(const RTCOccludedFunctionNArguments* a)
 // At each candidate of a mesh with holes, in no order, and for a triangle that the tree holds in parts more than once.
 inline void filter_callback(const RTCFilterFunctionNArguments* a)
 {
-    const Geometry& g = *static_cast<const Geometry*>(a->geometryUserPtr);
+    const Geometry& g = user_data(a->geometryUserPtr).geometry;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         const uint32_t mesh = RTCHitN_geomID(a->hit, a->N, i), triangle = RTCHitN_primID(a->hit, a->N, i);

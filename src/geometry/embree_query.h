@@ -55,65 +55,49 @@ public:
     Query(const Query&) = delete;  // arguments point to the context
     Query& operator=(const Query&) = delete;
 
-    // One traceable ray.
-    void closest(RTCScene scene, const Ray& ray, RTCRayHit& r)
+    // Up to `packet` rays, of any kind, for one of the two below.
+    void load(std::span<const Ray> rays, RTCRayHit8& r)
     {
-        context_.rays = &ray;
-        fill(r.ray, ray);
-        r.hit.geomID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-        rtcIntersect1(scene, &r, &intersect_);
-#else
-        rtcIntersect1(scene, &context_, &r);
-#endif
-    }
-    bool any(RTCScene scene, const Ray& ray)
-    {
-        RTCRay r;
-        context_.rays = &ray;
-        fill(r, ray);
-#if RTC_VERSION_MAJOR >= 4
-        rtcOccluded1(scene, &r, &occluded_);
-#else
-        rtcOccluded1(scene, &context_, &r);
-#endif
-        return r.tfar < 0;
-    }
-    // Up to `packet` rays, of any kind.
-    void closest(RTCScene scene, std::span<const Ray> rays, RTCRayHit8& r)
-    {
-        fill(r.ray, rays);
+        load(rays, r.ray);
         for (uint32_t i = 0; i < packet; ++i) r.hit.geomID[i] = r.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    void load(std::span<const Ray> rays, RTCRay8& r)
+    {
+        fill(r, rays);
+        context_.rays = rays.data();
+    }
+    void closest(RTCScene scene, RTCRayHit8& r)
+    {
 #if RTC_VERSION_MAJOR >= 4
         rtcIntersect8(valid_.data(), scene, &r, &intersect_);
 #else
         rtcIntersect8(valid_.data(), scene, &context_, &r);
 #endif
     }
-    void any(RTCScene scene, std::span<const Ray> rays, std::span<uint8_t> occluded)
+    // Bit i of the answer: lane i is occluded. known: of which lanes this is known before.
+    uint32_t any(RTCScene scene, RTCRay8& r, uint32_t known)
     {
-        RTCRay8 r;
-        fill(r, rays);
+        uint32_t wanted = 0;
+        for (uint32_t i = 0; i < packet; ++i) {
+            if (known >> i & 1) valid_[i] = 0;
+            wanted |= static_cast<uint32_t>(valid_[i] & 1) << i;
+        }
+        if (wanted == 0) return known;
 #if RTC_VERSION_MAJOR >= 4
         rtcOccluded8(valid_.data(), scene, &r, &occluded_);
 #else
         rtcOccluded8(valid_.data(), scene, &context_, &r);
 #endif
-        for (size_t i = 0; i < rays.size(); ++i) occluded[i] = valid_[i] && r.tfar[i] < 0;
+        for (uint32_t i = 0; i < packet; ++i)
+            if (wanted >> i & 1 && r.tfar[i] < 0) known |= 1u << i;
+        return known;
     }
 
 private:
-    static void fill(RTCRay& r, const Ray& ray)
-    {
-        r.org_x = ray.org.x, r.org_y = ray.org.y, r.org_z = ray.org.z, r.tnear = ray.t_min;
-        r.dir_x = ray.dir.x, r.dir_y = ray.dir.y, r.dir_z = ray.dir.z, r.tfar = ray.t_max;
-        r.time = 0, r.mask = 0xFFFFFFFFu, r.id = 0, r.flags = 0;
-    }
     // Debian's Embree has its assertions on: one NaN lane would end the process, so such lanes are masked out.
     void fill(RTCRay8& r, std::span<const Ray> rays)
     {
-        constexpr Ray idle{{0, 0, 0}, 0, {0, 0, 1}, 0};
-        context_.rays = rays.data();
+        constexpr Ray idle{{0, 0, 0}, 1, {0, 0, 1}, 0};  // meets nothing whoever looks
         for (uint32_t i = 0; i < packet; ++i) {
             const bool ok = i < rays.size() && is_traceable(rays[i]);
             const Ray& ray = ok ? rays[i] : idle;
