@@ -8,11 +8,12 @@
 
 #include "integrators/ao.h"
 #include "integrators/direct.h"
+#include "integrators/legacy_path.h"
 #include "integrators/path.h"
 
 namespace lancer {
 
-using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion>;
+using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion, LegacyPath>;
 
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();

@@ -23,6 +23,7 @@ struct Surface {
     float area = 0;      // of a triangle as a whole, scene units; else 0
     Vec2 uv{};           // texture coordinates; only filled where the material reads textures
     float uv_width = 0;  // footprint of the ray's cone there, in uv
+    Vec3 ns_front{};     // shading normal on the front side, as the shape and its maps say: not turned, not bent
 };
 
 // A ray as thick as the light that it stands for: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail
