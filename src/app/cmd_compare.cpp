@@ -32,19 +32,30 @@ void print_metrics(const Metrics& m, size_t pixels)
                                  m.reference_non_finite));
 }
 
+// In steps of 8 bits, the curve left as it is; else in linear light.
+Image read_for(const CompareOptions& options, const std::string& path)
+{
+    Image image = read_image(path, options.steps ? Encoding::linear : Encoding::srgb);
+    if (options.steps)
+        for (Color& c : image.pixels) c *= 255.0f;
+    return image;
+}
+
 }  // namespace
 
 int run_compare(int argc, char** argv)
 {
     const auto options = parse_compare(argc, argv);
     if (!options) return exit_done;
-    const Image picture = read_image(options->picture), reference = read_image(options->reference);
+    const Image picture = read_for(*options, options->picture), reference = read_for(*options, options->reference);
     const Metrics metrics = compare(picture, reference);
     print_metrics(metrics, picture.pixels.size());
+    if (options->steps)
+        print_result(format_text("%-20s %zu", "beyond_one_step", pixels_beyond(1.5, picture, reference)));
     double error = options->metric == Metric::rmse ? metrics.rmse : metrics.relmse;
     const char* name = options->metric == Metric::rmse ? "rmse" : "relmse";
     if (!options->reference2.empty()) {
-        const double unbiased = unbiased_squared_error(picture, reference, read_image(options->reference2));
+        const double unbiased = unbiased_squared_error(picture, reference, read_for(*options, options->reference2));
         print_value("relmse_unbiased", unbiased);
         if (options->metric == Metric::relmse) error = unbiased, name = "relmse_unbiased";
     }

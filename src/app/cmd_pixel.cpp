@@ -109,7 +109,7 @@ int run_pixel(int argc, char** argv)
         begin_prepared(p, diagnostics);
         const auto made = make_renderer(p, options->picture, 1, diagnostics);
         const Renderer& renderer = *made;
-        const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height);
+        const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
         Report report(renderer, p.description);
         const Color radiance =
             renderer.replay(camera, s.width, {options->x, options->y, options->sample}, report.listener());

@@ -68,7 +68,7 @@ void Run::load()
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     spare_inputs(options_, prepared_.description);
     settings_ = prepared_.settings;
-    settings_.spp = options_.spp.value_or(settings_.spp);
+    settings_.tonemap = options_.tonemap.value_or(settings_.tonemap);
     if (options_.crop) {
         settings_.crop = *options_.crop;
         if (settings_.crop.x1 > settings_.width || settings_.crop.y1 > settings_.height)
@@ -136,7 +136,7 @@ void Run::add_pass(const Film& film, const PassResult& result, SampleRange range
 void Run::render(const Renderer& renderer)
 {
     const Settings& s = settings_;
-    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height);
+    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
     Film film(s.width, s.height, s.crop);
     if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
@@ -171,7 +171,8 @@ void Run::render(const Renderer& renderer)
 
 void Run::write(const Film& film)
 {
-    write_outputs(options_, to_image(film), aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+    write_outputs(options_, settings_.tonemap, to_image(film), aov_planes(film, options_.aovs, normalisation_),
+                  make_metadata(stats_));
 }
 
 void Run::write_stats()

@@ -89,8 +89,8 @@ void set_switches(const std::string& text, PictureOptions& o)
 std::string to_output(const std::string& path)
 {
     const std::string extension = extension_of(path);
-    if (extension != ".exr" && extension != ".png")
-        fail_usage("--output: " + in_quotes(path) + " must end in .exr or .png");
+    if (extension != ".exr" && extension != ".png" && extension != ".ppm")
+        fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png or .ppm");
     return path;
 }
 

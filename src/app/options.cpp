@@ -16,6 +16,8 @@ namespace lancer {
 namespace {
 
 constexpr uint32_t max_threads = 1024;
+// In the order of ToneMap.
+const std::vector<std::string_view> tonemap_names{"srgb", "agx", "none", "gamma22", "clamped"};
 
 void add_name(OptionParser& p, const std::string& option, const std::string& help,
               const std::vector<std::string_view>& known, std::optional<std::string>& value)
@@ -100,9 +102,10 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.flag("-q,--quiet", "Only warnings and errors", o.quiet);
     p.flag("-v,--verbose", "Also say what was loaded and with what settings", o.verbose);
     p.group("What is written");
-    p.values("-o,--output", "FILE", "Picture, .exr or .png; may be given several times (NAME.exr in this folder)",
+    p.values("-o,--output", "FILE", "Picture, .exr, .png or .ppm; may be given several times (NAME.exr in this folder)",
              [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
-    p.value("-s,--spp", "N", "Samples per pixel (64)", [&](const std::string& t) { o.spp = to_count("--spp", t, 1); });
+    p.value("-s,--spp", "N", "Samples per pixel (64)",
+            [&](const std::string& t) { o.picture.spp = to_count("--spp", t, 1); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
     p.values(
@@ -110,15 +113,14 @@ void add_render_options(OptionParser& p, RenderOptions& o)
         "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, or all",
         [&](const std::string& t) { add_aovs(t, o.aovs); });
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
-    p.value("--tonemap", "srgb|agx|none",
-            "PNG: the sRGB curve, cut off at 1; AgX, which rolls off; or linear values (srgb)",
-            [&](const std::string& t) {
-                constexpr std::array maps{ToneMap::srgb, ToneMap::agx, ToneMap::none};
-                o.tonemap = maps[to_choice("--tonemap", t, {"srgb", "agx", "none"})];
-            });
-    p.value("--exposure", "STOPS", "PNG is brightened by 2^STOPS (0)",
+    p.value("--tonemap", listed(tonemap_names),
+            "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
+            "curve with steps that round down (srgb; with --legacy one of the last two)",
+            [&](const std::string& t) { o.tonemap = static_cast<ToneMap>(to_choice("--tonemap", t, tonemap_names)); });
+    p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
+    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
-    p.flag("--dither", "PNG with a fixed dither pattern against banding", o.dither);
+    p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
 }
 
@@ -221,6 +223,8 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
             [&](const std::string& t) {
                 o.metric = to_choice("--metric", t, {"rmse", "relmse"}) == 0 ? Metric::rmse : Metric::relmse;
             });
+    p.flag("--steps", "Compare what 8-bit pictures hold, 0 to 255, as it stands in the files: no linear light",
+           o.steps);
     p.value("--fail-above", "X", "Exit with 1 if the error is above X or not a number", [&](const std::string& t) {
         o.fail_above = to_number<double>("--fail-above", t, 0, std::numeric_limits<double>::max(), "a number");
     });

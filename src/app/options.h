@@ -21,7 +21,7 @@ struct PictureOptions {
     SceneChoice scene;
     std::optional<std::array<uint32_t, 2>> size;
     std::optional<uint64_t> seed;
-    std::optional<uint32_t> max_depth;
+    std::optional<uint32_t> spp, max_depth;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
     SaidSwitches switches{};
     std::optional<uint32_t> threads;
@@ -33,16 +33,16 @@ enum class ProgressKind { automatic, plain, json, none };
 
 struct RenderOptions {
     PictureOptions picture;
-    std::vector<std::string> outputs;  // never empty; each ends in .exr or .png
-    std::optional<uint32_t> spp;
+    std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
     std::optional<Tile> crop;
     uint32_t tile = 16;     // side in pixels
     uint32_t batch = 256;   // paths under way at once
     std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
     float exposure_stops = 0;
-    ToneMap tonemap = ToneMap::srgb;
+    std::optional<ToneMap> tonemap;  // else that of the settings
     bool dither = false;
+    bool ascii_ppm = false;
     std::string stats;  // empty: none
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
@@ -71,6 +71,7 @@ struct CompareOptions {
     std::string picture, reference;
     std::string reference2;  // empty: one reference
     Metric metric = Metric::relmse;
+    bool steps = false;
     std::optional<double> fail_above;
 };
 

@@ -9,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/exr.h"
 #include "io/png.h"
+#include "io/ppm.h"
 
 namespace lancer {
 namespace {
@@ -90,16 +91,18 @@ Metadata make_metadata(const RunStats& s)
             {"command_line", s.context.command_line}};
 }
 
-void write_outputs(const RenderOptions& options, const Image& image, const std::vector<ImagePlane>& planes,
-                   const Metadata& metadata)
+void write_outputs(const RenderOptions& options, ToneMap tonemap, const Image& image,
+                   const std::vector<ImagePlane>& planes, const Metadata& metadata)
 {
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
+    const ByteOptions bytes{.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = tonemap};
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, image, metadata,
-                      {.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = options.tonemap});
+            write_png(file, image, metadata, bytes);
+        } else if (extension_of(path) == ".ppm") {
+            write_ppm(file, image, metadata, bytes, options.ascii_ppm);
         } else {
             write_exr(file, image, metadata, {.half = options.half}, planes);
         }

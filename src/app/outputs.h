@@ -21,8 +21,8 @@ Image to_image(const Film& film);
 // What the picture says about its making. The pixels are the same for the same scene and settings, these are not.
 Metadata make_metadata(const RunStats& stats);
 
-// Planes go into EXR pictures only.
-void write_outputs(const RenderOptions& options, const Image& image, const std::vector<ImagePlane>& planes,
-                   const Metadata& metadata);
+// Planes go into EXR pictures only, the tone map into the others.
+void write_outputs(const RenderOptions& options, ToneMap tonemap, const Image& image,
+                   const std::vector<ImagePlane>& planes, const Metadata& metadata);
 
 }  // namespace lancer

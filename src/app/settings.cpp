@@ -7,7 +7,7 @@ namespace lancer {
 
 const std::vector<std::string_view> integrator_names = names_of_integrators();
 const std::vector<std::string_view> sampler_names{"sobol", "independent"};
-const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris"};
+const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris", "narrow-gaussian", "centre"};
 const std::vector<std::string_view> accel_names{"embree", "list"};
 const std::vector<std::string_view> isa_names{"sse2", "sse4.2", "avx", "avx2", "avx512"};
 
@@ -18,6 +18,9 @@ size_t index_of(const std::vector<std::string_view>& names, std::string_view nam
 {
     return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
+
+// Of the two programs that legacy stands for one had paths, the other what Whitted's illumination asks for.
+bool is_students(std::string_view integrator) { return integrator != "whitted" && integrator != "random-decision"; }
 
 // Takes what [render] says of a name, if it is one.
 void take_name(const std::optional<std::string>& said, const char* what, const std::vector<std::string_view>& known,
@@ -46,6 +49,22 @@ Settings settings_of_scene(const RenderDescription& scene)
     return s;
 }
 
+// What belongs to the programs of the past besides their integrators: pixels, their filter, 8 bits. Whoever names a
+// filter gets it.
+void take_legacy(Settings& s, bool says_filter)
+{
+    if (!s.switches[Switch::legacy]) return;
+    if (is_students(s.integrator)) {
+        s.grid = PixelGrid::shifted;
+        s.tonemap = ToneMap::gamma22;
+        if (!says_filter) s.filter = s.spp == 1 ? "centre" : "narrow-gaussian";
+    } else {
+        s.grid = PixelGrid::corners;
+        s.tonemap = ToneMap::clamped;
+        if (!says_filter) s.filter = s.spp == 1 ? "centre" : "box";
+    }
+}
+
 }  // namespace
 
 Settings resolve_settings(const PictureOptions& o, const RenderDescription& scene)
@@ -62,6 +81,8 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.isa = o.isa.value_or(s.isa);
     s.switches.take(o.switches);
     if (o.legacy) s.switches.set(Switch::legacy, true);
+    s.spp = o.spp.value_or(s.spp);
+    take_legacy(s, o.filter || scene.filter);
     s.threads = o.threads ? *o.threads : available_threads();
     return s;
 }
@@ -74,7 +95,8 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
     r.kernel.seed = s.seed;
-    constexpr FilterKind filters[] = {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris};
+    constexpr FilterKind filters[] = {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris,
+                                      FilterKind::narrow_gaussian, FilterKind::centre};
     r.kernel.filter = Filter(filters[index_of(filter_names, s.filter)]);
     r.kernel.batch = batch;
     return r;

@@ -8,6 +8,7 @@
 #include "app/options.h"
 #include "core/switches.h"
 #include "render/renderer.h"
+#include "scene/camera.h"
 
 namespace lancer {
 
@@ -22,10 +23,14 @@ struct Settings {
     uint32_t max_depth = 0;
     std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "embree", isa = "avx2";
     Switches switches;
+    PixelGrid grid = PixelGrid::centres;
+    ToneMap tonemap = ToneMap::srgb;  // unless --tonemap says otherwise
     uint32_t threads = 1;
 };
 
 // Throws Error: invalid_input for what [render] says, usage for what only both together can tell.
+// Where legacy is switched on the pixel grid, the filter and the tone map are those of the program that had such an
+// integrator.
 Settings resolve_settings(const PictureOptions& options, const RenderDescription& scene);
 
 RenderSettings to_render_settings(const Settings& settings, uint32_t batch);

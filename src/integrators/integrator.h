@@ -9,13 +9,14 @@
 
 #include "integrators/ao.h"
 #include "integrators/direct.h"
+#include "integrators/legacy_path.h"
 #include "integrators/path.h"
 #include "integrators/random_decision.h"
 #include "integrators/whitted.h"
 
 namespace lancer {
 
-using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion>;
+using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion, LegacyPath>;
 
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();

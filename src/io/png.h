@@ -7,25 +7,19 @@
 #include "core/raster.h"
 #include "core/srgb.h"
 #include "io/metadata.h"
-#include "io/tonemap.h"
+#include "io/to_bytes.h"
 
 namespace lancer {
 
 class AtomicFile;
 
-struct PngOptions {
-    float exposure_stops = 0;  // pixels are scaled by 2^stops
-    bool dither = false;       // hides banding with a fixed pattern of +- half a step
-    ToneMap tonemap = ToneMap::srgb;
-};
-
-// 8 bit: code values below 0 and NaN become 0, above 1 they become 255, else the nearest step. Tagged as sRGB; without
+// 8 bit, see to_bytes.h. Tagged as sRGB; without
 // a tone map as linear, gamma 1. Only the data window is
 // written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata pairs become text chunks
 // "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
-               const PngOptions& options = {});
-void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const PngOptions& options = {});
+               const ByteOptions& options = {});
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ByteOptions& options = {});
 
 // Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
 // partial picture; a missing one missing_input.

@@ -1,4 +1,4 @@
-// From linear light to the code values of a display: what the PNG writer rounds to steps.
+// From linear light to the code values of a display: what io/to_bytes.h rounds to steps.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,13 @@
 namespace lancer {
 
 enum class ToneMap {
-    srgb,  // the sRGB curve; what is brighter than 1 is cut off
-    agx,   // Troy Sobotka's AgX: bright colours lose saturation before they are cut off
-    none,  // linear: no curve at all
+    srgb,     // the sRGB curve; what is brighter than 1 is cut off
+    agx,      // Troy Sobotka's AgX: bright colours lose saturation before they are cut off
+    none,     // linear: no curve at all
+    gamma22,  // the power 1 / 2.2, whose steps round down: the student's path tracer
+    clamped,  // no curve, cut off at 1, whose steps round down: the course's ray tracer
 };
+constexpr bool rounds_down(ToneMap map) { return map == ToneMap::gamma22 || map == ToneMap::clamped; }
 
 // AgX as a matrix into its working space, a logarithm over 16.5 stops, a sigmoid and the way back, in the polynomial
 // fit that Benjamin Wrensch published ("Minimal AgX Implementation", 2023). Gives code values for a display of gamma
@@ -47,6 +50,7 @@ inline std::array<double, 3> to_display(ToneMap map, std::array<double, 3> linea
     for (double& x : linear) {
         x = x > 0 ? std::min(x, 1.0) : 0;
         if (map == ToneMap::srgb && x < 1) x = srgb_from_linear(x);
+        if (map == ToneMap::gamma22) x = std::pow(x, 1 / 2.2);
     }
     return linear;
 }

@@ -8,6 +8,7 @@ constexpr double radius = 1.5;
 double value(FilterKind kind, double x)
 {
     if (kind == FilterKind::gaussian) return std::exp(-x * x / (2 * 0.5 * 0.5));
+    if (kind == FilterKind::narrow_gaussian) return std::exp(-x * x / (2 * 0.3 * 0.3));
     // Harris, "On the Use of Windows for Harmonic Analysis", 1978: the 4-term window of -92 dB.
     const double t = 2 * pi_d * (x / (2 * radius) + 0.5);
     return 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
@@ -17,7 +18,8 @@ double value(FilterKind kind, double x)
 
 Filter::Filter(FilterKind kind)
 {
-    if (kind == FilterKind::box) return;
+    if (kind == FilterKind::centre) width_ = 0;
+    if (kind == FilterKind::box || kind == FilterKind::centre) return;
     constexpr size_t fine = 1 << 14, entries = 1 << 10;
     std::vector<double> cumulative(fine + 1);
     for (size_t i = 0; i < fine; ++i) {

@@ -10,11 +10,12 @@
 
 namespace lancer {
 
-enum class FilterKind { box, gaussian, blackman_harris };
+enum class FilterKind { box, gaussian, blackman_harris, narrow_gaussian, centre };
 
 class Filter {
 public:
     // box: one pixel wide. gaussian: sigma 0.5, cut at 1.5 pixels. blackman_harris: radius 1.5 pixels.
+    // narrow_gaussian: sigma 0.3, cut at 1.5 pixels. centre: every sample in the middle of its pixel.
     explicit Filter(FilterKind kind);
 
     // Offset from the centre of the pixel, in pixels, for u in [0, 1)^2.
@@ -23,7 +24,7 @@ public:
 private:
     float inverse(float u) const
     {
-        if (body_.empty()) return u - 0.5f;
+        if (body_.empty()) return (u - 0.5f) * width_;
         const float half = std::min(u, 1 - u);
         const float x = half < tail ? look_up(tail_, half / tail) : look_up(body_, half * 2);
         return u < 0.5f ? x : -x;
@@ -37,9 +38,11 @@ private:
         return table[i] * (1 - f) + table[i + 1] * f;
     }
 
-    // Inverse of the cumulative filter over [0, 1/2], and finer where it is steep, over [0, tail]; empty for the box.
+    // Inverse of the cumulative filter over [0, 1/2], and finer where it is steep, over [0, tail]; empty for a box of
+    // width_.
     static constexpr float tail = 0x1p-6f;
     std::vector<float> body_, tail_;
+    float width_ = 1;
 };
 
 }  // namespace lancer

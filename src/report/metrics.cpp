@@ -113,6 +113,19 @@ Metrics compare(const Image& x, const Image& reference)
     return m;
 }
 
+size_t pixels_beyond(double limit, const Image& x, const Image& reference)
+{
+    require_same_windows(x, reference);
+    size_t count = 0;
+    for (size_t i = 0; i < x.pixels.size(); ++i) {
+        const std::array<double, 3> xs = channels(x.pixels[i]), rs = channels(reference.pixels[i]);
+        bool beyond = false;
+        for (size_t c = 0; c < 3; ++c) beyond = beyond || !(std::abs(xs[c] - rs[c]) <= limit);
+        count += beyond;
+    }
+    return count;
+}
+
 double unbiased_squared_error(const Image& x, const Image& r1, const Image& r2)
 {
     require_same_windows(x, r1);

@@ -27,6 +27,10 @@ struct Metrics {
 // Both must have the same windows; else Error(invalid_input) with both.
 Metrics compare(const Image& x, const Image& reference);
 
+// How many pixels differ by more than the limit in some channel; one that is not finite on either side does. Windows as
+// for compare().
+size_t pixels_beyond(double limit, const Image& x, const Image& reference);
+
 // The mean over pixels and channels of (x - r1)(x - r2) / (r1 r2 + 0.01), for two independent references: their noise
 // averages out instead of adding to the error of x. Can be slightly negative.
 double unbiased_squared_error(const Image& x, const Image& r1, const Image& r2);

@@ -9,16 +9,22 @@ constexpr double to_rad = pi_d / 180;
 
 }  // namespace
 
-Camera::Camera(const CameraDescription& c, const Normalisation& normalisation, uint32_t width, uint32_t height)
+Camera::Camera(const CameraDescription& c, const Normalisation& normalisation, uint32_t width, uint32_t height,
+               PixelGrid grid)
 {
     const Vec3d eye = normalisation.to_scene(c.position), target = normalisation.to_scene(c.target);
     const Vec3d forward = normalize(target - eye), right = normalize(cross(forward, c.up)), up = cross(right, forward);
     const double pixel = 2 * std::tan(0.5 * c.fov_deg * to_rad) / height;
     position_ = to_float(eye);
     forward_ = to_float(forward);
-    right_ = to_float(right * pixel);
-    down_ = to_float(up * -pixel);
-    centre_ = {0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height)};
+    // From edge to edge there is one step less than pixels.
+    const auto stretch = [&](uint32_t count) {
+        return grid == PixelGrid::corners && count > 1 ? static_cast<double>(count) / (count - 1) : 1;
+    };
+    right_ = to_float(right * (pixel * stretch(width)));
+    down_ = to_float(up * (-pixel * stretch(height)));
+    centre_ = {0.5f * static_cast<float>(width),
+               0.5f * static_cast<float>(height) + (grid == PixelGrid::shifted ? 1.0f : 0.0f)};
     const double radius = c.type == CameraType::thin_lens ? c.aperture * normalisation.scale : 0;
     lens_right_ = to_float(right * radius);
     lens_up_ = to_float(up * radius);

@@ -8,11 +8,19 @@
 
 namespace lancer {
 
+// Where on the film the middle of a pixel lies.
+enum class PixelGrid {
+    centres,  // in the middle of its square
+    shifted,  // one row lower, so that the picture stands one row too high: as in the student's path tracer
+    corners,  // the first and the last of each row and column on the edge: as in the course's ray tracer
+};
+
 // A pinhole, or a thin lens where aperture is not 0.
 class Camera {
 public:
     // size: of the whole picture, pixels.
-    Camera(const CameraDescription& description, const Normalisation& normalisation, uint32_t width, uint32_t height);
+    Camera(const CameraDescription& description, const Normalisation& normalisation, uint32_t width, uint32_t height,
+           PixelGrid grid = PixelGrid::centres);
 
     // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
     Ray ray(Vec2 film, Vec2 lens) const;

@@ -259,6 +259,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         // A slope steeper than the surface is seen from its edge.
         if (const float c = dot(s.ns, s.n); c < 0) s.ns = normalize(s.ns - s.n * c);
     }
+    s.ns_front = s.ns;
     const Vec3 wo = -ray.dir;
     s.front = dot(s.n, wo) > 0;
     if (!s.front) s.n = -s.n, s.ns = -s.ns;

@@ -25,6 +25,7 @@ struct Surface {
     float uv_width = 0;  // footprint of the ray's cone there, in uv
     Vec2 uv_along{};     // of a plane: what is more of it along the ray; see Footprint
     float eta = 0;       // index beyond over index before, where the media on the ray's way tell; else 0
+    Vec3 ns_front{};     // shading normal on the front side, as the shape and its maps say: not turned, not bent
 };
 
 // How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).

@@ -51,7 +51,7 @@ TEST_F(Wrong, Options)
     expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
     expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
     expect_usage({"--aov", "normal", "-o", "a.png"}, "--aov: its channels are written to EXR pictures");
-    expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr or .png");
+    expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr, .png or .ppm");
     expect_usage({"--size", "8x8", "-o", "a.exr", "-o", "./a.exr"}, "is named twice");
 }
 

@@ -13,15 +13,20 @@ const std::string shipped = LANCER_SOURCE_DIR "/scenes/";
 std::vector<std::string> shipped_scenes()
 {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(shipped))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped))
+        if (entry.path().extension() == ".toml")
+            names.push_back(std::filesystem::relative(entry.path(), shipped).replace_extension().string());
     std::sort(names.begin(), names.end());
     return names;
 }
 
 class Shipped : public AppTest, public testing::WithParamInterface<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, Shipped, testing::ValuesIn(shipped_scenes()),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Scenes, Shipped, testing::ValuesIn(shipped_scenes()), [](const auto& tested) {
+    std::string name = tested.param;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '/' || c == '-'; }, '_');
+    return name;
+});
 
 TEST_P(Shipped, HasNoProblemsAndIsSeen)
 {

@@ -45,7 +45,7 @@ TEST(ToneMap, AgxTakesTheSaturationOfBrightColours)
 TEST(ToneMap, WhatIsNoNumberIsBlack)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    for (const ToneMap map : {ToneMap::srgb, ToneMap::agx, ToneMap::none}) {
+    for (const ToneMap map : {ToneMap::srgb, ToneMap::agx, ToneMap::none, ToneMap::gamma22, ToneMap::clamped}) {
         for (const double x : to_display(map, {nan, -1, -infinity})) EXPECT_LT(x, 0.005);
         for (const double x : to_display(map, {infinity, infinity, infinity})) EXPECT_GT(x, 0.98);
     }
@@ -64,6 +64,31 @@ TEST(ToneMap, DecidesTheStepsOfAPng)
     EXPECT_EQ(step(ToneMap::none), (std::array{64l, 128l, 255l}));
     EXPECT_EQ(step(ToneMap::srgb), (std::array{137l, 188l, 255l}));
     EXPECT_LT(step(ToneMap::agx)[2], 255);
+    // 0.25^(1/2.2) is 135.8 steps and 0.5^(1/2.2) 186.1; without a curve 63.75 and 127.5.
+    EXPECT_EQ(step(ToneMap::gamma22), (std::array{135l, 186l, 255l}));
+    EXPECT_EQ(step(ToneMap::clamped), (std::array{63l, 127l, 255l}));
+}
+
+// The student's program took the power of a radiance that was 255^2.2 times as large, and cut the fraction off.
+TEST(ToneMap, Gamma22IsThePowerOfTheProgram)
+{
+    for (double x = 1e-4; x < 2; x *= 1.37) {
+        const double theirs = std::min(255.0, std::pow(x * std::pow(255, 2.2), 1 / 2.2));
+        EXPECT_NEAR(255 * to_display(ToneMap::gamma22, {x, 0, 0})[0], theirs, 1e-9);
+    }
+}
+
+TEST(ToneMap, DitherTakesTheMeanOfARoundingDownToTheTruth)
+{
+    Image image = make_image(64, 64);
+    for (Color& c : image.pixels) c = {0.3f, 0.3f, 0.3f};  // 76.5 steps
+    const auto mean = [&](bool dither) {
+        double sum = 0;
+        for (const uint8_t b : to_bytes(image, {.dither = dither, .tonemap = ToneMap::clamped})) sum += b;
+        return sum / (3 * 64 * 64);
+    };
+    EXPECT_EQ(mean(false), 76);
+    EXPECT_NEAR(mean(true), 76.5, 0.03);
 }
 
 }  // namespace

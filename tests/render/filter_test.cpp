@@ -12,7 +12,7 @@ namespace lancer {
 namespace {
 
 constexpr int samples = 1000000;
-const double level = sidak(0.01, 6);  // three filters, two axes
+const double level = sidak(0.01, 8);  // four filters, two axes
 
 // Counts of offsets in 60 cells over [-1.5, 1.5] against the integral of the density, on each axis.
 void expect_density(FilterKind kind, const std::function<double(double)>& density)
@@ -58,10 +58,23 @@ TEST(Filter, BlackmanHarrisHasItsShape)
     });
 }
 
+TEST(Filter, NarrowGaussianHasItsShape)
+{
+    expect_density(FilterKind::narrow_gaussian, [](double x) { return std::exp(-x * x / 0.18); });
+}
+
+TEST(Filter, CentreIsTheMiddleOfThePixel)
+{
+    const Filter filter(FilterKind::centre);
+    Random random(71);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(filter.sample(random.unit2()), (Vec2{0, 0}));
+}
+
 TEST(Filter, IsMonotoneSymmetricAndWithinItsRadiusAtTheEnds)
 {
     constexpr float last = 1 - 0x1p-24f;
-    for (const FilterKind kind : {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris}) {
+    for (const FilterKind kind :
+         {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris, FilterKind::narrow_gaussian}) {
         const Filter f(kind);
         const float radius = kind == FilterKind::box ? 0.5f : 1.5f;
         EXPECT_FLOAT_EQ(f.sample({0, 0.5f}).x, -radius);

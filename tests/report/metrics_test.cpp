@@ -152,5 +152,19 @@ TEST(Metrics, UnbiasedErrorIgnoresTheReferencesNoise)
     EXPECT_NEAR(unbiased_squared_error(x, a, b), 0, 1e-5);  // four standard deviations: 4 * (0.01 / 12) / sqrt(120000)
 }
 
+TEST(Metrics, CountsPixelsBeyondALimit)
+{
+    Image a = make_image(3, 2), b = a;
+    EXPECT_EQ(pixels_beyond(0, a, b), 0u);
+    a.at(1, 0) = {2, -2, 1.5f};
+    a.at(2, 1).b = 1.5f;
+    a.at(0, 0).g = 1;
+    EXPECT_EQ(pixels_beyond(1.5, a, b), 1u);
+    EXPECT_EQ(pixels_beyond(1.25, a, b), 2u);
+    b.at(0, 1).r = std::nanf("");
+    EXPECT_EQ(pixels_beyond(1.5, a, b), 2u);
+    EXPECT_THROW(pixels_beyond(1, a, make_image(2, 3)), Error);
+}
+
 }  // namespace
 }  // namespace lancer

@@ -36,6 +36,41 @@ TEST(Camera, FieldOfViewIsVertical)
         }
 }
 
+// One row lower on the film: what the student's program computed for pixel (j, i) of a square picture.
+TEST(Camera, TheShiftedGridLooksOneRowHigher)
+{
+    constexpr uint32_t side = 512;
+    const Camera camera(make_camera({0, 0, 55}, {0, 0, 0}, 60), plain, side, side, PixelGrid::shifted);
+    for (const auto& [j, i] : {std::pair{0, 0}, {511, 0}, {17, 300}, {255, 511}}) {
+        const Vec3d expected =
+            normalize(Vec3d{j - 256 + 0.5, 256 - i + 0.5, -512 / (2 * std::tan(std::numbers::pi / 6))});
+        const Vec3 got = camera.ray({static_cast<float>(j) + 0.5f, static_cast<float>(i) + 0.5f}, {}).dir;
+        EXPECT_LE(length(to_double(got) - expected), 2e-7) << j << ", " << i;
+    }
+}
+
+// What the course's program did: from the directions of the corners those of the two ends of a row, normalised, and
+// between them the pixel's.
+TEST(Camera, TheGridOfCornersReachesFromEdgeToEdge)
+{
+    for (const auto& [width, height] : {std::pair{7u, 5u}, {600u, 400u}, {1u, 1u}}) {
+        const CameraDescription c = make_camera({1, 2, 3}, {-1, 0.5, 0}, 45);
+        const Camera camera(c, plain, width, height, PixelGrid::corners), usual(c, plain, width, height);
+        const auto w = static_cast<float>(width), h = static_cast<float>(height);
+        const auto corner = [&](float x, float y) { return to_double(usual.ray({x, y}, {}).dir); };
+        const Vec3d ul = corner(0, 0), ur = corner(w, 0), ll = corner(0, h), lr = corner(w, h);
+        const auto part = [](uint32_t i, uint32_t count) { return count > 1 ? double(i) / (count - 1) : 0.5; };
+        const auto lerp = [](Vec3d a, Vec3d b, double t) { return a * (1 - t) + b * t; };
+        for (uint32_t y = 0; y < height; y += 1 + height / 7)
+            for (uint32_t x = 0; x < width; x += 1 + width / 7) {
+                const double ty = part(y, height), tx = part(x, width);
+                const Vec3d expected = normalize(lerp(normalize(lerp(ul, ll, ty)), normalize(lerp(ur, lr, ty)), tx));
+                const Vec3 got = camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, {}).dir;
+                EXPECT_LE(length(to_double(got) - expected), 5e-7) << x << ", " << y << " of " << width;
+            }
+    }
+}
+
 TEST(Camera, UpAndRightInAnyDirection)
 {
     Random random(1);
