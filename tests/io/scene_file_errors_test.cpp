@@ -202,9 +202,9 @@ TEST_F(SceneMistakes, UnknownChoices)
 TEST_F(SceneMistakes, KeysOfAnotherType)
 {
     check({{"[material.a]\nior = 1.5",
-            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'lambert'"},
+            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'lambert'"},
            {"[material.a]\ntype = \"mirror\"\nior = 1.5",
-            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'mirror'"},
+            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'mirror'"},
            {"[camera]\naperture = 0.1", "2:12: error: 'aperture' in [camera] needs type 'thin_lens', not 'pinhole'"},
            {"[camera]\ntype = \"pinhole\"\nfocus = 1",
             "3:9: error: 'focus' in [camera] needs type 'thin_lens', not 'pinhole'"},

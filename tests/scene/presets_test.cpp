@@ -77,9 +77,9 @@ TEST(Presets, TintWhatGoesThrough)
     };
     EXPECT_NEAR(twice("glass", &Color::r), 0.8668, 5e-5);
     EXPECT_NEAR(twice("glass", &Color::b), 0.9604, 5e-5);
-    EXPECT_NEAR(twice("emerald", &Color::r), 0.00387, 5e-6);
-    EXPECT_NEAR(twice("emerald", &Color::g), 0.25326, 5e-6);
-    EXPECT_NEAR(twice("emerald", &Color::b), 0.00423, 5e-6);
+    EXPECT_NEAR(twice("emerald", &Color::r), 0.00387, 1e-5);
+    EXPECT_NEAR(twice("emerald", &Color::g), 0.25326, 1e-5);
+    EXPECT_NEAR(twice("emerald", &Color::b), 0.00423, 1e-5);
     EXPECT_EQ(twice("bronze", &Color::g), 0);
 }
 
