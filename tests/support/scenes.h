@@ -8,6 +8,7 @@
 
 #include "scene/camera.h"
 #include "scene/scene.h"
+#include "scene/shapes.h"
 #include "support/images.h"
 
 namespace lancer {
@@ -424,6 +425,40 @@ inline SceneDescription glossy_scene()
     return d;
 }
 
+// What is made of other shapes: planes with axes, bands and waves, a bubble, a pyramid and a triangle.
+inline SceneDescription shapes_scene()
+{
+    SceneDescription d;
+    d.materials = {make_lambert("floor", {0.8f, 0.7f, 0.5f}), make_lambert("lines", {0.1f, 0.1f, 0.2f}),
+                   make_glossy("wall", MaterialType::glass, {0.9f, 1, 1}, 0),
+                   make_glossy("ruby", MaterialType::plastic, {0.7f, 0.1f, 0.1f}, 0.3f)};
+    PlaneDescription floor = plane_of({0.1, -0.7, 0}, {0, 1, 0}, "floor");
+    floor.axes = {Vec3d{0.5, 0, 0}, Vec3d{0, 0, -0.4}};
+    floor.bands = Bands{"lines", 0.1f};
+    PlaneDescription water = plane_of({0, -0.4, 0}, {0, 1, 0});
+    water.axes = {Vec3d{1, 0, 0}, Vec3d{0, 0, -1}};
+    water.is_water = true;
+    water.waves = {{0.01, 0.3, 0.4, 0}, {0.004, 1.9, 0.15, 1}};
+    d.planes = {floor, water};
+    for (const auto part : {SphereDescription::Part::bubble, SphereDescription::Part::inside_of_bubble}) {
+        const bool inside = part == SphereDescription::Part::inside_of_bubble;
+        d.spheres.push_back(sphere_of({-0.7, 0.2, 0.3}, inside ? 0.48 : 0.5, "wall"));
+        d.spheres.back().part = part;
+    }
+    MeshDescription pyramid = make_mesh(make_pyramid({0.8, -0.5, -0.2}, 1, {0.1, 1, 0}));
+    pyramid.material = "ruby";
+    pyramid.bands = Bands{"lines", 0.04f};
+    d.meshes.push_back(std::move(pyramid));
+    MeshDescription triangle = make_mesh(make_triangle({-0.4, 1.1, -0.5}, {0.6, 1.1, -0.4}, {-0.4, 0.3, -0.5}));
+    triangle.material = "floor";
+    triangle.bands = Bands{"ruby", 0.1f};
+    d.meshes.push_back(std::move(triangle));
+    d.lights.push_back(light_of(LightType::sphere, {9, 9, 8}, {-0.5, 2.5, 1.5}, 0.4));
+    d.lights.push_back(sky_of({0.3f, 0.35f, 0.4f}));
+    d.camera = make_camera({0, 0.5, 4}, {0, 0.1, 0}, 40);
+    return d;
+}
+
 struct NamedScene {
     const char* name;
     SceneDescription description;
@@ -438,6 +473,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"textured", textured_scene()});
     all.push_back({"holes", holes_scene()});
     all.push_back({"glossy", glossy_scene()});
+    all.push_back({"shapes", shapes_scene()});
     return all;
 }
 
@@ -460,6 +496,9 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     for (auto& x : d.spheres) x.center *= s, x.radius *= s;
     for (auto& p : d.planes) {
         p.point *= s;
+        if (p.axes)
+            for (Vec3d& axis : *p.axes) axis *= s;
+        for (Wave& w : p.waves) w.amplitude *= s;
         // The texture coordinates of a plane are lengths.
         for (auto& m : d.materials)
             if (m.name == p.material && m.base_color_map)
