@@ -100,7 +100,7 @@ TEST(Bands, CoverTheirPartOfEveryCell)
         // Four by sixteen cells.
         const double expected = (1.0 - double(width)) * (1.0 - double(width));
         EXPECT_NEAR(lit_part(d, make_camera({0, 0, 4.1}, {0, 0, 0}, 90)), expected, 0.006) << width;
-        // In the distance all is the mean, near the horizon too.
+        // From so far that a pixel holds many cells, all is the mean.
         EXPECT_NEAR(lit_part(d, make_camera({0, 0, 4000.1}, {0, 0, 0}, 90)), expected, 0.006) << width;
     }
 }
