@@ -17,9 +17,9 @@ double fraction(double x) { return x - std::floor(x); }
 // The part of an interval around x in which the fractional part is less than `width`.
 double covered(double x, double extent, double width)
 {
-    const double start = x - 0.5 * extent, a = fraction(start), b = a + extent;
+    if (std::isinf(extent)) return width;
+    const double a = fraction(x - 0.5 * extent), b = a + extent;
     if (!(b > a)) return fraction(x) < width ? 1 : 0;
-    if (!std::isfinite(b)) return width;
     const double cells = std::floor(b);
     return std::clamp((cells * width + std::min(b - cells, width) - std::min(a, width)) / extent, 0.0, 1.0);
 }

@@ -2,6 +2,7 @@
 // waves, bubbles, triangles, pyramids.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>

@@ -154,7 +154,7 @@ TEST(Agreement, DirectIsPathOfOneVertex)
     for (const auto& [name, d] : all_test_scenes()) {
         // Mirror, glass and smooth coats: direct light follows them.
         if (std::string(name) == "spheres" || std::string(name) == "textured" || std::string(name) == "glossy" ||
-            std::string(name) == "media")
+            std::string(name) == "media" || std::string(name) == "shapes")
             continue;
         for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}})
             EXPECT_TRUE(same_bits(shoot(d, {.integrator = Direct{.direct = how}}),

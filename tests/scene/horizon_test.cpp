@@ -59,7 +59,7 @@ TEST(Horizon, OfAnyPlaneFromAnywhere)
     for (int k = 0; k < 50; ++k) {
         SceneDescription d;
         const Vec3d point = random.point(-9, 9);
-        d.planes.push_back(plane_of(point, random.direction() * 3));
+        d.planes.push_back(plane_of(point, random.direction() * 3.0));
         const Vec3d eye = random.point(-9, 9);
         look_at_plane(d, make_camera(eye, eye + random.direction(), 70));
     }

@@ -425,6 +425,7 @@ inline SceneDescription glossy_scene()
 }
 
 SceneDescription media_scene();  // in support/media_scenes.h
+SceneDescription shapes_scene();  // in support/shapes_scene.h
 
 struct NamedScene {
     const char* name;
@@ -441,6 +442,7 @@ inline std::vector<NamedScene> all_test_scenes()
     all.push_back({"holes", holes_scene()});
     all.push_back({"glossy", glossy_scene()});
     all.push_back({"media", media_scene()});
+    all.push_back({"shapes", shapes_scene()});
     return all;
 }
 
@@ -464,6 +466,9 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
     for (auto& m : d.materials) m.absorption /= static_cast<float>(s);
     for (auto& p : d.planes) {
         p.point *= s;
+        if (p.axes)
+            for (Vec3d& axis : *p.axes) axis *= s;
+        for (Wave& w : p.waves) w.amplitude *= s;
         // The texture coordinates of a plane are lengths.
         for (auto& m : d.materials)
             if (m.name == p.material && m.base_color_map)
@@ -497,3 +502,4 @@ inline Camera camera_of(const SceneDescription& d, const Scene& scene, uint32_t 
 }  // namespace lancer
 
 #include "support/media_scenes.h"
+#include "support/shapes_scene.h"
