@@ -1,32 +1,42 @@
 #include "io/material_tables.h"
 
 #include "io/texture_tables.h"
+#include "scene/presets.h"
 
 namespace lancer {
 namespace {
 
-const NameList type_names{"lambert", "mirror", "metal", "glass", "plastic", "mix"};  // as MaterialType
+const NameList type_names{"lambert", "mirror", "metal", "glass", "plastic", "mix", "interface"};  // as MaterialType
 
-const std::vector<TypedKey> typed_keys{{"base_color", {"lambert", "mirror", "metal", "glass", "plastic"}},
-                                       {"texture", {"lambert", "mirror", "metal", "glass", "plastic"}},
-                                       {"roughness", {"metal", "glass", "plastic"}},
-                                       {"roughness_texture", {"metal", "glass", "plastic"}},
+const NameList coloured{"lambert", "mirror", "metal", "glass", "plastic", "interface"};
+const NameList rough{"metal", "glass", "plastic"};
+const std::vector<TypedKey> typed_keys{{"base_color", coloured},
+                                       {"texture", coloured},
+                                       {"roughness", rough},
+                                       {"roughness_texture", rough},
                                        {"metallic", {"metal", "plastic"}},
                                        {"metallic_texture", {"metal", "plastic"}},
-                                       {"ior", {"glass", "plastic"}},
+                                       {"ior", {"glass", "plastic", "interface"}},
                                        {"eta", {"metal"}},
                                        {"k", {"metal"}},
-                                       {"specular", {"plastic"}},
+                                       {"specular", {"plastic", "interface"}},
                                        {"first", {"mix"}},
                                        {"second", {"mix"}},
                                        {"weight", {"mix"}},
-                                       {"weight_texture", {"mix"}}};
+                                       {"weight_texture", {"mix"}},
+                                       {"ambient", {"interface"}},
+                                       {"shininess", {"interface"}},
+                                       {"diffusion", {"interface"}},
+                                       {"reflexion", {"interface"}},
+                                       {"refraction", {"interface"}},
+                                       {"outside_ior", {"interface"}}};
 
 // What one table says of a material; what it does not say is empty.
 struct MaterialKeys {
     std::optional<MaterialType> type;
-    std::optional<Color> base_color, eta, k, specular, emission;
+    std::optional<Color> base_color, eta, k, specular, emission, ambient;
     std::optional<float> roughness, metallic, ior, opacity, bump_scale, weight;
+    std::optional<float> shininess, diffusion, reflexion, refraction, outside_ior;
     TextureUse base_color_map, roughness_map, metallic_map, opacity_map, bump_map, normal_map, emission_map, weight_map;
     std::optional<bool> emission_both_sides;
     std::optional<std::string> first, second;
@@ -50,6 +60,7 @@ private:
     MaterialKeys read_keys(const TomlTable& table, const NameList& also, std::optional<MaterialType> usual);
     void read_material(const std::string& name, const TomlTable& table);
     void read_override(const TomlTable& table);
+    static MaterialDescription read_preset(const TomlTable& table);
     std::optional<std::string> read_name(const TomlTable& table, std::string_view key);
 
     const TomlTable& root_;
@@ -87,6 +98,10 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
         table.reject_keys_of_other_types(type, typed_keys);
         if (*keys.type == MaterialType::mix)
             for (const char* key : {"first", "second"}) table.require(key, type);
+        // Without a colour what it reflects would be black, which nobody means who gives a part of it.
+        if (*keys.type == MaterialType::interface && !table.has("preset"))
+            for (const char* key : {"shininess", "reflexion", "refraction"})
+                if (table.has(key) && !table.require("specular", type)) break;
         if (table.has("eta") != table.has("k")) table.require(table.has("k") ? "eta" : "k", type);
     }
     const auto number = [&](std::string_view key, const NumberRule& rule) {
@@ -104,6 +119,12 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
     keys.opacity = number("opacity", reflectance);
     keys.bump_scale = number("bump_scale", float_range);
     keys.weight = number("weight", reflectance);
+    keys.ambient = table.color("ambient", brightness);
+    keys.shininess = number("shininess", brightness);
+    keys.diffusion = number("diffusion", reflectance);
+    keys.reflexion = number("reflexion", reflectance);
+    keys.refraction = number("refraction", reflectance);
+    keys.outside_ior = number("outside_ior", index_of_refraction);
     keys.base_color_map = textures_.use(table, "texture", TextureRole::color);
     keys.roughness_map = textures_.use(table, "roughness_texture", TextureRole::number);
     keys.metallic_map = textures_.use(table, "metallic_texture", TextureRole::number);
@@ -132,7 +153,22 @@ void change_type(MaterialDescription& m, MaterialType type)
     m.eta = m.k = {};
     m.metallic = m.metallic_map ? std::optional(1.0f) : std::nullopt;
     m.specular = fresh.specular;
+    m.phong = fresh.phong;
+    m.phong.inside_ior = fresh.ior;
     m.weight = m.weight_map ? 1 : fresh.weight;
+}
+
+// What only an interface has; its index and its colour of reflection have the keys of other types.
+void apply_interface(const MaterialKeys& keys, Phong& p)
+{
+    p.ambient = keys.ambient.value_or(p.ambient);
+    p.specular = keys.specular.value_or(p.specular);
+    p.shininess = keys.shininess.value_or(p.shininess);
+    p.diffusion = keys.diffusion.value_or(p.diffusion);
+    p.reflexion = keys.reflexion.value_or(p.reflexion);
+    p.refraction = keys.refraction.value_or(p.refraction);
+    p.inside_ior = keys.ior.value_or(p.inside_ior);
+    p.outside_ior = keys.outside_ior.value_or(p.outside_ior);
 }
 
 // A texture whose own number is not said is not dimmed by it.
@@ -164,12 +200,27 @@ void apply(const MaterialKeys& keys, MaterialDescription& m)
     m.emission_both_sides = keys.emission_both_sides.value_or(m.emission_both_sides);
     m.first = keys.first.value_or(m.first);
     m.second = keys.second.value_or(m.second);
+    apply_interface(keys, m.phong);
+}
+
+// What a material that names a preset starts from; else the defaults.
+MaterialDescription MaterialReader::read_preset(const TomlTable& table)
+{
+    MaterialDescription fresh;
+    fresh.phong.inside_ior = fresh.ior;
+    const std::optional<std::string> name = table.text("preset");
+    if (!name) return fresh;
+    if (const auto preset = find_preset(*name)) return *preset;
+    table.error(table.where("preset"), "unknown preset " + in_quotes(*name) + suggestion(*name, names_of_presets()));
+    return fresh;
 }
 
 void MaterialReader::read_material(const std::string& name, const TomlTable& table)
 {
-    const MaterialKeys keys = read_keys(table, {}, MaterialType::lambert);
-    MaterialDescription m;
+    const bool has_preset = table.has("preset");
+    const MaterialKeys keys =
+        read_keys(table, {"preset"}, has_preset ? MaterialType::interface : MaterialType::lambert);
+    MaterialDescription m = read_preset(table);
     m.name = name;
     m.where = table.where();
     m.type = keys.type.value_or(m.type);
@@ -177,6 +228,8 @@ void MaterialReader::read_material(const std::string& name, const TomlTable& tab
     const bool is_tint = m.type == MaterialType::mirror || m.type == MaterialType::glass || keys.eta;
     if (is_tint) m.base_color = {1, 1, 1};
     apply(keys, m);
+    if (has_preset && keys.type && *keys.type != MaterialType::interface)
+        table.error("preset", " needs type 'interface', not " + in_quotes(type_names[static_cast<size_t>(*keys.type)]));
     scene_.materials.push_back(std::move(m));
 }
 

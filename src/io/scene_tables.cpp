@@ -8,6 +8,7 @@
 
 #include "io/camera_tables.h"
 #include "io/material_tables.h"
+#include "scene/presets.h"
 
 namespace lancer {
 namespace {
@@ -41,7 +42,7 @@ private:
     TransformDescription read_transform(const TomlTable& table);
     std::string read_material_use(const TomlTable& table);
     void check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
-                    const std::string& none);
+                    const std::string& none = "");
 };
 
 void SceneReader::read_version()
@@ -239,12 +240,11 @@ std::vector<MeshFile> SceneReader::read()
     for (const TomlTable& plane : root_.tables("plane")) read_plane(plane);
     for (const TomlTable& light : root_.tables("light")) read_light(light);
 
-    NameList materials, meshes;
-    for (const MaterialDescription& material : scene_.materials) materials.push_back(material.name);
+    NameList meshes;
     for (const MeshDescription& mesh : scene_.meshes) {
         if (!mesh.name.empty()) meshes.push_back(mesh.name);
     }
-    check_uses(material_uses_, materials, "material", "the file has no [material.NAME]");
+    check_uses(material_uses_, names_of_materials(scene_), "material");
     check_uses(mesh_uses_, meshes, "mesh", "the file has no [[mesh]] with a name");
     return std::move(mesh_files_);
 }

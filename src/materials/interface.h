@@ -10,7 +10,9 @@
 #include "core/warp.h"
 #include "materials/bsdf.h"
 #include "materials/fresnel.h"
+#include "materials/microfacet.h"
 #include "materials/phong.h"
+#include "materials/texture.h"
 
 namespace lancer {
 
@@ -18,16 +20,17 @@ class InterfaceBsdf {
 public:
     // front: the path arrives from the side of the geometric normal.
     InterfaceBsdf(const Phong& p, bool front)
-        : diffuse_(p.diffuse * p.diffusion), gloss_(p.specular * p.diffusion), shininess_(p.shininess)
+        : diffuse_(part_of(p.diffuse, p.diffusion)),
+          gloss_(part_of(p.specular, p.diffusion)),
+          mirror_(part_of(p.specular, p.reflexion + p.refraction)),
+          shininess_(std::min(p.shininess, most_shininess)),
+          eta_(front ? p.inside_ior / p.outside_ior : p.outside_ior / p.inside_ior),
+          refracts_(p.refraction > 0)
     {
-        refracts_ = p.refraction > 0;
-        const float boundary = p.reflexion + p.refraction;
-        mirror_ = p.specular * (refracts_ ? boundary : p.reflexion);
-        if (refracts_) through_ = p.diffuse * boundary;
-        eta_ = front ? p.inside_ior / p.outside_ior : p.outside_ior / p.inside_ior;
-        const float most = max_component(
-            diffuse_ + gloss_ +
-            Color{std::max(mirror_.r, through_.r), std::max(mirror_.g, through_.g), std::max(mirror_.b, through_.b)});
+        if (refracts_) through_ = part_of(p.diffuse, p.reflexion + p.refraction);
+        const Color boundary{std::max(mirror_.r, through_.r), std::max(mirror_.g, through_.g),
+                             std::max(mirror_.b, through_.b)};
+        const float most = max_component(diffuse_ + gloss_ + boundary);
         if (most <= 1) return;
         for (Color* c : {&diffuse_, &gloss_, &mirror_, &through_}) *c /= most;
     }
@@ -36,7 +39,7 @@ public:
     static constexpr bool transmits() { return false; }
     Color reflectance() const
     {
-        const float f = refracts_ ? fresnel_dielectric(1.0f, eta_).reflectance : 1;
+        const float f = boundary({0, 0, 1}).reflectance;
         return diffuse_ + gloss_ + mirror_ * f + through_ * (1 - f);
     }
 
@@ -50,21 +53,18 @@ public:
         if (wo.z <= 0) return {};
         const Fresnel f = boundary(wo);
         const Parts p = parts(f);
-        if (!(p.sum() > 0)) return {};
-        u *= p.sum();
-        if (u >= p.diffuse + p.gloss) {
-            const bool reflects = u < p.diffuse + p.gloss + p.mirror || !(p.through > 0);
-            BsdfSample s = reflects ? reflected(wo, f) : refracted(wo, f);
-            s.pdf = (reflects ? p.mirror : p.through) / p.sum();
-            if (!(s.pdf > 0)) return {};
-            s.weight /= s.pdf;
-            return s;
-        }
-        const Vec3 wi = u < p.diffuse ? square_to_cosine_hemisphere(v) : sample_gloss(wo, v);
+        const float sum = p.sum();
+        if (!(sum > 0)) return {};
+        u *= sum;
+        if (u < p.mirror) return chosen(reflected(wo, f), p.mirror / sum);
+        if (u >= p.mirror + p.diffuse + p.gloss) return chosen(refracted(wo, f), p.through / sum);
+        const Vec3 wi = u < p.mirror + p.diffuse ? square_to_cosine_hemisphere(v) : sample_gloss(wo, v);
         if (wi.z <= 0) return {};
         const BsdfValue value = eval_smooth(wo, wi, p);
         if (!(value.pdf > 0)) return {};
-        return BsdfSample{.wi = wi, .weight = value.f_cos / value.pdf, .pdf = value.pdf};
+        // Without a highlight the cosine cancels: what is only diffuse has the bits of a Lambert surface.
+        const Color weight = p.gloss > 0 ? value.f_cos / value.pdf : diffuse_ * (sum / p.diffuse);
+        return BsdfSample{.wi = wi, .weight = weight, .pdf = value.pdf};
     }
 
     // Each of the two directions that light goes without spreading, as a sample that was chosen for certain; nothing
@@ -76,29 +76,39 @@ public:
     }
     std::optional<BsdfSample> refraction(Vec3 wo) const
     {
-        if (!refracts_) return {};
-        const BsdfSample s = refracted(wo, boundary(wo));
-        return is_black(s.weight) ? std::nullopt : std::optional(s);
+        if (is_black(through_)) return {};
+        const Fresnel f = boundary(wo);
+        return f.reflectance < 1 ? std::optional(refracted(wo, f)) : std::nullopt;
     }
 
 private:
+    // Of a narrower highlight float directions know nothing.
+    static constexpr float most_shininess = 2 / (least_alpha * least_alpha);
+
+    // Textures may bring what is negative.
+    static Color part_of(Color c, float part)
+    {
+        return {std::max(0.0f, c.r * part), std::max(0.0f, c.g * part), std::max(0.0f, c.b * part)};
+    }
+
     // By how much light each lobe sends, about.
     struct Parts {
-        float diffuse, gloss, mirror, through;
-        float sum() const { return diffuse + gloss + mirror + through; }
+        float mirror, diffuse, gloss, through;
+        float sum() const { return mirror + diffuse + gloss + through; }
     };
     Parts parts(const Fresnel& f) const
     {
-        return {max_component(diffuse_), max_component(gloss_), max_component(mirror_) * f.reflectance,
+        return {max_component(mirror_) * f.reflectance, max_component(diffuse_), max_component(gloss_),
                 max_component(through_) * (1 - f.reflectance)};
     }
-    // What refracts not reflects all that its mirror gets.
+    // What does not refract reflects all that its mirror gets.
     Fresnel boundary(Vec3 wo) const { return refracts_ ? fresnel_dielectric(wo, eta_) : Fresnel{1, 0}; }
 
     BsdfSample reflected(Vec3 wo, const Fresnel& f) const
     {
         return {.wi = {-wo.x, -wo.y, wo.z}, .weight = mirror_ * f.reflectance, .pdf = 1, .delta = true};
     }
+    // f: not of total reflection.
     BsdfSample refracted(Vec3 wo, const Fresnel& f) const
     {
         const float scale = 1 / eta_;
@@ -108,22 +118,38 @@ private:
                 .delta = true,
                 .eta = eta_};
     }
-    // Around the mirror direction, density (n + 1) / (2 pi) cos^n.
+    static BsdfSample chosen(BsdfSample s, float probability)
+    {
+        s.pdf = probability;
+        s.weight /= probability;
+        return s;
+    }
+
+    // The highlight lies around the mirror image of wo, with density (n + 1) / (2 pi) cos^n. In double, as facets are,
+    // and with 1 - cos itself: of a narrow lobe the cosine in float tells nothing.
     Vec3 sample_gloss(Vec3 wo, Vec2 v) const
     {
-        const float cos = std::pow(1 - v.x, 1 / (shininess_ + 1)), sin = std::sqrt(std::max(0.0f, 1 - cos * cos));
+        const double away = -std::expm1(std::log1p(-static_cast<double>(v.x)) / (static_cast<double>(shininess_) + 1));
+        const auto sin = static_cast<float>(std::sqrt(away * (2 - away)));
         const SinCos phi = sin_cos_2pi(v.y);
-        return Frame({-wo.x, -wo.y, wo.z}).to_world({sin * phi.cos, sin * phi.sin, cos});
+        const Frame frame({-wo.x, -wo.y, wo.z});
+        return normalize(frame.to_world({sin * phi.cos, sin * phi.sin, static_cast<float>(1 - away)}));
+    }
+    // cos^n / (2 pi), 0 where the cosine is not positive.
+    double lobe(Vec3 wo, Vec3 wi) const
+    {
+        const Vec3d between = unit_in_double(wi) - unit_in_double({-wo.x, -wo.y, wo.z});
+        const double away = 0.5 * dot(between, between);
+        return away < 1 ? std::exp(static_cast<double>(shininess_) * std::log1p(-away)) / (2 * pi_d) : 0;
     }
     BsdfValue eval_smooth(Vec3 wo, Vec3 wi, const Parts& p) const
     {
         const float pdf_diffuse = pdf_cosine_hemisphere(wi.z);
         BsdfValue f{diffuse_ * pdf_diffuse, p.diffuse / p.sum() * pdf_diffuse};
-        const float cos = wo.z * wi.z - wo.x * wi.x - wo.y * wi.y;
-        if (!(cos > 0) || !(p.gloss > 0)) return f;
-        const float lobe = std::pow(cos, shininess_) * (1 / (2 * pi));
-        f.f_cos += gloss_ * ((shininess_ + 2) * lobe * wi.z);
-        f.pdf += p.gloss / p.sum() * (shininess_ + 1) * lobe;
+        if (!(p.gloss > 0)) return f;
+        const double around = lobe(wo, wi), n = static_cast<double>(shininess_);
+        f.f_cos += gloss_ * (static_cast<float>((n + 2) * around) * wi.z);
+        f.pdf += p.gloss / p.sum() * static_cast<float>((n + 1) * around);
         return f;
     }
 
@@ -132,5 +158,19 @@ private:
     bool refracts_;
 };
 static_assert(Bsdf<InterfaceBsdf>);
+
+struct Interface {
+    static constexpr const char* name = "interface";
+    ColorParam base;  // the diffuse colour
+    Phong rest{};     // all else
+
+    InterfaceBsdf at(const ShadingPoint& p) const { return {phong(p), p.front}; }
+    Phong phong(const ShadingPoint& p) const
+    {
+        Phong all = rest;
+        all.diffuse = p.eval(base);
+        return all;
+    }
+};
 
 }  // namespace lancer

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "materials/glass.h"
+#include "materials/interface.h"
 #include "materials/lambert.h"
 #include "materials/metal.h"
 #include "materials/mirror.h"
@@ -13,7 +14,7 @@
 
 namespace lancer {
 
-using Material = std::variant<Lambert, Mirror, Metal, Glass, Plastic>;
+using Material = std::variant<Lambert, Mirror, Metal, Glass, Plastic, Interface>;
 
 // Radiance that a surface sends out by itself.
 struct Emission {

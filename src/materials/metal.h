@@ -127,11 +127,11 @@ struct Metal {
     // What is no mirror any more is a highlight.
     Phong phong(const ShadingPoint& p) const
     {
-        const float rough = p.eval(roughness);
+        const float rough = highlight_of(p.eval(roughness));
         return {.specular = at(p).reflectance(),
                 .shininess = shininess_of(rough),
-                .diffusion = std::min(1.0f, rough),
-                .reflexion = 1 - std::min(1.0f, rough)};
+                .diffusion = rough,
+                .reflexion = 1 - rough};
     }
 };
 

@@ -21,7 +21,10 @@ inline float alpha_of_roughness(float roughness)
     return alpha < least_alpha ? 0 : alpha;
 }
 
-// The exponent of the highlight that is about as wide: Walter et al., section 5.2. 0 for a mirror, which has none.
+// In the eyes of the classic model, which knows mirrors and highlights: the part of what such a surface reflects that
+// is a highlight, and the exponent of the highlight that is about as wide (Walter et al., section 5.2). Both 0 of a
+// mirror.
+inline float highlight_of(float roughness) { return alpha_of_roughness(roughness) > 0 ? std::min(1.0f, roughness) : 0; }
 inline float shininess_of(float roughness)
 {
     const float alpha = alpha_of_roughness(roughness);

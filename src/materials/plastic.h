@@ -101,15 +101,16 @@ struct Plastic {
     }
     Phong phong(const ShadingPoint& p) const
     {
-        const float rough = std::min(1.0f, p.eval(roughness));
-        const float reflected = fresnel_dielectric(1.0f, ior).reflectance;
-        // The coat's part, as a highlight as far as it is rough and as a mirror for the rest.
-        const float diffusion = 1 - reflected * (1 - rough);
-        return {.diffuse = p.eval(base) * ((1 - reflected) / diffusion),
-                .specular = specular * (rough > 0 ? reflected * rough / diffusion : 0),
-                .shininess = shininess_of(rough),
+        const float rough = highlight_of(p.eval(roughness));
+        const float f0 = fresnel_dielectric(1.0f, ior).reflectance;
+        // The model has one colour for both reflections of the coat, so that what is no mirror has a highlight always;
+        // on a smooth coat, whose own would be a point, it is about as wide as the sun. White loses nothing.
+        const float diffusion = 1 / (1 + f0 * (1 - rough));
+        return {.diffuse = p.eval(base) * (1 - f0),
+                .specular = specular * f0,
+                .shininess = shininess_of(std::max(0.1f, rough)),
                 .diffusion = diffusion,
-                .reflexion = reflected * (1 - rough)};
+                .reflexion = diffusion * (1 - rough)};
     }
 };
 

@@ -28,6 +28,8 @@ Material MaterialBuilder::make(const MaterialDescription& m, const std::function
             plastic.coat = coat;
             return plastic;
         }
+        case MaterialType::interface:
+            return Interface{base, m.phong};
         default:
             return Lambert{base};
     }

@@ -3,10 +3,30 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/names.h"
+#include "scene/presets.h"
 
 namespace lancer {
+namespace {
+
+// Of a mix its parts decide.
+bool mirrors(const MaterialDescription& m)
+{
+    if (m.type == MaterialType::interface) return m.phong.reflexion > 0 || m.phong.refraction > 0;
+    return m.type != MaterialType::lambert && m.type != MaterialType::mix;
+}
+
+void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
+{
+    const float eta = m.phong.inside_ior / m.phong.outside_ior;
+    if (eta > 0 && std::isfinite(eta)) return;
+    diagnostics.error(m.where, "the indices of refraction of material " + in_quotes(m.name) +
+                                   " are too far apart: their ratio is no number of 32 bits");
+}
+
+}  // namespace
 
 MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
                              const RasterSource& images)
@@ -70,7 +90,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.bump = texture(m.bump_map);
     traits.normal_map = texture(m.normal_map);
     traits.bump_scale = m.bump_scale;
-    traits.mirrors = m.type != MaterialType::lambert && m.type != MaterialType::mix;
+    traits.mirrors = mirrors(m);
     traits.reads_uv = reads_textures(m);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
@@ -98,6 +118,7 @@ uint32_t MaterialTable::add(const MaterialDescription& m)
     const auto id_of = [&](const TextureUse& use) { return texture(use); };
     if (m.type == MaterialType::mix)
         return add_mix(m, named(m.first, m.where), named(m.second, m.where), {m.weight, texture(m.weight_map)});
+    if (m.type == MaterialType::interface) check_indices(m, diagnostics_);
     const bool is_metal = m.type == MaterialType::metal;
     const float metallic = m.metallic.value_or(is_metal ? 1.0f : 0.0f);
     const bool has_metallic = is_metal || m.type == MaterialType::plastic;
@@ -138,9 +159,9 @@ uint32_t MaterialTable::named(const std::string& name, const Location& where)
         resolve_named(it->second);
         return ids_[it->second];
     }
-    std::vector<std::string> known;
-    for (const auto& m : d_.materials) known.push_back(m.name);
-    diagnostics_.error(where, "unknown material '" + name + "'" + suggestion(name, known));
+    if (const auto it = presets_.find(name); it != presets_.end()) return it->second;
+    if (const auto preset = find_preset(name)) return presets_[name] = add(*preset);
+    diagnostics_.error(where, "unknown material '" + name + "'" + suggestion(name, names_of_materials(d_)));
     return default_material();
 }
 

@@ -20,8 +20,8 @@ public:
     uint32_t add(const MaterialDescription& material);
     // The same of a mesh file, under the overrides.
     uint32_t add_from_file(const MaterialDescription& material);
-    // The id of a named material; an empty name is the default grey, as is an unknown one, so that building goes on to
-    // find what else is wrong.
+    // The id of a named material or preset; an empty name is the default grey, as is an unknown one, so that building
+    // goes on to find what else is wrong.
     uint32_t named(const std::string& name, const Location& where);
     // Warns of what nobody uses.
     void finish();
@@ -38,8 +38,9 @@ private:
     Diagnostics& diagnostics_;
     const RasterSource& images_;
     MaterialBuilder builder_;
-    std::map<std::string, size_t> index_;  // of names, in d_.materials
-    std::vector<uint32_t> ids_;            // of d_.materials, or none
+    std::map<std::string, size_t> index_;      // of names, in d_.materials
+    std::map<std::string, uint32_t> presets_;  // ids of those that are in use
+    std::vector<uint32_t> ids_;                // of d_.materials, or none
     std::vector<bool> used_, in_progress_, override_used_;
     std::vector<TextureDescription> textures_;  // parallel to scene_.textures
     uint32_t default_material_ = Scene::none;

@@ -42,10 +42,9 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[[plane]]\npiont = [0, 0, 0]",
           "2:1: error: unknown key 'piont' in [[plane]]; did you mean 'point'? known: point, normal, material"},
          {"[material.a]\nalbedo = 1",
-          "2:1: error: unknown key 'albedo' in [material.a]; known: type, base_color, texture, roughness, "
-          "roughness_texture, metallic, metallic_texture, ior, eta, k, specular, first, second, weight, "
-          "weight_texture, "
-          "opacity, opacity_texture, bump_texture, bump_scale, normal_texture and 3 more"},
+          "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
+          "roughness, roughness_texture, metallic, metallic_texture, ior, eta, k, specular, first, second, weight, "
+          "weight_texture, ambient, shininess, diffusion, reflexion and 10 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate"},
@@ -188,7 +187,7 @@ TEST_F(SceneMistakes, UnknownChoices)
            {"[camera]\nup = \"x\"", "2:6: error: unknown up 'x' in [camera]; known: y, z"},
            {"[material.a]\ntype = \"galss\"\nior = 2",
             "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, mirror, metal, "
-            "glass, plastic, mix"},
+            "glass, plastic, mix, interface"},
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
@@ -198,9 +197,9 @@ TEST_F(SceneMistakes, UnknownChoices)
 TEST_F(SceneMistakes, KeysOfAnotherType)
 {
     check({{"[material.a]\nior = 1.5",
-            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'lambert'"},
+            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'lambert'"},
            {"[material.a]\ntype = \"mirror\"\nior = 1.5",
-            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic', not 'mirror'"},
+            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'mirror'"},
            {"[camera]\naperture = 0.1", "2:12: error: 'aperture' in [camera] needs type 'thin_lens', not 'pinhole'"},
            {"[camera]\ntype = \"pinhole\"\nfocus = 1",
             "3:9: error: 'focus' in [camera] needs type 'thin_lens', not 'pinhole'"},
@@ -255,10 +254,15 @@ TEST_F(SceneMistakes, AWrongVectorIsNotAlsoBlamedForItsDefault)
 TEST_F(SceneMistakes, NamesThatNobodyHas)
 {
     check({{"[[sphere]]\nmaterial = \"galss\"\n[material.glass]\n[material.gold]",
-            "2:12: error: unknown material 'galss'; did you mean 'glass'? known: glass, gold"},
-           {"[[plane]]\nmaterial = \"wood\"\n[material.glass]", "2:12: error: unknown material 'wood'; known: glass"},
+            "2:12: error: unknown material 'galss'; did you mean 'glass'? known: glass, gold, white_plastic, "
+            "red_plastic, bronze, emerald, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, "
+            "grey_metallic"},
+           {"[[plane]]\nmaterial = \"wood\"\n[material.glass]",
+            "2:12: error: unknown material 'wood'; known: glass, white_plastic, red_plastic, bronze, emerald, "
+            "black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
            {"[[mesh]]\nfile = \"a.obj\"\nmaterial = \"wood\"",
-            "3:12: error: unknown material 'wood'; the file has no [material.NAME]"},
+            "3:12: error: unknown material 'wood'; known: white_plastic, red_plastic, bronze, emerald, glass, "
+            "black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
            {"[[mesh]]\nfile = \"a.obj\"\nname = \"tree\"\n[[instance]]\nmesh = \"tere\"",
             "5:8: error: unknown mesh 'tere'; did you mean 'tree'? known: tree"},
            {"[[mesh]]\nfile = \"a.obj\"\n[[instance]]\nmesh = \"tree\"",
@@ -296,18 +300,19 @@ fov = 200
 type = "lamber"
 )"),
               R"(s.toml:2:10: error: 'radius' in [[sphere]] must be greater than 0, not -1
-s.toml:3:12: error: unknown material 'galss'; did you mean 'glass'? known: glass
+s.toml:3:12: error: unknown material 'galss'; did you mean 'glass'? known: glass, white_plastic, red_plastic, bronze, emerald, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic
 s.toml:5:7: error: 'spp' in [render] must be from 1 to 2147483647, not 0
 s.toml:6:1: error: [[light]] of type 'point' needs 'position'
 s.toml:8:13: error: 'intensity' in [[light]] must be finite, not nan
 s.toml:10:7: error: 'fov' in [camera] must be greater than 0 and less than 180, not 200
-s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, mix)");
+s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, mix, interface)");
 }
 
 TEST_F(SceneMistakes, NamesCannotForgeLinesOrColours)
 {
     EXPECT_EQ(problems("[[sphere]]\nmaterial = \"a\\n\\u001b[31m\""),
-              "s.toml:2:12: error: unknown material 'a??[31m'; the file has no [material.NAME]");
+              "s.toml:2:12: error: unknown material 'a??[31m'; known: white_plastic, red_plastic, bronze, emerald, "
+              "glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic");
 }
 
 TEST_F(SceneMistakes, MissingMeshFile)

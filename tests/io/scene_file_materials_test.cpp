@@ -1,6 +1,9 @@
 // What materials, textures and overrides of a scene file mean, and what is said of wrong ones.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "scene/presets.h"
 #include "scene_test_support.h"
 
 namespace lancer {
@@ -74,6 +77,111 @@ weight_texture = "w.png")");
     EXPECT_EQ(c.second, "b");
     EXPECT_EQ(c.weight, 0.125f);
     EXPECT_EQ(file_of(c.weight_map), "w.png");
+}
+
+TEST_F(SceneMaterials, EveryKeyOfInterfacesIsRead)
+{
+    const SceneDescription s = scene(R"(
+[material.a]
+type = "interface"
+ambient = [0.1, 0.2, 4]
+base_color = [0.2, 0.3, 0.4]
+specular = [0.7, 0.8, 0.9]
+shininess = 50
+diffusion = 0.25
+reflexion = 0.5
+refraction = 0.75
+ior = 1.4
+outside_ior = 1.2
+opacity = 0.5
+emission = 3
+[material.b]
+type = "interface")");
+    const MaterialDescription &a = s.materials.at(0), &b = s.materials.at(1);
+    EXPECT_EQ(a.type, MaterialType::interface);
+    EXPECT_EQ(a.base_color, (Color{0.2f, 0.3f, 0.4f}));
+    EXPECT_EQ(a.phong.ambient, (Color{0.1f, 0.2f, 4}));
+    EXPECT_EQ(a.phong.specular, (Color{0.7f, 0.8f, 0.9f}));
+    EXPECT_EQ(a.phong.shininess, 50);
+    EXPECT_EQ(a.phong.diffusion, 0.25f);
+    EXPECT_EQ(a.phong.reflexion, 0.5f);
+    EXPECT_EQ(a.phong.refraction, 0.75f);
+    EXPECT_EQ(a.phong.inside_ior, 1.4f);
+    EXPECT_EQ(a.phong.outside_ior, 1.2f);
+    EXPECT_EQ(a.opacity, 0.5f);
+    EXPECT_EQ(a.emission, (Color{3, 3, 3}));
+    EXPECT_EQ(b.base_color, (Color{0.8f, 0.8f, 0.8f}));
+    EXPECT_TRUE(is_black(b.phong.specular) && is_black(b.phong.ambient));
+    EXPECT_EQ(b.phong.diffusion, 1);
+    EXPECT_EQ(b.phong.reflexion, 0);
+    EXPECT_EQ(b.phong.refraction, 0);
+    EXPECT_EQ(b.phong.inside_ior, 1.5f);
+    EXPECT_EQ(b.phong.outside_ior, 1);
+}
+
+TEST_F(SceneMaterials, APresetIsKnownByNameAndCanBeChanged)
+{
+    const SceneDescription s = scene(R"(
+[[sphere]]
+material = "bronze"
+[[plane]]
+material = "old_bronze"
+[material.old_bronze]
+preset = "bronze"
+shininess = 5
+[material.wood]
+preset = "sand"
+texture = "c.png"
+[material.both]
+type = "mix"
+first = "ruby"
+second = "wood"
+[[material_override]]
+match = "*"
+material = "steel")");
+    EXPECT_EQ(s.spheres.at(0).material, "bronze");
+    const MaterialDescription &old = s.materials.at(0), &wood = s.materials.at(1);
+    EXPECT_EQ(old.name, "old_bronze");
+    EXPECT_EQ(old.type, MaterialType::interface);
+    EXPECT_EQ(old.where.line, 6u);
+    EXPECT_EQ(old.base_color, (Color{0.714f, 0.4284f, 0.18144f}));
+    EXPECT_EQ(old.phong.reflexion, 0.75f);
+    EXPECT_EQ(old.phong.specular, (Color{0.9f, 0.8f, 0.7f}));
+    EXPECT_EQ(old.phong.shininess, 5);
+    EXPECT_EQ(wood.base_color, (Color{1, 1, 1})) << "a texture takes the place of the colour";
+    EXPECT_EQ(wood.phong.shininess, 2);
+    EXPECT_EQ(s.materials.at(2).first, "ruby");
+}
+
+// The manual's table of presets, each row read as an interface that says its numbers itself.
+TEST_F(SceneMaterials, PresetsAreWhatTheManualSays)
+{
+    const std::vector<std::string> keys{"ambient",   "base_color", "specular",   "shininess",
+                                        "diffusion", "reflexion",  "refraction", "ior"};
+    std::ifstream manual(LANCER_SOURCE_DIR "/docs/scene-format.md");
+    std::string text;
+    std::vector<std::string> named;
+    for (std::string line; std::getline(manual, line);) {
+        std::vector<std::string> cells;
+        for (std::istringstream row(line); std::getline(row, line, '|');) cells.push_back(line);
+        if (cells.size() != keys.size() + 2 || cells[1].size() < 5) continue;
+        const std::string name = cells[1].substr(2, cells[1].size() - 4);
+        if (!find_preset(name)) continue;
+        named.push_back(name);
+        text += "[material." + name + "]\ntype = \"interface\"\n";
+        for (size_t i = 0; i < keys.size(); ++i) text += keys[i] + " =" + cells[i + 2] + "\n";
+    }
+    ASSERT_EQ(named.size(), names_of_presets().size());
+    const SceneDescription s = scene(text);
+    for (size_t i = 0; i < named.size(); ++i) {
+        const MaterialDescription &said = s.materials.at(i), preset = *find_preset(named[i]);
+        EXPECT_EQ(said.base_color, preset.base_color) << named[i];
+        EXPECT_EQ(said.phong.ambient, preset.phong.ambient) << named[i];
+        EXPECT_EQ(said.phong.specular, preset.phong.specular) << named[i];
+        for (const auto number : {&Phong::shininess, &Phong::diffusion, &Phong::reflexion, &Phong::refraction,
+                                  &Phong::inside_ior, &Phong::outside_ior})
+            EXPECT_EQ(said.phong.*number, preset.phong.*number) << named[i];
+    }
 }
 
 TEST_F(SceneMaterials, WhatIsNotSaidHasTheDefaultsOfItsType)
@@ -221,6 +329,12 @@ TEST_F(SceneOverrides, AnotherTypeBringsItsDefaultsButKeepsColourAndMaps)
     EXPECT_EQ(file_of(m.base_color_map), "old.png");
     EXPECT_EQ(m.opacity, 0.5f);
     EXPECT_EQ(changed("type = \"metal\"").roughness, 0);
+    const MaterialDescription shiny = changed("type = \"interface\"\nspecular = 1\nreflexion = 0.5");
+    EXPECT_EQ(shiny.type, MaterialType::interface);
+    EXPECT_EQ(shiny.base_color, before.base_color);
+    EXPECT_EQ(shiny.phong.specular, (Color{1, 1, 1}));
+    EXPECT_EQ(shiny.phong.reflexion, 0.5f);
+    EXPECT_EQ(shiny.phong.inside_ior, 1.5f);
 }
 
 TEST_F(SceneOverrides, AMaterialCanTakeThePlace)
@@ -240,10 +354,29 @@ TEST_F(SceneMaterials, MistakesAreNamed)
         {"[material.a]\ntype = \"mix\"\nfirst = \"b\"\nbase_color = 1\n[material.b]",
          "1:1: error: [material.a] of type 'mix' needs 'second'\n"
          "s.toml:4:14: error: 'base_color' in [material.a] needs type 'lambert' or 'mirror' or 'metal' or 'glass' or "
-         "'plastic', not 'mix'"},
+         "'plastic' or 'interface', not 'mix'"},
         {"[material.a]\ntype = \"mix\"\nfirst = \"a\"\nsecond = \"bb\"\n[material.b]",
-         "4:10: error: unknown material 'bb'; did you mean 'b'? known: a, b"},
+         "4:10: error: unknown material 'bb'; did you mean 'b'? known: a, b, white_plastic, red_plastic, bronze, "
+         "emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
         {"[material.a]\ntype = \"metal\"\nk = 1", "1:1: error: [material.a] of type 'metal' needs 'eta'"},
+        {"[material.a]\nshininess = 5",
+         "2:13: error: 'shininess' in [material.a] needs type 'interface', not 'lambert'"},
+        {"[material.a]\ntype = \"interface\"\nreflexion = 0.5\nshininess = 5",
+         "1:1: error: [material.a] of type 'interface' needs 'specular'"},
+        {"[material.a]\ntype = \"interface\"\nshininess = -1\nspecular = 2\ndiffusion = 1.5\noutside_ior = 0",
+         "3:13: error: 'shininess' in [material.a] must be from 0 to 3.4e38, not -1\n"
+         "s.toml:4:12: error: 'specular' in [material.a] must be from 0 to 1, not 2\n"
+         "s.toml:5:13: error: 'diffusion' in [material.a] must be from 0 to 1, not 1.5\n"
+         "s.toml:6:15: error: 'outside_ior' in [material.a] must be greater than 0 and at most 3.4e38, not 0"},
+        {"[material.a]\npreset = \"bronce\"",
+         "2:10: error: unknown preset 'bronce'; did you mean 'bronze'? known: white_plastic, red_plastic, bronze, "
+         "emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
+        {"[material.a]\npreset = \"bronze\"\ntype = \"metal\"",
+         "2:10: error: 'preset' in [material.a] needs type 'interface', not 'metal'"},
+        {"[[sphere]]\nmaterial = \"whitePlastic\"",
+         "2:12: error: unknown material 'whitePlastic'; did you mean 'white_plastic'? known: white_plastic, "
+         "red_plastic, bronze, emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, "
+         "grey_metallic"},
         {"[material.a]\nopacity = 1.5", "2:11: error: 'opacity' in [material.a] must be from 0 to 1, not 1.5"},
         {"[material.a]\ntexture = \"d.png\"", "2:11: error: picture 'd.png' does not exist"},
         {"[texture.wood]\nfile = \"c.png\"\n[material.a]\ntexture = \"woood\"",
@@ -266,12 +399,14 @@ TEST_F(SceneMaterials, MistakesAreNamed)
          "encoding, wrap, channel, gain, bias, even, odd"},
         {"[[material_override]]\nroughness = 1", "1:1: error: [[material_override]] needs 'match'"},
         {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"",
-         "3:12: error: unknown material 'a'; the file has no [material.NAME]"},
+         "3:12: error: unknown material 'a'; known: white_plastic, red_plastic, bronze, emerald, glass, black_matter, "
+         "sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
         {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"\nior = 2\n[material.a]",
          "3:12: error: 'material' in [[material_override]] takes the place of a material as a whole: no other key than "
          "'match' can stand beside it"},
         {"[[material_override]]\nmatch = \"*\"\ntype = \"mirror\"\nior = 2",
-         "4:7: error: 'ior' in [[material_override]] needs type 'glass' or 'plastic', not 'mirror'"}};
+         "4:7: error: 'ior' in [[material_override]] needs type 'glass' or 'plastic' or 'interface', not "
+         "'mirror'"}};
     for (const auto& [text, message] : mistakes) EXPECT_EQ(problems(text), "s.toml:" + std::string(message)) << text;
 }
 

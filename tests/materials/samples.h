@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/material.h"
+#include "scene/presets.h"
 #include "support/random.h"
 
 namespace lancer {
@@ -18,6 +19,7 @@ struct Sample {
     bool transmits = false;  // light may go through
     double tolerance = 0;    // of the albedo, where tables take part in it
     bool narrow = false;     // has a smooth lobe too narrow for the cells of the laws; lobes_test looks at it closely
+    bool sheds = false;      // loses what a lobe sends below the horizon, however little that is
 };
 
 template <class M>
@@ -106,6 +108,48 @@ inline std::vector<Sample<Plastic>> samples<Plastic>()
         {"base alone", make_plastic(red, 0.8f, 1.5f, {0, 0, 0}), false, false, table_error},
         {"nothing", make_plastic({0, 0, 0}, 0.8f, 1.5f, {0, 0, 0})},
         {"least rough", make_plastic(red, 0.004f, 1.5f), false, false, table_error, true}};
+    return all;
+}
+
+template <>
+inline std::vector<Sample<Interface>> samples<Interface>()
+{
+    const Color white{1, 1, 1}, red{0.8f, 0.1f, 0.05f}, grey{0.5f, 0.5f, 0.5f};
+    const Phong mirror{.specular = white, .diffusion = 0, .reflexion = 1};
+    const Phong glass{.specular = white, .diffusion = 0, .refraction = 1, .inside_ior = 1.5f};
+    const auto with = [](Phong p, const auto& change) {
+        change(p);
+        return p;
+    };
+    const auto highlight = [&](float shininess) {
+        return Phong{.specular = white, .shininess = shininess, .diffusion = 0.6f};
+    };
+    std::vector<Sample<Interface>> all{
+        {"white", {white, {}}, true},
+        {"red", {red, {}}},
+        {"black", {{0, 0, 0}, {}}},
+        {"white mirror", {white, mirror}, true},
+        {"white glass", {white, glass}, true, true},
+        {"bubble", {white, with(glass, [](Phong& p) { std::swap(p.inside_ior, p.outside_ior); })}, true, true},
+        {"index one", {white, with(glass, [](Phong& p) { p.inside_ior = 1; })}, true, true},
+        {"green glass in water",
+         {{0.2f, 0.9f, 0.4f}, with(glass, [](Phong& p) { p.outside_ior = 1.33f; })},
+         false,
+         true},
+        {"glass without a mirror", {white, with(glass, [](Phong& p) { p.specular = {}; })}, false, true},
+        {"mirror without glass", {{0, 0, 0}, glass}},
+        {"frosted", {red, {white, red, grey, 20, 0.3f, 0.1f, 0.4f, 1.5f, 1}}, false, true},
+        {"highlight of exponent 0", {red, highlight(0)}},
+        {"highlight of exponent 0.5", {red, highlight(0.5f)}},
+        {"highlight alone", {{0, 0, 0}, highlight(10)}},
+        {"highlight of exponent 1e4", {red, highlight(1e4f)}, false, false, 0, true},
+        {"highlight of exponent 1e6", {red, highlight(1e6f)}, false, false, 0, true},
+        {"narrowest highlight", {red, highlight(3e38f)}, false, false, 0, true}};
+    for (const std::string_view name : names_of_presets()) {
+        const MaterialDescription m = *find_preset(name);
+        all.push_back({std::string(name), {m.base_color, m.phong}, false, m.phong.refraction > 0});
+    }
+    for (Sample<Interface>& s : all) s.sheds = s.material.rest.diffusion > 0 && !is_black(s.material.rest.specular);
     return all;
 }
 

@@ -74,20 +74,26 @@ TEST(Build, UnknownMaterialNamesPlaceAndNeighbour)
 {
     SceneDescription d = lit_sphere();
     d.spheres[0].material = "chlak";
-    EXPECT_EQ(error_of(d), "s.toml:9:1: error: unknown material 'chlak'; did you mean 'chalk'? known: chalk, lamp");
+    EXPECT_EQ(error_of(d),
+              "s.toml:9:1: error: unknown material 'chlak'; did you mean 'chalk'? known: chalk, lamp, white_plastic, "
+              "red_plastic, bronze, emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, "
+              "grey_metallic");
 }
 
-TEST(Build, UnknownMaterialWhereNoneIsKnown)
+TEST(Build, UnknownMaterialWhereOnlyPresetsAreKnown)
 {
     SceneDescription d;
     d.spheres.push_back(sphere_of({}, 1, "chalk", {"s.toml", 9, 1}));
-    EXPECT_EQ(error_of(d), "s.toml:9:1: error: unknown material 'chalk'");
+    const std::string known =
+        "; known: white_plastic, red_plastic, bronze, emerald, glass, black_matter, sand, mirror, blue_water, "
+        "grey_matter, steel, ruby, grey_metallic";
+    EXPECT_EQ(error_of(d), "s.toml:9:1: error: unknown material 'chalk'" + known);
     MeshDescription mesh = make_mesh(make_cube());
     mesh.where = {"s.toml", 5, 1};
     mesh.material = "stone";
     d.spheres.clear();
     d.meshes = {mesh};
-    EXPECT_EQ(error_of(d), "s.toml:5:1: error: unknown material 'stone'");
+    EXPECT_EQ(error_of(d), "s.toml:5:1: error: unknown material 'stone'" + known);
 }
 
 TEST(Build, AllErrorsAreReportedAtOnce)

@@ -76,6 +76,20 @@ TEST(MaterialBuilder, GlassHasItsIndex)
     EXPECT_EQ(glass.ior, 1.7f);
 }
 
+TEST(MaterialBuilder, InterfaceIsWhatItSaysWithTheBaseColourAsItsDiffuseOne)
+{
+    MaterialDescription m = description(MaterialType::interface);
+    m.phong = {.diffuse = {9, 9, 9}, .specular = {0.7f, 0.8f, 0.9f}, .shininess = 12, .reflexion = 0.5f};
+    const Interface made_of_it = made<Interface>(m);
+    expect_base(made_of_it.base);
+    EXPECT_EQ(made_of_it.rest.specular, m.phong.specular);
+    EXPECT_EQ(made_of_it.rest.shininess, 12);
+    EXPECT_EQ(made_of_it.rest.reflexion, 0.5f);
+    const Texture white = Checker{.even = {0.5f, 1, 1}, .odd = {0.5f, 1, 1}};
+    const std::vector<Texture> textures(2, white);
+    EXPECT_EQ(made_of_it.phong({.textures = textures.data()}).diffuse, (Color{0.05f, 0.2f, 0.3f}));
+}
+
 TEST(MaterialBuilder, RoughPlasticsOfOneIndexShareTheirTable)
 {
     MaterialBuilder builder({});
