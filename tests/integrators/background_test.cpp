@@ -52,6 +52,20 @@ TEST(Background, IsTheSameByLightSamplingByTheBsdfAndByBoth)
     same.add("fish-eye with a sun", picture, with_picture, path, 8, {1, 1, 4});
 }
 
+// Whoever renders which part in what order, and however large the scene is.
+TEST(Background, IsTheSameToTheBit)
+{
+    SceneDescription d = stage_under(SkyType::dawn, GroundType::checker);
+    d.background->glow = true;
+    d.lights = {light_of(LightType::point, {1, 2, 3}, {-3, 1, -4}), directional_of({1, 1, 1}, {0, -1, 3})};
+    RenderRequest request;
+    request.settings.integrator = Path{};
+    const Film film = render(d, request).film;
+    request.threads = 3, request.tile = 5, request.settings.kernel.batch = 7, request.spp = {5, 11};
+    EXPECT_TRUE(same_bits(film, render(d, request).film));
+    for (const int k : {-9, 8}) EXPECT_TRUE(same_bits(film, render(scaled_by(d, std::ldexp(1.0, k)), request).film));
+}
+
 // A furnace has the same bits whether its walls are an environment or a background.
 TEST(Background, OfOneColourIsAnEnvironmentToTheBit)
 {
