@@ -62,7 +62,7 @@ SceneDescription caustic()
     d.camera = make_camera({0, 15, 55}, {0, -3, 0}, 40);
     return d;
 }
-constexpr Tile caustic_region{68, 58, 76, 63};
+constexpr Tile caustic_region{70, 58, 78, 63};
 
 stats::Tally look_at_caustic(DirectLight how, uint32_t max_depth, uint32_t spp, uint64_t seed)
 {
