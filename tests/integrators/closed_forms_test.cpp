@@ -160,6 +160,38 @@ TEST(GlassBoundary, RefractsRadianceAndReflectsTotally)
     }
 }
 
+// A lamp seen in the surface of glass, from outside and from within, at all angles: the part that the exact equations
+// say, and all of it beyond the critical angle.
+TEST(GlassBoundary, ReflectsByTheFresnelEquationsFromEitherSide)
+{
+    SceneDescription d;
+    MaterialDescription glass = make_lambert("glass", {1, 1, 1});
+    glass.type = MaterialType::glass;
+    MaterialDescription lamp = make_emitter("lamp", {1, 1, 1});
+    lamp.emission_both_sides = true;
+    d.materials = {glass, lamp};
+    stats::Family family;
+    for (const double side : {1.0, -1.0})
+        for (const double angle_deg : {0.0, 15.0, 30.0, 40.0, 41.5, 42.0, 56.3, 70.0, 80.0, 85.0, 89.0, 89.9}) {
+            const double angle = angle_deg * std::numbers::pi / 180, cos = std::cos(angle);
+            d.planes = {plane_of({0, 0, 0}, {0, 1, 0}, "glass"), plane_of({0, 3 * side, 0}, {0, 1, 0}, "lamp")};
+            d.camera = make_camera({std::sin(angle), side * cos, 0}, {0, 0, 0}, 1e-4);
+            d.camera->up = {0, 0, 1};
+            const Film film = shoot(d, {.integrator = Path{.roulette_depth = no_roulette},
+                                        .width = 8,
+                                        .height = 8,
+                                        .spp = 1024,
+                                        .sampler = SamplerKind::independent});
+            const double r =
+                fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), side > 0 ? 1.5 : 1 / 1.5).reflectance;
+            const std::string what = (side > 0 ? "outside " : "inside ") + std::to_string(angle_deg);
+            if (r == 1)
+                expect_all_equal(film, {1, 1, 1}, 0, "total reflection, " + what);
+            else
+                family.add(stats::mean_p(tally(film), r, 2e-5), what);
+        }
+}
+
 // A pane of index 1 before the camera changes nothing: exactly where there is no noise.
 TEST(GlassPane, OfIndexOneIsNotSeen)
 {

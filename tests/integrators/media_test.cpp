@@ -126,6 +126,9 @@ TEST(Absorption, IsTheSameByAllWaysToFindLight)
     SceneDescription d;
     d.materials = {make_medium("water", 1, {0.3f, 0.8f, 1.5f}, 1), make_lambert("floor", {0.7f, 0.7f, 0.7f})};
     d.planes = {plane_of({0, 1, 0}, {0, 1, 0}, "water"), plane_of({0, -0.5, 0}, {0, 1, 0}, "floor")};
+    // Of no priority over the water, so not there: but it stops shadow rays, and only the BSDF finds what is behind.
+    d.materials.push_back(make_medium("gem", 2, {9, 9, 9}, 0));
+    d.spheres = {sphere_of({-0.2, -0.1, 0.2}, 0.35, "gem")};
     d.lights = {light_of(LightType::sphere, {7, 7, 7}, {0.2, 0.5, 0}, 0.4), sky_of({0.5f, 0.5f, 0.5f})};
     d.camera = make_camera({0, 1.5, 2}, {0, -0.3, 0}, 50);
     SameByAllWays same(0.05);

@@ -203,6 +203,36 @@ TEST_F(SceneMaterials, WhatIsNotSaidHasTheDefaultsOfItsType)
     }
 }
 
+TEST_F(SceneMaterials, MediaHaveAbsorptionAndAPriorityIfSaid)
+{
+    const SceneDescription s = scene(R"(
+[material.water]
+type = "glass"
+absorption = [0.4, 0.1, 0]
+priority = -2
+[material.plain]
+type = "glass"
+[[material_override]]
+match = "lake"
+type = "glass"
+absorption = 3
+priority = 1)");
+    EXPECT_EQ(s.materials.at(0).absorption, (Color{0.4f, 0.1f, 0}));
+    EXPECT_EQ(s.materials.at(0).priority, -2);
+    EXPECT_EQ(s.materials.at(1).absorption, Color{});
+    EXPECT_FALSE(s.materials.at(1).priority);
+    const MaterialDescription lake = s.overrides.at(0).change({});
+    EXPECT_EQ(lake.absorption, (Color{3, 3, 3}));
+    EXPECT_EQ(lake.priority, 1);
+    const MaterialDescription matt =
+        scene("[[material_override]]\nmatch = \"x\"\ntype = \"lambert\"").overrides.at(0).change(lake);
+    EXPECT_EQ(matt.absorption, Color{});
+    EXPECT_FALSE(matt.priority);
+    EXPECT_NE(problems("[material.a]\ntype = \"glass\"\nabsorption = [0, -1, 0]"), "");
+    EXPECT_NE(problems("[material.a]\ntype = \"glass\"\npriority = 1.5"), "");
+    EXPECT_NE(problems("[material.a]\ntype = \"mirror\"\npriority = 1"), "");
+}
+
 TEST_F(SceneMaterials, ATextureIsNotDimmedByANumberThatNobodySaid)
 {
     const SceneDescription s = scene(R"(
