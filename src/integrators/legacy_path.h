@@ -154,7 +154,8 @@ private:
             ray = soft_shadows ? to_sphere(v, *sphere, on_light, geometry, from_center)
                                : to_center(v, *sphere, geometry, from_center);
             if (!(geometry > 0)) return;
-            const ShadingPoint place{.uv = sphere_uv(from_center), .textures = scene.textures.data()};
+            ShadingPoint place{.textures = scene.textures.data()};
+            if (e.radiance.texture != no_texture) place.uv = sphere_uv(from_center);
             radiance = e.towards(true, place) * (geometry / pick.probability(id));
         } else {
             const auto sample = sample_light(scene, v.surface, u, on_light);
