@@ -14,7 +14,7 @@ struct Surface {
     Vec3 p_error;  // bound of p's rounding error, per axis: what offset_origin() wants
     Vec3 n;        // geometric, unit, on the side the ray came from
     Vec3 ns;       // shading, unit, in the hemisphere of n and turned towards the ray
-    Vec3 origin;   // where rays to the side of n start, before their offset: p, or with the terminator fix above it
+    Vec3 origin;   // where rays to the side of n start: p, or with the terminator fix above it, off its rounding
     Vec3 side;     // what decides on which side of the surface a direction is: n, or with the terminator fix ns
     bool front;    // the ray came from the side the geometric normal of the shape points to
     uint32_t material;
@@ -37,7 +37,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
 // Where a ray in direction w starts, off the surface by its rounding.
 inline Vec3 ray_origin(const Surface& s, Vec3 w)
 {
-    return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : offset_origin(s.origin, s.p_error, s.n, s.n);
+    return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : s.origin;
 }
 
 // Texture coordinates of a sphere: longitude and latitude, both to [0, 1]; u grows from -z over -x, +z and +x, v from
