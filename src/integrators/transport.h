@@ -103,19 +103,20 @@ std::optional<State> scatter(const V& view, const State& s, const Surface& surfa
                              const B& bsdf, const Sampler& sampler)
 {
     const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
-    if (!b || is_black(b->weight)) return {};
+    std::optional<State> n;
+    if (!b || is_black(b->weight)) return n;
     const Vec3 wi = normalize(frame.to_world(b->wi));
-    if (!sides_agree(surface, wi, b->wi)) return {};
-    State n = s;
-    n.ray = {.org = ray_origin(surface, wi), .dir = wi};
-    n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
-    n.throughput *= b->weight;
-    n.pdf = b->pdf;
-    n.normal = surface.ns;
-    n.eta_scale *= b->eta * b->eta;
-    n.specular = b->delta;
-    n.cone = scattered(s.cone, surface.t, *b);
-    ++n.depth;
+    if (!sides_agree(surface, wi, b->wi)) return n;
+    n = s;
+    n->ray = {.org = ray_origin(surface, wi), .dir = wi};
+    n->ray.key = view.ray_key(sampler, n->depth + 1, Dim::hole);
+    n->throughput *= b->weight;
+    n->pdf = b->pdf;
+    n->normal = surface.ns;
+    n->eta_scale *= b->eta * b->eta;
+    n->specular = b->delta;
+    n->cone = scattered(s.cone, surface.t, *b);
+    ++n->depth;
     return n;
 }
 

@@ -10,14 +10,6 @@ namespace {
 
 Vec3 scaled(Vec3 v, float s) { return v * s; }
 
-// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
-// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
-Vec3 rounding_in_double(float reach)
-{
-    const float e = reach * 0x1p-40f;
-    return {e, e, e};
-}
-
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
@@ -187,11 +179,6 @@ Vec2 sphere_uv(Vec3 n)
     const double x = static_cast<double>(n.x), y = static_cast<double>(n.y), z = static_cast<double>(n.z);
     return {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
             static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
-}
-
-Vec3 sphere_point_error(const Sphere& s, Vec3 p)
-{
-    return scaled(abs(p), gamma(4)) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
 }
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
