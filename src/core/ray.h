@@ -1,6 +1,7 @@
 // A ray, and where the next one starts.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -36,20 +37,27 @@ constexpr float gamma(int n)
     return nu / (1 - nu);
 }
 
+// The next float beyond x in the direction of the sign of `by`; x itself where that is 0. std::nextafter() without its
+// branches on signs, which no processor can predict where rays go all ways.
+inline float next_towards(float x, float by)
+{
+    if (by == 0) return x;
+    if (x == 0 || !(std::abs(x) < std::numeric_limits<float>::infinity()))
+        return std::nextafter(x, std::copysign(std::numeric_limits<float>::infinity(), by));
+    const int32_t bits = std::bit_cast<int32_t>(x);
+    const int32_t outwards = ((bits ^ std::bit_cast<int32_t>(by)) >> 31) | 1;  // -1 where x and by differ in sign
+    return std::bit_cast<float>(bits + outwards);
+}
+
 // Origin of a ray that leaves a surface towards w: p moved along n by the bound `error` (absolute, per axis) of p's
 // own rounding, then to the next number outwards. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
 // section 6.8.6. n is unit; w decides the side.
 inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 w)
 {
     const float d = dot(abs(n), error);
-    const Vec3 offset = dot(w, n) < 0 ? n * -d : n * d;
-    const auto away = [](float x, float by) {
-        const float moved = x + by;
-        if (by > 0) return std::nextafter(moved, std::numeric_limits<float>::infinity());
-        if (by < 0) return std::nextafter(moved, -std::numeric_limits<float>::infinity());
-        return moved;
-    };
-    return {away(p.x, offset.x), away(p.y, offset.y), away(p.z, offset.z)};
+    const Vec3 offset = n * (dot(w, n) < 0 ? -d : d);
+    return {next_towards(p.x + offset.x, offset.x), next_towards(p.y + offset.y, offset.y),
+            next_towards(p.z + offset.z, offset.z)};
 }
 
 }  // namespace lancer

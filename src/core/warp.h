@@ -2,6 +2,9 @@
 // Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "core/vec.h"
 
 namespace lancer {
@@ -20,16 +23,13 @@ inline SinCos sin_cos_2pi(float u)
     const float s = a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
     const float c =
         1 - 0.5f * a2 + a2 * a2 * (4.166664568298827e-2f + a2 * (-1.388731625493765e-3f + a2 * 2.443315711809948e-5f));
-    switch (static_cast<int>(q) & 3) {
-        case 0:
-            return {s, c};
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        default:
-            return {-c, s};
-    }
+    // Which of them, and with which sign: without a jump, as nothing could predict it.
+    const auto quadrant = static_cast<uint32_t>(static_cast<int>(q));
+    const bool odd = quadrant & 1;
+    const auto negated = [](float x, uint32_t bit) {
+        return std::bit_cast<float>(std::bit_cast<uint32_t>(x) ^ (bit << 31));
+    };
+    return {negated(odd ? c : s, quadrant >> 1 & 1), negated(odd ? s : c, (quadrant + 1) >> 1 & 1)};
 }
 
 // Unit disk, uniform: Shirley and Chiu's concentric map.

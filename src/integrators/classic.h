@@ -65,7 +65,8 @@ private:
     }
     std::optional<State> sent(const std::optional<BsdfSample>& b) const
     {
-        return send_on(view_, s_, surface_, frame_, b, sampler_);
+        State n = s_;
+        return send_on(view_, s_, n, surface_, frame_, b, sampler_) ? std::optional(n) : std::nullopt;
     }
     void add_light(const std::optional<LightSample>& light, Color throughput, uint32_t key, Steps& steps) const
     {

@@ -72,6 +72,16 @@ public:
         if (!is_traceable(state.ray)) return spoil();
         queue_.next.push_back(state);
     }
+    // A next ray that is still to be written: a copy of `from` for f to change. f says whether it shall go on.
+    template <class F>
+    void next_from(const State& from, F&& f)
+    {
+        State& n = queue_.next.emplace_back(from);
+        const bool goes_on = f(n);
+        if (goes_on && is_traceable(n.ray)) return;
+        queue_.next.pop_back();
+        if (goes_on) spoil();
+    }
 
 private:
     // A ray that is not a number spoils its sample: dropped and counted in the end, never silently black.

@@ -97,15 +97,14 @@ inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
     return {cone.width + cone.spread * t, std::min(1.0f, std::max(cone.spread, opened))};
 }
 
-// The ray that a sample of the BSDF sends on, or nothing if there is none or the surface keeps it.
+// Makes of n, a copy of s, the ray that a sample of the BSDF sends on; false if there is none or the surface keeps it.
 template <class V>
-std::optional<State> send_on(const V& view, const State& s, const Surface& surface, const Frame& frame,
-                             const std::optional<BsdfSample>& b, const Sampler& sampler)
+bool send_on(const V& view, const State& s, State& n, const Surface& surface, const Frame& frame,
+             const std::optional<BsdfSample>& b, const Sampler& sampler)
 {
-    if (!b || is_black(b->weight)) return {};
+    if (!b || is_black(b->weight)) return false;
     const Vec3 wi = normalize(frame.to_world(b->wi));
-    if (!sides_agree(surface, wi, b->wi)) return {};
-    State n = s;
+    if (!sides_agree(surface, wi, b->wi)) return false;
     n.ray = {.org = ray_origin(surface, wi), .dir = wi};
     n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
@@ -115,16 +114,16 @@ std::optional<State> send_on(const V& view, const State& s, const Surface& surfa
     n.specular = b->delta;
     n.cone = scattered(s.cone, surface.t, *b);
     ++n.depth;
-    return n;
+    return true;
 }
 
-// The ray that the BSDF sends on, or nothing if it absorbs.
+// The same with the BSDF's own choice; false if it absorbs.
 template <class V, class B>
-std::optional<State> scatter(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo,
-                             const B& bsdf, const Sampler& sampler)
+bool scatter(const V& view, const State& s, State& n, const Surface& surface, const Frame& frame, Vec3 wo,
+             const B& bsdf, const Sampler& sampler)
 {
     const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
-    return send_on(view, s, surface, frame, b, sampler);
+    return send_on(view, s, n, surface, frame, b, sampler);
 }
 
 // Russian roulette on the energy that the path still carries. The first vertices are spared: on bright scenes ending
@@ -150,10 +149,12 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
         sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
-        auto n = scatter(view, s, surface, frame, wo, bsdf, sampler);
-        if (!n || !survives_roulette(*n, sampler, roulette_depth)) return;
-        n->last = is_last(*n);
-        steps.next(*n);
+        steps.next_from(s, [&](State& n) {
+            if (!scatter(view, s, n, surface, frame, wo, bsdf, sampler)) return false;
+            if (!survives_roulette(n, sampler, roulette_depth)) return false;
+            n.last = is_last(n);
+            return true;
+        });
     });
 }
 

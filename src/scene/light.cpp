@@ -56,22 +56,25 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     const Emission& emission = scene.emission[material];
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
-    const auto at = [&](Vec3d n, Vec3 wi, float pdf) {
+    const auto sample_at = [&](Vec3d n, Vec3 wi, float pdf) {
         const Vec3 point = to_float(s.center + n * s.radius);
         const ShadingPoint place = point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(n)) : Vec2{});
-        return LightSample{.wi = wi,
-                           .point = point,
-                           .p_error = sphere_point_error(s, point),
-                           .n = to_float(n),
-                           .radiance = emission.towards(true, place) * opacity_at(scene, material, place),
-                           .pdf = pdf};
+        // In place: what is copied as a whole right after it was written in parts waits for all that came before.
+        std::optional<LightSample> at(std::in_place);
+        at->wi = wi;
+        at->point = point;
+        at->p_error = sphere_point_error(s, point);
+        at->n = to_float(n);
+        at->radiance = emission.towards(true, place) * opacity_at(scene, material, place);
+        at->pdf = pdf;
+        return at;
     };
     if (d2 <= r2) {
         if (!emission.both_sides) return {};
         const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
         const double l2 = dot(d, d), c = dot(d, n);
         if (!(l2 > 0) || !(c > 0)) return {};
-        return at(n, to_float(d / std::sqrt(l2)), static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2)));
+        return sample_at(n, to_float(d / std::sqrt(l2)), static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2)));
     }
     const double max = one_minus_cos(r2 / d2), v = square_to_cone(u.x, max);
     const double cos_theta = 1 - v, sin2_theta = v * (2 - v), d = std::sqrt(d2);
@@ -81,7 +84,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
         to_double(frame.x) * static_cast<double>(phi.cos) + to_double(frame.y) * static_cast<double>(phi.sin);
     const Vec3d w = to_center / d * cos_theta + side * std::sqrt(sin2_theta);
     const double t = d * cos_theta - std::sqrt(std::max(0.0, r2 - d2 * sin2_theta));
-    return at(normalize(w * t - to_center), to_float(normalize(w)), static_cast<float>(pdf_cone(max)));
+    return sample_at(normalize(w * t - to_center), to_float(normalize(w)), static_cast<float>(pdf_cone(max)));
 }
 
 // A constant sky: by the cosine at the surface, which is all that varies.
@@ -136,9 +139,9 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     auto s = sampled_from(from.n);
     if (s && dot(s->wi, from.side) < 0 && through) {
         s = sampled_from(-from.n);
-        if (s && dot(s->wi, from.side) >= 0) return {};
+        if (s && dot(s->wi, from.side) >= 0) s.reset();
     } else if (s && dot(s->wi, from.side) <= 0) {
-        return {};
+        s.reset();
     }
     return s;
 }

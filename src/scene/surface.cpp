@@ -10,14 +10,6 @@ namespace {
 
 Vec3 scaled(Vec3 v, float s) { return v * s; }
 
-// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
-// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
-Vec3 rounding_in_double(float reach)
-{
-    const float e = reach * 0x1p-40f;
-    return {e, e, e};
-}
-
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
@@ -201,11 +193,6 @@ Vec2 sphere_uv(Vec3 n)
             static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
 }
 
-Vec3 sphere_point_error(const Sphere& s, Vec3 p)
-{
-    return scaled(abs(p), gamma(4)) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
-}
-
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
 {
     Surface s;
@@ -272,12 +259,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     // A normal may face away from the ray although the surface does not: mirrored about the silhouette, which is
     // continuous there and keeps it in the hemisphere of n.
     if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));
-    s.origin = s.p;
+    s.origin = offset_origin(s.p, s.p_error, s.n, s.n);
     s.side = s.n;
     if (s.ns == s.n) return s;
     if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
     if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
-        s.origin = shading_origin(scene, hit, s.p);
+        s.origin = offset_origin(shading_origin(scene, hit, s.p), s.p_error, s.n, s.n);
         s.side = s.ns;
     }
     return s;

@@ -14,7 +14,7 @@ struct Surface {
     Vec3 p_error;  // bound of p's rounding error, per axis: what offset_origin() wants
     Vec3 n;        // geometric, unit, on the side the ray came from
     Vec3 ns;       // shading, unit, in the hemisphere of n and turned towards the ray
-    Vec3 origin;   // where rays to the side of n start, before their offset: p, or with the terminator fix above it
+    Vec3 origin;   // where rays to the side of n start: p, or with the terminator fix above it, off its rounding
     Vec3 side;     // what decides on which side of the surface a direction is: n, or with the terminator fix ns
     bool front;    // the ray came from the side the geometric normal of the shape points to
     uint32_t material;
@@ -47,15 +47,26 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
 // Where a ray in direction w starts, off the surface by its rounding.
 inline Vec3 ray_origin(const Surface& s, Vec3 w)
 {
-    return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : offset_origin(s.origin, s.p_error, s.n, s.n);
+    return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : s.origin;
 }
 
 // Texture coordinates of a sphere: longitude and latitude, both to [0, 1]; u grows from -z over -x, +z and +x, v from
 // -y to +y. n: unit, outwards.
 Vec2 sphere_uv(Vec3 n);
 
+// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
+// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
+inline Vec3 rounding_in_double(float reach)
+{
+    const float e = reach * 0x1p-40f;
+    return {e, e, e};
+}
+
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
-Vec3 sphere_point_error(const Sphere& sphere, Vec3 p);
+inline Vec3 sphere_point_error(const Sphere& s, Vec3 p)
+{
+    return abs(p) * gamma(4) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
+}
 
 // A point of a triangle and what light sampling needs to know there.
 struct TrianglePoint {
