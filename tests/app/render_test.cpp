@@ -91,6 +91,22 @@ TEST_F(Render, TheCommandLineGoesBeforeTheSceneAndTheSceneBeforeDefaults)
     EXPECT_EQ(metadata("a.exr", "bias"), "none");
 }
 
+// Of integrators with a depth of their own the picture tells the depth that it really has.
+TEST_F(Render, TheLedgerTellsTheDepthThatTheIntegratorKeptTo)
+{
+    for (const std::string name : {"whitted", "random-decision"}) {
+        ASSERT_EQ(run({"scene.toml", "-o", "a.exr", "-s", "1", "--integrator", name}).code, 0);
+        EXPECT_EQ(metadata("a.exr", "max_depth"), "7");
+        EXPECT_EQ(metadata("a.exr", "bias"), "no_diffuse_bounces, straight_shadows, max_depth=7");
+        ASSERT_EQ(
+            run({"scene.toml", "-o", "a.exr", "-s", "1", "--integrator", name, "--max-depth", "3", "--legacy"}).code,
+            0);
+        EXPECT_EQ(metadata("a.exr", "bias"), "no_diffuse_bounces, straight_shadows, max_depth=3, legacy");
+    }
+    ASSERT_EQ(run({"scene.toml", "-o", "a.exr", "-s", "1", "--integrator", "path"}).code, 0);
+    EXPECT_EQ(metadata("a.exr", "max_depth"), "0");
+}
+
 TEST_F(Render, SwitchesChangeTheNoiseNotTheMean)
 {
     ASSERT_EQ(render({"-o", "both.exr", "-s", "256"}).code, 0);

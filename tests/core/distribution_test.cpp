@@ -26,6 +26,31 @@ TEST(Discrete, DrawsInProportionToTheWeights)
     EXPECT_GT(chi_square_test(observed, expected).p, 0.01);
 }
 
+TEST(Discrete, DrawsAmongTheLastInProportionToTheirWeights)
+{
+    const std::vector<double> weights{3, 1e6, 1, 0, 10, 0.5, 0};
+    const Discrete d(weights);
+    for (uint32_t first = 0; first < 6; ++first) {
+        double rest = 0;
+        for (uint32_t i = first; i < weights.size(); ++i) rest += weights[i];
+        constexpr int n = 100000;
+        std::vector<uint64_t> observed(weights.size());
+        std::vector<double> expected;
+        Random random(53 + first);
+        for (int i = 0; i < n; ++i) {
+            const Discrete::Choice c = d.sample_from(first, random.unit());
+            ++observed[c.index];
+            EXPECT_NEAR(c.probability, weights[c.index] / rest, 1e-6);
+        }
+        for (uint32_t i = 0; i < weights.size(); ++i) {
+            expected.push_back(i < first ? 0 : n * weights[i] / rest);
+            if (expected[i] == 0) EXPECT_EQ(observed[i], 0u) << i << " from " << first;
+        }
+        EXPECT_GT(chi_square_test(observed, expected).p, 0.001) << first;
+    }
+    EXPECT_EQ(d.sample_from(6, 0.5).probability, 0) << "these weigh nothing";
+}
+
 TEST(Discrete, NeverDrawsAnIndexWithoutWeightAtEitherEnd)
 {
     constexpr float last = 1 - 0x1p-24f;
