@@ -31,7 +31,7 @@ void hit_in_media(const View& view, State& s, Surface& surface, Queue& queue, St
     s.throughput *= c.here.transmittance(media, surface.t);
     if (c.absent) return steps.next(passed(s, surface, c.beyond));
     surface.eta = c.eta;
-    const size_t rays = queue.next.size(), shadows = queue.shadows.size();
+    const size_t rays = queue.next.size(), shadows = queue.shadows.size(), tinted = queue.tinted_shadows.size();
     hit();
     const auto medium_towards = [&](Vec3 w) { return dot(w, surface.side) < 0 ? c.beyond : c.here; };
     for (size_t i = rays; i < queue.next.size(); ++i) queue.next[i].media = medium_towards(queue.next[i].ray.dir);
@@ -39,6 +39,22 @@ void hit_in_media(const View& view, State& s, Surface& surface, Queue& queue, St
         const Ray& ray = queue.shadow_rays[i];
         queue.shadows[i].radiance *= medium_towards(ray.dir).transmittance(media, ray.t_max);
     }
+    for (size_t i = tinted; i < queue.tinted_shadows.size(); ++i)
+        queue.tinted_shadows[i].media = medium_towards(queue.tinted_shadows[i].ray.dir);
+}
+
+// The part of a shadow ray's light that goes on beyond a surface. `in` becomes what the ray is in there; through(): what
+// the integrator says of `surface`, which is changed before.
+template <class F>
+Color shadow_in_media(const View& view, MediumStack& in, Surface& surface, const F& through)
+{
+    const std::vector<Medium>& media = view.scene.media;
+    const Boundary c = cross(media, in, view.scene.traits[surface.material].medium, surface.front);
+    const Color part = c.here.transmittance(media, surface.t);
+    in = c.beyond;
+    if (c.absent) return part;
+    surface.eta = c.eta;
+    return part * through();
 }
 
 // Of a ray that left the scene.

@@ -40,6 +40,7 @@ struct Queue {
         Color radiance;  // if nothing more is in between
         Color light;     // what is left of the light's own colour, likewise
         uint32_t slot;
+        MediumStack media{};  // that it is in
     };
     std::vector<Ray> shadow_rays;
     std::vector<Shadow> shadows;  // parallel to shadow_rays

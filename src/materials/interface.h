@@ -169,6 +169,7 @@ struct Interface {
     {
         Phong all = rest;
         all.diffuse = p.eval(base);
+        if (p.eta > 0) all.inside_ior = p.inner_over_outer(1), all.outside_ior = 1;
         return all;
     }
 };

@@ -7,21 +7,9 @@
 #include "integrators/media.h"
 #include "render/aov.h"
 #include "render/kernels.h"
+#include "render/tinted_shadows.h"
 
 namespace lancer {
-
-// An integrator whose shadow rays go through what lets light pass: through() says which part of it, and black ends the
-// ray. So does a light of which so little is left that is_spent(): that little arrives.
-template <class Integrator>
-concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s, const Color light)
-{
-    {
-        i.through(v, r, s)
-        } -> std::same_as<Color>;
-    {
-        i.is_spent(light)
-        } -> std::same_as<bool>;
-};
 
 // Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
 template <class Integrator>
@@ -31,46 +19,6 @@ uint32_t batch_of(const KernelSettings& settings)
         return std::min(settings.batch, 16u);
     else
         return settings.batch;
-}
-
-// Follows the tinted shadow rays from surface to surface, all of them one surface further in each round.
-template <class Integrator, class Listener>
-void trace_tinted_shadows(const View& view, const Accelerator& accel, const Integrator& integrator, Workspace& w,
-                          Counters& counters, const Listener& listener)
-{
-    std::vector<Queue::TintedShadow>& shadows = w.queue.tinted_shadows;
-    while (!shadows.empty()) {
-        w.rays.clear();
-        for (const Queue::TintedShadow& s : shadows) w.rays.push_back(s.ray);
-        w.hits.resize(w.rays.size());
-        accel.closest(w.rays, w.hits, Coherence::incoherent);
-        counters.shadow_rays += w.rays.size();
-        size_t kept = 0;
-        for (size_t i = 0; i < shadows.size(); ++i) {
-            Queue::TintedShadow s = shadows[i];
-            if (w.hits[i]) {
-                const Surface surface = view.surface_at(s.ray, w.hits[i], {});
-                const Color part = integrator.through(view, s.ray, surface);
-                s.radiance *= part;
-                s.light *= part;
-                if (is_black(s.radiance)) {
-                    listener.shadow(s.ray, s.radiance, true);
-                    continue;
-                }
-                // As far as before: what the new origin is off the surface counts, or the ray might meet its light.
-                const Vec3 org = ray_origin(surface, s.ray.dir);
-                s.ray.t_max -= dot(org - s.ray.org, s.ray.dir);
-                s.ray.org = org;
-                if (!integrator.is_spent(s.light) && s.ray.t_max > s.ray.t_min) {
-                    shadows[kept++] = s;
-                    continue;
-                }
-            }
-            listener.shadow(s.ray, s.radiance, false);
-            w.queue.radiance[s.slot] += s.radiance;
-        }
-        shadows.resize(kept);
-    }
 }
 
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.

@@ -1,0 +1,68 @@
+// Shadow rays that go through what lets light pass, and are tinted by it.
+#pragma once
+
+#include <concepts>
+
+#include "geometry/accel.h"
+#include "integrators/media.h"
+#include "render/workspace.h"
+
+namespace lancer {
+
+// An integrator whose shadow rays go through what lets light pass: through() says which part of it, and black ends the
+// ray. So does a light of which so little is left that is_spent(): that little arrives.
+template <class Integrator>
+concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s, const Color light)
+{
+    {
+        i.through(v, r, s)
+        } -> std::same_as<Color>;
+    {
+        i.is_spent(light)
+        } -> std::same_as<bool>;
+};
+
+// Follows the tinted shadow rays from surface to surface, all of them one surface further in each round.
+template <class Integrator, class Listener>
+void trace_tinted_shadows(const View& view, const Accelerator& accel, const Integrator& integrator, Workspace& w,
+                          Counters& counters, const Listener& listener)
+{
+    std::vector<Queue::TintedShadow>& shadows = w.queue.tinted_shadows;
+    const bool has_media = !view.scene.media.empty();
+    while (!shadows.empty()) {
+        w.rays.clear();
+        for (const Queue::TintedShadow& s : shadows) w.rays.push_back(s.ray);
+        w.hits.resize(w.rays.size());
+        accel.closest(w.rays, w.hits, Coherence::incoherent);
+        counters.shadow_rays += w.rays.size();
+        size_t kept = 0;
+        for (size_t i = 0; i < shadows.size(); ++i) {
+            Queue::TintedShadow s = shadows[i];
+            if (w.hits[i]) {
+                Surface surface = view.surface_at(s.ray, w.hits[i], {});
+                const auto through = [&] { return integrator.through(view, s.ray, surface); };
+                const Color part = has_media ? shadow_in_media(view, s.media, surface, through) : through();
+                s.radiance *= part;
+                s.light *= part;
+                if (is_black(s.radiance)) {
+                    listener.shadow(s.ray, s.radiance, true);
+                    continue;
+                }
+                // As far as before: what the new origin is off the surface counts, or the ray might meet its light.
+                const Vec3 org = ray_origin(surface, s.ray.dir);
+                s.ray.t_max -= dot(org - s.ray.org, s.ray.dir);
+                s.ray.org = org;
+                if (!integrator.is_spent(s.light) && s.ray.t_max > s.ray.t_min) {
+                    shadows[kept++] = s;
+                    continue;
+                }
+            }
+            if (has_media) s.radiance *= s.media.transmittance(view.scene.media, s.ray.t_max);
+            listener.shadow(s.ray, s.radiance, false);
+            w.queue.radiance[s.slot] += s.radiance;
+        }
+        shadows.resize(kept);
+    }
+}
+
+}  // namespace lancer
