@@ -115,24 +115,45 @@ TEST(Whitted, FollowsTwoMirrorsFacingEachOther)
     expect_all_equal(shoot(d, shot), {0, 0, 0}, 0, "the course sends no ray on from the last vertex");
 }
 
-// Roulette of faint branches keeps the mean: a sky seen through so many dark panes that most branches end.
-TEST(Whitted, KeepsTheMeanOfFaintBranches)
+// A sky behind so many dark panes that little is left of it. Half of what meets a pane is reflected, into the dark.
+SceneDescription behind_panes(int panes)
 {
     SceneDescription d;
-    MaterialDescription pane = make_interface(
-        "pane", {.diffuse = {0.3f, 0.3f, 0.3f}, .diffusion = 0, .refraction = 1, .inside_ior = 1, .outside_ior = 1});
-    d.materials = {pane};
-    for (int i = 0; i < 6; ++i) d.planes.push_back(plane_of({0, 0, -1.0 * i}, {0, 0, 1}, "pane"));
+    d.materials = {make_interface("pane", {.diffuse = {0.3f, 0.3f, 0.3f},
+                                           .diffusion = 0,
+                                           .reflexion = 0.5f,
+                                           .refraction = 0.5f,
+                                           .inside_ior = 1,
+                                           .outside_ior = 1})};
+    for (int i = 0; i < panes; ++i) d.planes.push_back(plane_of({0, 0, -1.0 * i}, {0, 0, 1}, "pane"));
     d.lights.push_back(sky_of({1, 1, 1}));
     d.camera = make_camera({0, 0, 3}, {0, 0, 0}, 20);
+    return d;
+}
+
+// By roulette, for most of them end.
+TEST(Whitted, KeepsTheMeanOfFaintBranches)
+{
     const double expected = std::pow(0.3, 6);
     ASSERT_LT(expected, 0.003);
-    const stats::Tally t = tally(shoot(
-        d, {.integrator = Whitted{}, .width = 16, .height = 16, .spp = 256, .sampler = SamplerKind::independent}));
+    const Shot shot{
+        .integrator = Whitted{}, .width = 16, .height = 16, .spp = 256, .sampler = SamplerKind::independent};
+    const stats::Tally t = tally(shoot(behind_panes(6), shot));
     EXPECT_LT(t.error(), 0.02 * expected);
     EXPECT_GT(stats::mean_p(t, expected, 1e-5), 0.01);
-    const Film course = shoot_classic(d, Whitted{}, true, {.width = 2, .height = 2});
-    expect_all_equal(course, {0, 0, 0}, 0, "the course drops them");
+}
+
+// And so must the one who takes but one of the ways, although nothing of its light is lost on it.
+TEST(CourseTree, DropsFaintBranches)
+{
+    for (const int panes : {2, 4}) {
+        const float part = std::pow(0.15f, static_cast<float>(panes)), expected = part < 0.003f ? 0 : part;
+        const Film tree = shoot_classic(behind_panes(panes), Whitted{}, true, {.width = 2, .height = 2});
+        expect_all_equal(tree, {expected, expected, expected}, 1e-5f, "tree");
+        const Film walk = shoot_classic(behind_panes(panes), RandomDecision{}, true,
+                                        {.width = 8, .height = 8, .spp = 256, .sampler = SamplerKind::independent});
+        EXPECT_GT(stats::mean_p(tally(walk), static_cast<double>(expected)), 0.01) << panes;
+    }
 }
 
 // Each of the thirteen materials as a ball in a tile of its own, among the others.

@@ -1,6 +1,7 @@
 // The same pixels, to the last bit of the film's sums, however the work is cut up.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "support/render.h"
@@ -31,7 +32,9 @@ struct Case {
 
     std::string name() const
     {
-        return std::string(scene) + "_" + std::visit([](const auto& i) { return std::string(i.name); }, integrator);
+        std::string name = std::visit([](const auto& i) { return std::string(i.name); }, integrator);
+        std::replace(name.begin(), name.end(), '-', '_');
+        return std::string(scene) + "_" + name;
     }
     friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name(); }
 };
