@@ -54,15 +54,15 @@ TEST_F(SceneMistakes, UnknownKeys)
           "6:1: error: unknown key 'name' in [[instance]]; known: mesh, translate, rotate, scale"},
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, material_override, "
-          "texture"},
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
+          "material_override, texture"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, material_override, "
-          "texture"},
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
+          "material_override, texture"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
-          "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, material, "
+          "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
           "material_override, texture"}});
 }
 
