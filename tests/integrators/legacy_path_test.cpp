@@ -198,6 +198,19 @@ TEST(LegacyPath, ALightThatIsSeenHasItsIntensityAlsoInMirrorsButNotThroughGlass)
     behind_glass.materials[0].name = "glass";
     behind_glass.spheres.push_back(sphere_of({0, 0, 0}, 1, "glass"));
     expect_all_equal(shoot_room(behind_glass, direct, 4), {}, 0, "through glass");
+
+    // There it is a white ball, which shows the light of the floor below it in the floor's colour.
+    behind_glass.materials.push_back(make_lambert("floor", {1, 0.5f, 0.25f}));
+    behind_glass.planes.push_back(plane_of({0, -4, 0}, {0, 1, 0}, "floor"));
+    LegacyPath all = direct;
+    all.indirect = true;
+    all.fresnel = false;
+    all.max_depth = 4;  // the glass twice, the ball, the floor
+    Color sum;
+    for (const Pixel& p : shoot_room(behind_glass, all, 16).pixels) sum += p.mean();
+    EXPECT_GT(sum.r, 0);
+    EXPECT_NEAR(sum.g / sum.r, 0.5f * 3 / 2, 1e-3f);
+    EXPECT_NEAR(sum.b / sum.r, 0.25f * 4 / 2, 1e-3f);
 }
 
 // How often glass reflects, and where its rays start.
