@@ -1,5 +1,6 @@
 #include "app/settings.h"
 
+#include "app/console.h"
 #include "core/names.h"
 #include "core/parallel.h"
 
@@ -42,6 +43,7 @@ Settings settings_of_scene(const RenderDescription& scene)
     s.spp = scene.spp.value_or(s.spp);
     s.seed = scene.seed.value_or(s.seed);
     s.max_depth = scene.max_depth.value_or(s.max_depth);
+    s.stop_error = scene.stop_error.value_or(s.stop_error);
     s.switches.take(scene.switches);
     return s;
 }
@@ -55,6 +57,7 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.crop = {0, 0, s.width, s.height};
     s.seed = o.seed.value_or(s.seed);
     s.max_depth = o.max_depth.value_or(s.max_depth);
+    s.stop_error = o.stop_error.value_or(s.stop_error);
     s.integrator = o.integrator.value_or(s.integrator);
     s.sampler = o.sampler.value_or(s.sampler);
     s.filter = o.filter.value_or(s.filter);
@@ -77,6 +80,9 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
     constexpr FilterKind filters[] = {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris};
     r.kernel.filter = Filter(filters[index_of(filter_names, s.filter)]);
     r.kernel.batch = batch;
+    r.kernel.stop = stop_rule(s.integrator, s.switches);
+    r.kernel.stop_error = s.stop_error;
+    r.kernel.clamp = clamps_samples(s.integrator, s.switches);
     return r;
 }
 
@@ -89,6 +95,7 @@ std::string reproducing_options(const Settings& s)
     for (size_t i = 0; i < switch_names.size(); ++i)
         if (const auto x = static_cast<Switch>(i); s.switches[x] != Switches::default_of(x))
             text += " --set " + std::string(switch_names[i]) + (s.switches[x] ? "=true" : "=false");
+    if (s.switches[Switch::stop]) text += " --stop-error " + shortest(s.stop_error);
     return text;
 }
 

@@ -16,9 +16,13 @@ namespace lancer {
 
 class InterfaceBsdf {
 public:
-    // front: the path arrives from the side of the geometric normal.
-    InterfaceBsdf(const Phong& p, bool front)
-        : diffuse_(p.diffuse * p.diffusion), gloss_(p.specular * p.diffusion), shininess_(p.shininess)
+    // front: the path arrives from the side of the geometric normal; without fresnel what refracts reflects only what
+    // is reflected totally.
+    InterfaceBsdf(const Phong& p, bool front, bool fresnel = true)
+        : diffuse_(p.diffuse * p.diffusion),
+          gloss_(p.specular * p.diffusion),
+          shininess_(p.shininess),
+          fresnel_(fresnel)
     {
         refracts_ = p.refraction > 0;
         const float boundary = p.reflexion + p.refraction;
@@ -36,7 +40,7 @@ public:
     static constexpr bool transmits() { return false; }
     Color reflectance() const
     {
-        const float f = refracts_ ? fresnel_dielectric(1.0f, eta_).reflectance : 1;
+        const float f = boundary({0, 0, 1}).reflectance;
         return diffuse_ + gloss_ + mirror_ * f + through_ * (1 - f);
     }
 
@@ -93,7 +97,12 @@ private:
                 max_component(through_) * (1 - f.reflectance)};
     }
     // What refracts not reflects all that its mirror gets.
-    Fresnel boundary(Vec3 wo) const { return refracts_ ? fresnel_dielectric(wo, eta_) : Fresnel{1, 0}; }
+    Fresnel boundary(Vec3 wo) const
+    {
+        if (!refracts_) return {1, 0};
+        const Fresnel f = fresnel_dielectric(wo, eta_);
+        return fresnel_ ? f : only_refracting(f);
+    }
 
     BsdfSample reflected(Vec3 wo, const Fresnel& f) const
     {
@@ -129,7 +138,7 @@ private:
 
     Color diffuse_, gloss_, mirror_, through_{};
     float shininess_, eta_;
-    bool refracts_;
+    bool refracts_, fresnel_;
 };
 static_assert(Bsdf<InterfaceBsdf>);
 

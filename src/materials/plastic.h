@@ -97,7 +97,7 @@ struct Plastic {
     PlasticBsdf at(const ShadingPoint& p) const
     {
         const float alpha = coat ? alpha_of_roughness(p.eval(roughness)) : 0;
-        return {p.eval(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
+        return {p.base(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
     }
     Phong phong(const ShadingPoint& p) const
     {
@@ -105,7 +105,7 @@ struct Plastic {
         const float reflected = fresnel_dielectric(1.0f, ior).reflectance;
         // The coat's part, as a highlight as far as it is rough and as a mirror for the rest.
         const float diffusion = 1 - reflected * (1 - rough);
-        return {.diffuse = p.eval(base) * ((1 - reflected) / diffusion),
+        return {.diffuse = p.base(base) * ((1 - reflected) / diffusion),
                 .specular = specular * (rough > 0 ? reflected * rough / diffusion : 0),
                 .shininess = shininess_of(rough),
                 .diffusion = diffusion,

@@ -102,12 +102,15 @@ struct ShadingPoint {
     Vec2 uv{};                          // of the surface; only filled where the material reads textures
     float uv_width = 0;                 // footprint of the ray there, in uv
     const Texture* textures = nullptr;  // what indices of textures refer to
+    Color vertex_color{1, 1, 1};        // of the mesh there, a factor of the base colour
 
     Color eval(uint32_t texture) const
     {
         return std::visit([&](const auto& t) { return t.eval(uv, uv_width); }, textures[texture]);
     }
     Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }
+    // The base colour of a material.
+    Color base(const ColorParam& p) const { return eval(p) * vertex_color; }
     float eval(const FloatParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture).r; }
 };
 

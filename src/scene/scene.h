@@ -25,6 +25,7 @@ struct MeshShading {
     std::vector<Vec2> uvs;                                  // empty unless a texture is looked up with them
     std::vector<std::array<uint32_t, 3>> uv_triangles;      // per triangle, MeshData::no_uv where it has none
     std::vector<uint32_t> face_material;                    // per triangle; empty if the mesh has one material
+    std::vector<Color> colors;                              // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
     std::vector<uint32_t>
         emitter_rank;  // per triangle: its place among the mesh's emitters, or none; empty if it has none
@@ -75,6 +76,7 @@ struct Scene {
     std::optional<PendingEnvironment> pending_environment;
     bool is_complete = false;
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
+    bool soft_shadows = true;     // else spheres of light shine as from their centres
     bool legacy = false;          // see Switch::legacy
 
     // Checks what only the whole scene can tell, resolves names, normalises; asks `images` for the pictures that the

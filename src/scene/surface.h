@@ -1,6 +1,7 @@
 // The place that a hit is: point, normals, material. Derived from the hit once, whichever accelerator found it.
 #pragma once
 
+#include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
 
@@ -20,9 +21,10 @@ struct Surface {
     uint32_t material;
     uint32_t light;  // id of the light that this place belongs to, or Scene::none
     float t;
-    float area = 0;      // of a triangle as a whole, scene units; else 0
-    Vec2 uv{};           // texture coordinates; only filled where the material reads textures
-    float uv_width = 0;  // footprint of the ray's cone there, in uv
+    float area = 0;               // of a triangle as a whole, scene units; else 0
+    Vec2 uv{};                    // texture coordinates; only filled where the material reads textures
+    float uv_width = 0;           // footprint of the ray's cone there, in uv
+    Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
 };
 
 // A ray as thick as the light that it stands for: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail
