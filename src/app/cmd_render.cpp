@@ -126,11 +126,13 @@ void Run::add_pass(const Film& film, const PassResult& result, SampleRange range
     stats_.counters += result.counters;
     stats_.render_s = wall_seconds() - since;
     stats_.estimated_error = std::sqrt(estimate_rel_mse(film));
-    if (result.complete) stats_.passes.push_back({range.end, stats_.render_s, stats_.estimated_error});
     stats_.samples = 0;
     for (const Pixel& p : film.pixels) stats_.samples += p.n;
     // Counted, not asked of the pass: an interrupt may come after its last tile.
-    stats_.partial = stats_.samples + stats_.counters.dropped < uint64_t{settings_.spp} * film.pixels.size();
+    stats_.partial = stats_.samples + stats_.counters.dropped < samples_wanted(film, settings_.spp);
+    // Where no pixel wants more, all have what they would have in the end.
+    const uint32_t spp = stats_.partial ? range.end : settings_.spp;
+    if (result.complete) stats_.passes.push_back({spp, stats_.render_s, stats_.estimated_error});
 }
 
 void Run::render(const Renderer& renderer)
@@ -139,6 +141,7 @@ void Run::render(const Renderer& renderer)
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
     Film film(s.width, s.height, s.crop);
     if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
+    if (s.switches[Switch::stop]) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
     timed("render", [&] {
@@ -156,6 +159,8 @@ void Run::render(const Renderer& renderer)
             const PassResult result = renderer.pass(camera, film, tiles, range, signals_.stop(), tile_done);
             add_pass(film, result, range, start);
             if (!result.complete) break;
+            // Where no pixel wants more the rest is done, too.
+            if (!stats_.partial) progress.begin_pass(range = {s.spp, s.spp}, tiles.size());
             progress.end_pass(stats_.estimated_error, stats_.rays());
             if (signals_.take_snapshot_request() && stats_.partial) {
                 progress.clear();

@@ -63,6 +63,9 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
              "the light), fresnel, soft_shadows, stop (end pixels that are known well enough), multiscatter (rough "
              "metal loses no light), terminator (softer shadow edges on smoothed meshes)",
              [&](const std::string& t) { set_switches(t, o); });
+    p.value("--stop-error", "X",
+            "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",
+            [&](const std::string& t) { o.stop_error = to_number<double>("--stop-error", t, 1e-9, 1e9, "a number"); });
     p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
     add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
@@ -108,10 +111,10 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             [&](const std::string& t) { o.picture.spp = to_count("--spp", t, 1); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.values(
-        "--aov", "NAME,...",
-        "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, or all",
-        [&](const std::string& t) { add_aovs(t, o.aovs); });
+    p.values("--aov", "NAME,...",
+             "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, "
+             "samples, or all",
+             [&](const std::string& t) { add_aovs(t, o.aovs); });
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
     p.value("--tonemap", listed(tonemap_names),
             "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "

@@ -22,6 +22,7 @@ struct PictureOptions {
     std::optional<std::array<uint32_t, 2>> size;
     std::optional<uint64_t> seed;
     std::optional<uint32_t> spp, max_depth;
+    std::optional<double> stop_error;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
     SaidSwitches switches{};
     std::optional<uint32_t> threads;

@@ -10,6 +10,7 @@
 #include "io/exr.h"
 #include "io/png.h"
 #include "io/ppm.h"
+#include "render/stop_rule.h"
 
 namespace lancer {
 namespace {
@@ -25,8 +26,11 @@ std::string bias_ledger(const RunStats& s)
         const auto x = static_cast<Switch>(i);
         const bool is_on = s.settings.switches[x];
         if (x == Switch::nee || x == Switch::mis || is_on == Switches::default_of(x)) continue;
+        if (x == Switch::stop && stop_rule(s.settings.integrator, s.settings.switches) == StopRule::confidence)
+            continue;
         add((is_on ? "" : "no_") + std::string(switch_names[i]));
     }
+    if (clamps_samples(s.settings.integrator, s.settings.switches)) add("clamp");
     if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
     return ledger.empty() ? "none" : ledger;
 }

@@ -1,5 +1,6 @@
 #include "app/settings.h"
 
+#include "app/console.h"
 #include "core/names.h"
 #include "core/parallel.h"
 
@@ -45,6 +46,7 @@ Settings settings_of_scene(const RenderDescription& scene)
     s.spp = scene.spp.value_or(s.spp);
     s.seed = scene.seed.value_or(s.seed);
     s.max_depth = scene.max_depth.value_or(s.max_depth);
+    s.stop_error = scene.stop_error.value_or(s.stop_error);
     s.switches.take(scene.switches);
     return s;
 }
@@ -74,6 +76,7 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.crop = {0, 0, s.width, s.height};
     s.seed = o.seed.value_or(s.seed);
     s.max_depth = o.max_depth.value_or(s.max_depth);
+    s.stop_error = o.stop_error.value_or(s.stop_error);
     s.integrator = o.integrator.value_or(s.integrator);
     s.sampler = o.sampler.value_or(s.sampler);
     s.filter = o.filter.value_or(s.filter);
@@ -99,6 +102,9 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
                                       FilterKind::narrow_gaussian, FilterKind::centre};
     r.kernel.filter = Filter(filters[index_of(filter_names, s.filter)]);
     r.kernel.batch = batch;
+    r.kernel.stop = stop_rule(s.integrator, s.switches);
+    r.kernel.stop_error = s.stop_error;
+    r.kernel.clamp = clamps_samples(s.integrator, s.switches);
     return r;
 }
 
@@ -111,6 +117,7 @@ std::string reproducing_options(const Settings& s)
     for (size_t i = 0; i < switch_names.size(); ++i)
         if (const auto x = static_cast<Switch>(i); s.switches[x] != Switches::default_of(x))
             text += " --set " + std::string(switch_names[i]) + (s.switches[x] ? "=true" : "=false");
+    if (s.switches[Switch::stop]) text += " --stop-error " + shortest(s.stop_error);
     return text;
 }
 

@@ -21,6 +21,7 @@ struct Settings {
     uint32_t spp = 64;
     uint64_t seed = 0;
     uint32_t max_depth = 0;
+    double stop_error = 0.01;
     std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "embree", isa = "avx2";
     Switches switches;
     PixelGrid grid = PixelGrid::centres;

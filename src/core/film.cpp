@@ -1,6 +1,16 @@
 #include "core/film.h"
 
+#include <algorithm>
+
 namespace lancer {
+
+uint64_t samples_wanted(const Film& film, uint32_t spp)
+{
+    if (film.wanted.empty()) return uint64_t{spp} * film.pixels.size();
+    uint64_t sum = 0;
+    for (const uint32_t n : film.wanted) sum += n == 0 ? spp : std::min(n, spp);
+    return sum;
+}
 
 double estimate_rel_mse(const Film& film)
 {

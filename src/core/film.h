@@ -73,11 +73,17 @@ struct Film {
     std::vector<Pixel> pixels;
     std::vector<AovPixel> aovs;  // parallel to pixels if wanted, else empty: they are then not looked at
 
+    // Samples that each pixel shall have, if they may end early: parallel to pixels, else empty. 0: not known yet.
+    std::vector<uint32_t> wanted;
+
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
     size_t index(uint32_t x, uint32_t y) const { return size_t{y - crop.y0} * crop.width() + (x - crop.x0); }
     Pixel& at(uint32_t x, uint32_t y) { return pixels[index(x, y)]; }
     const Pixel& at(uint32_t x, uint32_t y) const { return pixels[index(x, y)]; }
 };
+
+// Samples of all pixels once each has `spp`, or as many as it wants if that is less.
+uint64_t samples_wanted(const Film& film, uint32_t spp);
 
 // Relative mean squared error of the film as its own samples tell it: mean over pixels of var / n / (mean^2 + 0.01) in
 // luminance. An upper estimate: it takes the samples for independent, and Sobol' points do better.

@@ -139,7 +139,7 @@ struct Classic {
     template <class V>
     void miss(const V& view, const State& s, Steps& steps) const
     {
-        add_environment(view, s, DirectLight{}, steps);
+        add_environment(view, s, DirectLight{}, LightParts{}, steps);
     }
 };
 

@@ -13,22 +13,24 @@ struct Path {
     uint32_t max_depth = 0;       // surface vertices that scatter light; 1 is direct light only; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before roulette may end the path
     DirectLight direct{};
+    LightParts parts{};
 
     void take(const IntegratorSettings& settings)
     {
         max_depth = settings.max_depth;
         direct = {settings.switches[Switch::nee], settings.switches[Switch::mis]};
+        parts = LightParts(settings.switches);
     }
     template <class V>
     void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
     {
         const auto is_last = [&](const State& n) { return n.depth == max_depth; };
-        trace_vertex(view, s, surface, sampler, direct, roulette_depth, is_last, steps);
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, steps);
     }
     template <class V>
     void miss(const V& view, const State& s, Steps& steps) const
     {
-        add_environment(view, s, direct, steps);
+        add_environment(view, s, direct, parts, steps);
     }
 };
 

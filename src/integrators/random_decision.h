@@ -13,7 +13,7 @@ struct RandomDecision : Classic {
     template <class V>
     void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
     {
-        add_emission(view, s, surface, DirectLight{}, steps);
+        add_emission(view, s, surface, DirectLight{}, LightParts{}, steps);
         if (s.last) return;
         with_vertex(view, s, surface, sampler, [&](const auto& vertex) {
             // Parts that leave something to 1 let the path end there with that probability.

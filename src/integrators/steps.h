@@ -12,6 +12,13 @@
 
 namespace lancer {
 
+// Parts of a path, as light is taken apart for teaching. Only the first two see what emits directly.
+enum class Leg : uint8_t {
+    view,      // from the camera, and on by mirrors and smooth glass
+    direct,    // from the first surface that spreads light, once
+    indirect,  // all that comes after
+};
+
 // One ray under way.
 struct State {
     Ray ray;
@@ -25,6 +32,7 @@ struct State {
     uint32_t branch = 0;        // part of the address of its random numbers; siblings differ
     uint32_t depth = 0;         // surface vertices before this ray
     bool specular = true;       // chosen by a delta lobe or by the camera: no light sampling could have found it
+    Leg leg = Leg::view;        // part of the path that the ray belongs to
     bool last = false;          // only emission counts where it ends
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
+#include "core/switches.h"
 #include "integrators/steps.h"
 #include "integrators/view.h"
 #include "materials/bsdf.h"
@@ -16,6 +17,22 @@ namespace lancer {
 struct DirectLight {
     bool nee = true;  // next-event estimation: a shadow ray to a sampled light at each vertex
     bool mis = true;  // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
+};
+
+// Which parts of the light there are in the picture; see Switch. They add up: with any path the whole is what is seen
+// of emitters, plus direct light, plus indirect light.
+struct LightParts {
+    bool emitters = true;  // that the camera sees, also by mirrors and smooth glass; the environment is one
+    bool direct = true;    // straight from an emitter to the first surface that spreads light
+    bool indirect = true;  // that such a surface gets by way of other surfaces, be it mirrors and glass
+
+    LightParts() = default;
+    explicit LightParts(const Switches& s)
+        : emitters(s[Switch::emitters]), direct(s[Switch::direct]), indirect(s[Switch::indirect])
+    {
+    }
+    // Whether light is wanted that such a ray meets.
+    bool has(Leg leg) const { return leg == Leg::view ? emitters : leg == Leg::direct ? direct : indirect; }
 };
 
 // Weight of a sample of density a, when the other technique would have found it with density b. a > 0.
@@ -33,8 +50,10 @@ inline float weight_of_found(const State& s, DirectLight how, float pdf_light)
 }
 
 template <class V>
-void add_emission(const V& view, const State& s, const Surface& surface, DirectLight how, Steps& steps)
+void add_emission(const V& view, const State& s, const Surface& surface, DirectLight how, LightParts parts,
+                  Steps& steps)
 {
+    if (!parts.has(s.leg)) return;
     const Color e = view.emission(surface);
     if (is_black(e)) return;
     const float pdf = s.specular || !how.nee ? 0 : view.pdf_light(s.ray.org, s.ray.dir, surface);
@@ -42,8 +61,9 @@ void add_emission(const V& view, const State& s, const Surface& surface, DirectL
 }
 
 template <class V>
-void add_environment(const V& view, const State& s, DirectLight how, Steps& steps)
+void add_environment(const V& view, const State& s, DirectLight how, LightParts parts, Steps& steps)
 {
+    if (!parts.has(s.leg)) return;
     const Color e = s.specular ? view.background(s.ray, s.cone) : view.environment(s.ray.dir);
     if (is_black(e)) return;
     const float pdf = s.specular || !how.nee ? 0 : view.pdf_environment(s.normal, s.ray.dir);
@@ -97,6 +117,12 @@ inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
     return {cone.width + cone.spread * t, std::min(1.0f, std::max(cone.spread, opened))};
 }
 
+inline Leg leg_after(Leg leg, bool delta)
+{
+    if (leg != Leg::view) return Leg::indirect;
+    return delta ? Leg::view : Leg::direct;
+}
+
 // Makes of n, a copy of s, the ray that a sample of the BSDF sends on; false if there is none or the surface keeps it.
 template <class V>
 bool send_on(const V& view, const State& s, State& n, const Surface& surface, const Frame& frame,
@@ -112,6 +138,7 @@ bool send_on(const V& view, const State& s, State& n, const Surface& surface, co
     n.normal = surface.ns;
     n.eta_scale *= b->eta * b->eta;
     n.specular = b->delta;
+    n.leg = leg_after(s.leg, b->delta);
     n.cone = scattered(s.cone, surface.t, *b);
     ++n.depth;
     return true;
@@ -141,18 +168,18 @@ inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_d
 // wanted of where the next ray ends.
 template <class V, class IsLast>
 void trace_vertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, DirectLight how,
-                  uint32_t roulette_depth, const IsLast& is_last, Steps& steps)
+                  LightParts parts, uint32_t roulette_depth, const IsLast& is_last, Steps& steps)
 {
-    add_emission(view, s, surface, how, steps);
+    add_emission(view, s, surface, how, parts, steps);
     if (s.last) return;
     view.with_bsdf(surface, sampler, s.depth, [&](const auto& bsdf) {
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
-        sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
+        if (parts.has(leg_after(s.leg, false))) sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
         steps.next_from(s, [&](State& n) {
             if (!scatter(view, s, n, surface, frame, wo, bsdf, sampler)) return false;
             if (!survives_roulette(n, sampler, roulette_depth)) return false;
-            n.last = is_last(n);
+            n.last = is_last(n) || (n.leg == Leg::direct && !parts.indirect);
             return true;
         });
     });

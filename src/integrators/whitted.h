@@ -13,7 +13,7 @@ struct Whitted : Classic {
     template <class V>
     void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
     {
-        add_emission(view, s, surface, DirectLight{}, steps);
+        add_emission(view, s, surface, DirectLight{}, LightParts{}, steps);
         if (s.last) return;
         const Vec2 u = sampler.get2(s.depth, Dim::roulette);
         with_vertex(view, s, surface, sampler, [&](const auto& vertex) {

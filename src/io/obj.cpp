@@ -13,6 +13,7 @@
 #include "core/hash.h"
 #include "core/names.h"
 #include "io/mtl_library.h"
+#include "io/obj_colors.h"
 #include "io/obj_scan.h"
 #include "io/text_file.h"
 #include "io/triangulate.h"
@@ -358,6 +359,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
     MeshBuilder builder(*summary, materials, uvs, *mesh);
     builder.read(text);
     if (!builder.finish(text, diagnostics)) return nullptr;
+    if (summary->vertex_colors) mesh->colors = read_vertex_colors(text, path, diagnostics);
     return mesh;
 }
 

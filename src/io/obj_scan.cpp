@@ -83,7 +83,8 @@ private:
 
     void count_elements();
     void check_line(const Statement& statement);
-    void check_numbers(std::string_view arguments, const char* statement);
+    void check_vertex(std::string_view arguments);
+    bool check_numbers(std::string_view& arguments, const char* statement);
     void check_face(std::string_view corners);
     bool check_corner(std::string_view corner);
     bool check_index(std::string_view digits, Kind& kind);
@@ -155,10 +156,13 @@ void Scanner::check_line(const Statement& statement)
     switch (statement.kind) {
         case ObjStatement::vertex:
             ++vertex_.so_far;
-            return check_numbers(statement.arguments, "v");
-        case ObjStatement::normal:
+            return check_vertex(statement.arguments);
+        case ObjStatement::normal: {
             ++normal_.so_far;
-            return check_numbers(statement.arguments, "vn");
+            std::string_view arguments = statement.arguments;
+            check_numbers(arguments, "vn");
+            return;
+        }
         case ObjStatement::texcoord:
             ++texcoord_.so_far;
             return;
@@ -177,20 +181,29 @@ void Scanner::check_line(const Statement& statement)
     }
 }
 
-// What follows the three coordinates (a weight, a colour) is not used.
-void Scanner::check_numbers(std::string_view arguments, const char* statement)
+// A single number after the three coordinates is a weight and not used, three are a colour.
+void Scanner::check_vertex(std::string_view arguments)
+{
+    if (!check_numbers(arguments, "v") || summary_.vertex_colors) return;
+    take_word(arguments);
+    take_word(arguments);
+    summary_.vertex_colors = !take_word(arguments).empty();
+}
+
+// Takes them off the arguments.
+bool Scanner::check_numbers(std::string_view& arguments, const char* statement)
 {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = take_word(arguments);
         if (word.empty()) {
-            error(std::string(statement) + " needs 3 numbers, has " + std::to_string(i));
-            return;
+            return error(std::string(statement) + " needs 3 numbers, has " + std::to_string(i));
         }
         const NumberKind kind = classify_number(word);
         if (kind == NumberKind::finite) continue;
-        error(in_quotes(word) + (kind == NumberKind::not_finite ? " is not a finite number" : " is not a number"));
-        return;
+        return error(in_quotes(word) +
+                     (kind == NumberKind::not_finite ? " is not a finite number" : " is not a number"));
     }
+    return true;
 }
 
 void Scanner::check_face(std::string_view corners)

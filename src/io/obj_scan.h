@@ -33,6 +33,7 @@ struct ObjSummary {
     uint64_t faces = 0;      // with at least one corner
     uint64_t triangles = 0;  // at most, after triangulation
     bool forward_references = false, face_normals = false;
+    bool vertex_colors = false;  // some vertex has three numbers after its place
     std::vector<Name> libraries, materials;
     std::map<std::string, uint32_t, std::less<>> material_index;  // into materials, by name
 };

@@ -56,7 +56,7 @@ void SceneReader::read_version()
 
 void SceneReader::read_render(const TomlTable& table)
 {
-    NameList keys{"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler"};
+    NameList keys{"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler", "stop_error"};
     keys.insert(keys.end(), switch_names.begin(), switch_names.end());
     table.allow(keys);
     RenderDescription& render = scene_.render;
@@ -68,6 +68,7 @@ void SceneReader::read_render(const TomlTable& table)
     render.max_depth = table.integer("max_depth", 0, max_int);
     render.seed = table.integer("seed", 0, INT64_MAX);
     render.size = table.size("size");
+    render.stop_error = table.number("stop_error", above_zero);
     for (size_t i = 0; i < switch_names.size(); ++i) render.switches[i] = table.boolean(std::string(switch_names[i]));
 }
 
@@ -82,7 +83,7 @@ TransformDescription SceneReader::read_transform(const TomlTable& table)
 
 void SceneReader::read_mesh(const TomlTable& table)
 {
-    table.allow({"name", "file", "material", "translate", "rotate", "scale"});
+    table.allow({"name", "file", "material", "vertex_colors", "translate", "rotate", "scale"});
     MeshDescription mesh;
     mesh.where = table.where();
     mesh.name = table.text("name").value_or("");
@@ -95,6 +96,8 @@ void SceneReader::read_mesh(const TomlTable& table)
         }
     }
     mesh.material = read_material_use(table, material_uses_);
+    mesh.vertex_colors =
+        static_cast<VertexColors>(table.choice("vertex_colors", {"srgb", "linear", "none"}, 0).value_or(0));
     mesh.transform = read_transform(table);
     scene_.meshes.push_back(std::move(mesh));
 

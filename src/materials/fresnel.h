@@ -54,6 +54,9 @@ inline Fresnel fresnel_dielectric(Vec3 wo, float eta)
     return fresnel_dielectric(std::min(1.0, static_cast<double>(wo.z)), x * x + y * y, eta);
 }
 
+// A boundary that only refracts, for teaching; under total internal reflection it still reflects.
+inline Fresnel only_refracting(Fresnel f) { return {f.cos_t > 0 ? 0.0f : 1.0f, f.cos_t}; }
+
 // Reflectance of a metal of complex index eta + i k over that of the outside, for unpolarised light. eta, k >= 0; cos_i
 // in [0, 1].
 inline double fresnel_conductor(double cos_i, double eta, double k)

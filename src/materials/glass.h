@@ -12,8 +12,9 @@ namespace lancer {
 
 struct GlassBsdf {
     Color tint;
-    float eta;        // index beyond the surface over index on wo's side
-    float alpha = 0;  // 0: smooth
+    float eta;            // index beyond the surface over index on wo's side
+    float alpha = 0;      // 0: smooth
+    bool fresnel = true;  // else a smooth boundary only refracts
 
     bool only_delta() const { return alpha == 0; }
     bool transmits() const { return alpha != 0; }
@@ -33,7 +34,8 @@ struct GlassBsdf {
 private:
     std::optional<BsdfSample> sample_smooth(Vec3 wo, float u) const
     {
-        const auto [reflectance, cos_t] = fresnel_dielectric(wo, eta);
+        const Fresnel boundary = fresnel_dielectric(wo, eta);
+        const auto [reflectance, cos_t] = fresnel ? boundary : only_refracting(boundary);
         if (u < reflectance)
             return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = tint, .pdf = reflectance, .delta = true};
         const float scale = 1 / eta;
@@ -41,7 +43,7 @@ private:
         return BsdfSample{
             .wi = wi, .weight = tint * (scale * scale), .pdf = 1 - reflectance, .delta = true, .eta = eta};
     }
-    FresnelT<double> fresnel(double cos) const
+    FresnelT<double> facet_fresnel(double cos) const
     {
         return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), static_cast<double>(eta));
     }
@@ -56,7 +58,7 @@ private:
         const Vec3d wi = unit_in_double(w);
         if (w.z > 0) {
             const FacetReflection facets = eval_facets(ggx, wo, wi);
-            const double reflected = fresnel(facets.cos_h).reflectance;
+            const double reflected = facet_fresnel(facets.cos_h).reflectance;
             return value(reflected * facets.f_cos, reflected * facets.pdf);
         }
         // The facet that refracts wo to wi: its normal is along wo + eta wi, on wo's side of the surface.
@@ -67,7 +69,8 @@ private:
         if (!(cos_o > 0 && cos_i < 0)) return {};
         // Solid angle of normals over that of wi. The squared sum of Walter et al. is length2.
         const double jacobian = -cos_i * n * n / length2;
-        const double through = (1 - fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
+        const double through =
+            (1 - facet_fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
         return value(4 * through * ggx.visibility(wo, wi) * -wi.z / (n * n), 2 * through / (wo.z + ggx.spread(wo)));
     }
     std::optional<BsdfSample> sample_rough(Vec3 w, float u, Vec2 v) const
@@ -75,7 +78,7 @@ private:
         const Ggx ggx{static_cast<double>(alpha)};
         const Vec3d wo = unit_in_double(w), h = ggx.sample_visible(wo, v);
         const double cos_o = std::min(1.0, dot(wo, h)), n = static_cast<double>(eta);
-        const auto [reflectance, cos_t] = fresnel(cos_o);
+        const auto [reflectance, cos_t] = facet_fresnel(cos_o);
         const bool through = !(u < static_cast<float>(reflectance));
         const Vec3d turned = through ? h * (cos_o / n - cos_t) - wo / n : mirrored(wo, h);
         const Vec3 wi = to_float(turned);
@@ -92,6 +95,7 @@ struct Glass {
     ColorParam tint;
     float ior;                 // inside (behind the geometric normal) over outside
     FloatParam roughness = 0;  // perceptual
+    bool fresnel = true;       // else it only refracts where it is smooth
 
     GlassBsdf at(const ShadingPoint& p) const
     {
@@ -99,11 +103,11 @@ struct Glass {
         // from nothing the boundary is smooth: one of index 1 is not there, however rough.
         const float alpha = alpha_of_roughness(p.eval(roughness)), n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
-        return {p.eval(tint), p.front ? n : 1 / n, bends ? alpha : 0};
+        return {p.base(tint), p.front ? n : 1 / n, bends ? alpha : 0, fresnel};
     }
     Phong phong(const ShadingPoint& p) const
     {
-        const Color color = p.eval(tint);
+        const Color color = p.base(tint);
         const float n = p.inner_over_outer(ior), reflected = fresnel_dielectric(1.0f, n).reflectance;
         return {.diffuse = color,
                 .specular = color,

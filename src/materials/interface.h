@@ -18,14 +18,16 @@ namespace lancer {
 
 class InterfaceBsdf {
 public:
-    // front: the path arrives from the side of the geometric normal.
-    InterfaceBsdf(const Phong& p, bool front)
+    // front: the path arrives from the side of the geometric normal; without fresnel what refracts reflects only what
+    // is reflected totally.
+    InterfaceBsdf(const Phong& p, bool front, bool fresnel = true)
         : diffuse_(part_of(p.diffuse, p.diffusion)),
           gloss_(part_of(p.specular, p.diffusion)),
           mirror_(part_of(p.specular, p.reflexion + p.refraction)),
           shininess_(std::min(p.shininess, most_shininess)),
           eta_(front ? p.inside_ior / p.outside_ior : p.outside_ior / p.inside_ior),
-          refracts_(p.refraction > 0)
+          refracts_(p.refraction > 0),
+          fresnel_(fresnel)
     {
         if (refracts_) through_ = part_of(p.diffuse, p.reflexion + p.refraction);
         const Color boundary{std::max(mirror_.r, through_.r), std::max(mirror_.g, through_.g),
@@ -102,7 +104,12 @@ private:
                 max_component(through_) * (1 - f.reflectance)};
     }
     // What does not refract reflects all that its mirror gets.
-    Fresnel boundary(Vec3 wo) const { return refracts_ ? fresnel_dielectric(wo, eta_) : Fresnel{1, 0}; }
+    Fresnel boundary(Vec3 wo) const
+    {
+        if (!refracts_) return {1, 0};
+        const Fresnel f = fresnel_dielectric(wo, eta_);
+        return fresnel_ ? f : only_refracting(f);
+    }
 
     BsdfSample reflected(Vec3 wo, const Fresnel& f) const
     {
@@ -155,7 +162,7 @@ private:
 
     Color diffuse_, gloss_, mirror_, through_{};
     float shininess_, eta_;
-    bool refracts_;
+    bool refracts_, fresnel_;
 };
 static_assert(Bsdf<InterfaceBsdf>);
 
@@ -163,12 +170,13 @@ struct Interface {
     static constexpr const char* name = "interface";
     ColorParam base;  // the diffuse colour
     Phong rest{};     // all else
+    bool fresnel = true;
 
-    InterfaceBsdf at(const ShadingPoint& p) const { return {phong(p), p.front}; }
+    InterfaceBsdf at(const ShadingPoint& p) const { return {phong(p), p.front, fresnel}; }
     Phong phong(const ShadingPoint& p) const
     {
         Phong all = rest;
-        all.diffuse = p.eval(base);
+        all.diffuse = p.base(base);
         if (p.eta > 0) all.inside_ior = p.inner_over_outer(1), all.outside_ior = 1;
         return all;
     }

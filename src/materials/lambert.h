@@ -34,8 +34,8 @@ struct Lambert {
     static constexpr const char* name = "lambert";
     ColorParam albedo;
 
-    LambertBsdf at(const ShadingPoint& p) const { return {p.eval(albedo)}; }
-    Phong phong(const ShadingPoint& p) const { return {.diffuse = p.eval(albedo)}; }
+    LambertBsdf at(const ShadingPoint& p) const { return {p.base(albedo)}; }
+    Phong phong(const ShadingPoint& p) const { return {.diffuse = p.base(albedo)}; }
 };
 
 }  // namespace lancer

@@ -122,7 +122,7 @@ struct Metal {
 
     MetalBsdf at(const ShadingPoint& p) const
     {
-        return {p.eval(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
+        return {p.base(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
     }
     // What is no mirror any more is a highlight.
     Phong phong(const ShadingPoint& p) const

@@ -26,8 +26,8 @@ struct Mirror {
     static constexpr const char* name = "mirror";
     ColorParam tint;
 
-    MirrorBsdf at(const ShadingPoint& p) const { return {p.eval(tint)}; }
-    Phong phong(const ShadingPoint& p) const { return {.specular = p.eval(tint), .diffusion = 0, .reflexion = 1}; }
+    MirrorBsdf at(const ShadingPoint& p) const { return {p.base(tint)}; }
+    Phong phong(const ShadingPoint& p) const { return {.specular = p.base(tint), .diffusion = 0, .reflexion = 1}; }
 };
 
 }  // namespace lancer

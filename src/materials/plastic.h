@@ -97,7 +97,7 @@ struct Plastic {
     PlasticBsdf at(const ShadingPoint& p) const
     {
         const float alpha = coat ? alpha_of_roughness(p.eval(roughness)) : 0;
-        return {p.eval(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
+        return {p.base(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
     }
     Phong phong(const ShadingPoint& p) const
     {
@@ -106,7 +106,7 @@ struct Plastic {
         // The model has one colour for both reflections of the coat, so that what is no mirror has a highlight always;
         // on a smooth coat, whose own would be a point, it is about as wide as the sun. White loses nothing.
         const float diffusion = 1 / (1 + f0 * (1 - rough));
-        return {.diffuse = p.eval(base) * (1 - f0),
+        return {.diffuse = p.base(base) * (1 - f0),
                 .specular = specular * f0,
                 .shininess = shininess_of(std::max(0.1f, rough)),
                 .diffusion = diffusion,

@@ -105,6 +105,7 @@ struct ShadingPoint {
     float uv_width = 0;                 // footprint of the ray there, in uv
     Vec2 uv_along{};                    // what is more of it along the ray; see Footprint
     const Texture* textures = nullptr;  // what indices of textures refer to
+    Color vertex_color{1, 1, 1};        // of the mesh there, a factor of the base colour
     float eta = 0;                      // index beyond the surface over index before it, where media tell; else 0
 
     // Of a boundary: index behind the geometric normal over index in front of it. said: by the material itself.
@@ -123,6 +124,8 @@ struct ShadingPoint {
         return p;
     }
     Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }
+    // The base colour of a material.
+    Color base(const ColorParam& p) const { return eval(p) * vertex_color; }
     float eval(const FloatParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture).r; }
 };
 

@@ -19,13 +19,13 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
         [&](const auto& m) {
             // Whatever a material calls it.
             if constexpr (requires { m.albedo; }) {
-                return point.eval(m.albedo);
+                return point.base(m.albedo);
             } else if constexpr (requires { m.base; }) {
-                return point.eval(m.base);
+                return point.base(m.base);
             } else if constexpr (requires { m.color; }) {
-                return point.eval(m.color);
+                return point.base(m.color);
             } else {
-                return point.eval(m.tint);
+                return point.base(m.tint);
             }
         },
         material);
@@ -70,6 +70,8 @@ double value_of(Aov aov, size_t i, const Pixel& light, const AovPixel& p, const 
             return variance_of_mean(light);
         case Aov::mask:
             return mean(p.hits, p.samples);
+        case Aov::samples:
+            return light.n;
     }
     return 0;
 }
@@ -77,7 +79,7 @@ double value_of(Aov aov, size_t i, const Pixel& light, const AovPixel& p, const 
 std::string_view channels_of(Aov aov)
 {
     constexpr std::array<std::string_view, aov_names.size()> channels{"RGB", "XYZ", "Z", "XYZ", "UV",
-                                                                      "I",   "V",   "A", "RGB"};
+                                                                      "I",   "V",   "A", "RGB", "N"};
     return channels[static_cast<size_t>(aov)];
 }
 

@@ -12,10 +12,10 @@
 
 namespace lancer {
 
-enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat };
+enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat, samples };
 // In the order of Aov.
-inline constexpr std::array<std::string_view, 9> aov_names{"albedo",   "normal",   "depth", "position", "uv",
-                                                           "material", "variance", "mask",  "flat"};
+inline constexpr std::array<std::string_view, 10> aov_names{"albedo",   "normal",   "depth", "position", "uv",
+                                                            "material", "variance", "mask",  "flat",     "samples"};
 
 // The part of the light that a material sends back when lit evenly; of a mix, mixed.
 Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
@@ -52,8 +52,8 @@ private:
 
 // The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and
 // depth.Z (units of the scene file), uv.U .V, material.ID (of the first sample, counted from 1; 0: nothing hit),
-// variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit something). Means over samples,
-// misses being 0; depth, position and uv over those that hit.
+// variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit something), samples.N (how many
+// the pixel has). Means over samples, misses being 0; depth, position and uv over those that hit.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
 
 }  // namespace lancer

@@ -1,102 +1,106 @@
-// The one pixel loop. A batch of paths of one tile advances in lockstep: their rays are traced together, each end is
-// handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
-// A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
-// Only the files kernels_NAME.cpp include this, each for one integrator, so that they compile side by side.
+// The samples of a tile: which, in what order, and how they are summed and end. Only the files kernels_NAME.cpp include
+// this, each for one integrator, so that they compile side by side.
 #pragma once
 
-#include "integrators/media.h"
+#include <algorithm>
+#include <limits>
+
 #include "render/aov.h"
+#include "render/batch.h"
 #include "render/kernels.h"
-#include "render/tinted_shadows.h"
 
 namespace lancer {
 
-// Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
-template <class Integrator>
-uint32_t batch_of(const KernelSettings& settings)
+// What counts of a sample.
+inline Color counted(Color radiance, const KernelSettings& settings)
 {
-    if constexpr (requires { Integrator::branches; })
-        return std::min(settings.batch, 16u);
-    else
-        return settings.batch;
+    if (!settings.clamp) return radiance;
+    const auto clamp = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
+    return {clamp(radiance.r), clamp(radiance.g), clamp(radiance.b)};
 }
 
-// Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
+// Sums samples [begin, end) of every pixel of a tile, as far as the pixel wants them, into w.block.
 template <class Integrator, class Listener>
-void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                 const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
-                 const Listener& listener)
+void trace_samples(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                   const Integrator& integrator, const Film& film, Tile tile, SampleRange samples, Workspace& w,
+                   Counters& counters, const Listener& listener)
 {
-    const auto sampler = [&](const State& s) {
-        const SampleId& id = w.slots[s.slot];
-        return Sampler(settings.sampler, settings.seed, uint64_t{id.y} * width + id.x, id.sample, s.branch);
-    };
-    w.queue.radiance.assign(w.slots.size(), Color{});
-    // One of each per path is the most today's integrators ask for. Without this a later batch may be the first to ask
-    // for so many, and allocate.
-    w.queue.next.reserve(w.slots.size());
-    w.queue.shadow_rays.reserve(w.slots.size());
-    w.queue.shadows.reserve(w.slots.size());
-    w.occluded.reserve(w.slots.size());
-    w.states.clear();
-    for (uint32_t i = 0; i < w.slots.size(); ++i) {
-        State s;
-        s.slot = i;
-        const Sampler numbers = sampler(s);
-        const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
-        s.ray = camera.ray(
-            {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
-            numbers.get2(0, Dim::lens));
-        s.ray.key = view.ray_key(numbers, 0, Dim::hole);
-        s.cone = {0, camera.pixel_spread()};
-        s.media = view.scene.camera_media;
-        w.states.push_back(s);
-    }
-    counters.camera_rays += w.slots.size();
-
-    const bool has_media = !view.scene.media.empty();
-    for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
-        w.rays.clear();
-        for (const State& s : w.states) w.rays.push_back(s.ray);
-        w.hits.resize(w.rays.size());
-        accel.closest(w.rays, w.hits, coherence);
-        if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
-
-        w.queue.next.clear();
-        w.queue.shadow_rays.clear();
-        w.queue.shadows.clear();
-        w.queue.tinted_shadows.clear();
-        for (size_t i = 0; i < w.states.size(); ++i) {
-            State& s = w.states[i];
-            Steps steps(w.queue, s.slot);
-            const Color before = w.queue.radiance[s.slot];
-            listener.ray(s, w.hits[i]);
-            if (w.hits[i]) {
-                Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
-                listener.vertex(s, surface);
-                const auto hit = [&] { integrator.hit(view, s, surface, sampler(s), steps); };
-                if (has_media)
-                    hit_in_media(view, s, surface, w.queue, steps, hit);
-                else
-                    hit();
-            } else {
-                if (has_media) miss_in_media(view, s);
-                integrator.miss(view, s, steps);
+    const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
+    const auto flush = [&] {
+        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
+        for (size_t i = 0; i < w.slots.size(); ++i) {
+            const Color c = counted(w.queue.radiance[i], settings);
+            if (!is_finite(c)) {
+                counters.drop(w.slots[i]);
+                continue;
             }
-            listener.added(s, w.queue.radiance[s.slot] - before);
+            Pixel& p = w.block[index(w.slots[i])];
+            const double y = luminance(c);
+            p += {{c.r, c.g, c.b}, y * y, 1};
+            if (!w.last.empty()) w.last[index(w.slots[i])] = c;
         }
+        w.slots.clear();
+    };
+    const auto end_of = [&](uint32_t x, uint32_t y) {
+        if (film.wanted.empty() || w.is_pilot) return samples.end;
+        const uint32_t wanted = film.wanted[film.index(x, y)];
+        return wanted == 0 ? samples.end : std::min(samples.end, wanted);
+    };
+    constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
+    w.slots.clear();
+    const uint32_t batch = batch_of<Integrator>(settings);
+    w.slots.reserve(batch);
+    for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
+        for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
+            for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
+                for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x)
+                    for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) {
+                        w.slots.push_back({x, y, i});
+                        if (w.slots.size() == batch) flush();
+                    }
+    flush();
+}
 
-        w.occluded.resize(w.queue.shadow_rays.size());
-        accel.any(w.queue.shadow_rays, w.occluded);
-        counters.shadow_rays += w.queue.shadow_rays.size();
-        for (size_t i = 0; i < w.occluded.size(); ++i) {
-            const Queue::Shadow& shadow = w.queue.shadows[i];
-            listener.shadow(w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
-            if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
-        }
-        if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
-        std::swap(w.states, w.queue.next);
+// Finds out what the pixels of a tile want that do not know it yet: all of them, when the first samples are asked for.
+template <class Integrator>
+void trace_pilots(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                  const Integrator& integrator, Film& film, Tile tile, Workspace& w, Counters& counters)
+{
+    if (film.wanted[film.index(tile.x0, tile.y0)] != 0) return;
+    w.is_pilot = true;
+    w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
+    Counters own;
+    trace_samples(view, accel, camera, settings, integrator, film, tile, {0, samples_per_block}, w, own, NoListener{});
+    w.is_pilot = false;
+    // Dropped are samples of the picture.
+    own.dropped = 0;
+    own.first_dropped.reset();
+    counters += own;
+    for (uint32_t y = tile.y0; y < tile.y1; ++y)
+        for (uint32_t x = tile.x0; x < tile.x1; ++x)
+            film.wanted[film.index(x, y)] =
+                samples_for(w.block[size_t{y - tile.y0} * tile.width() + (x - tile.x0)], settings.stop_error);
+}
+
+// As trace_samples(), and after each sample asks of every pixel whether it was the last one.
+template <class Integrator, class Listener>
+void trace_one_by_one(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                      const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                      Counters& counters, const Listener& listener)
+{
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (uint32_t i = samples.begin; i < samples.end; ++i) {
+        w.last.assign(w.block.size(), {none, none, none});
+        trace_samples(view, accel, camera, settings, integrator, film, tile, {i, i + 1}, w, counters, listener);
+        for (uint32_t y = tile.y0; y < tile.y1; ++y)
+            for (uint32_t x = tile.x0; x < tile.x1; ++x) {
+                const size_t k = size_t{y - tile.y0} * tile.width() + (x - tile.x0);
+                Pixel so_far = film.at(x, y);
+                so_far += w.block[k];
+                if (ends_with(so_far, w.last[k])) film.wanted[film.index(x, y)] = i + 1;
+            }
     }
+    w.last.clear();
 }
 
 // Renders samples [begin, end) of every pixel of a tile into the film.
@@ -105,40 +109,22 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
                  const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                  Counters& counters, const Listener& listener)
 {
-    const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
-    const auto flush = [&] {
-        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
-        for (size_t i = 0; i < w.slots.size(); ++i) {
-            const Color c = w.queue.radiance[i];
-            if (!is_finite(c)) {
-                counters.drop(w.slots[i]);
-                continue;
-            }
-            Pixel& p = w.block[index(w.slots[i])];
-            const double y = luminance(c);
-            p += {{c.r, c.g, c.b}, y * y, 1};
-        }
-        w.slots.clear();
-    };
-    constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
-    w.slots.clear();
-    const uint32_t batch = batch_of<Integrator>(settings);
-    w.slots.reserve(batch);
+    const StopRule stop = film.wanted.empty() ? StopRule::never : settings.stop;
+    if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
     for (uint32_t first = samples.begin; first < samples.end;) {
         const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
         w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
         listener.begin_block();
-        for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
-            for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
-                for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
-                    for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x)
-                        for (uint32_t i = first; i < last; ++i) {
-                            w.slots.push_back({x, y, i});
-                            if (w.slots.size() == batch) flush();
-                        }
-        flush();
+        const auto trace = [&](const auto& how) {
+            how(view, accel, camera, settings, integrator, film, tile, SampleRange{first, last}, w, counters, listener);
+        };
+        if (stop == StopRule::last_sample)
+            trace(trace_one_by_one<Integrator, Listener>);
+        else
+            trace(trace_samples<Integrator, Listener>);
         for (uint32_t y = tile.y0; y < tile.y1; ++y)
-            for (uint32_t x = tile.x0; x < tile.x1; ++x) film.at(x, y) += w.block[index({x, y, 0})];
+            for (uint32_t x = tile.x0; x < tile.x1; ++x)
+                film.at(x, y) += w.block[size_t{y - tile.y0} * tile.width() + (x - tile.x0)];
         listener.end_block();
         first = last;
     }
@@ -165,7 +151,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     Counters counters;
     w.slots.push_back(id);
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, listener);
-    return w.queue.radiance[0];
+    return counted(w.queue.radiance[0], settings);
 }
 
 }  // namespace lancer

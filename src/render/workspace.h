@@ -9,6 +9,7 @@
 #include "integrators/steps.h"
 #include "integrators/view.h"
 #include "render/filter.h"
+#include "render/stop_rule.h"
 #include "scene/camera.h"
 
 namespace lancer {
@@ -18,7 +19,10 @@ struct KernelSettings {
     SamplerKind sampler = SamplerKind::sobol;
     uint64_t seed = 0;
     Filter filter{FilterKind::blackman_harris};
-    uint32_t batch = 256;  // paths under way at once, >= 1
+    uint32_t batch = 256;             // paths under way at once, >= 1
+    StopRule stop = StopRule::never;  // looked at only if the film has `wanted`
+    double stop_error = 0.01;         // see samples_for()
+    bool clamp = false;               // each sample to [0, 1] before it is averaged; legacy
 };
 
 struct SampleId {
@@ -54,6 +58,8 @@ struct Workspace {
     std::vector<SampleId> slots;
     std::vector<Pixel> block;         // one per pixel of the tile
     std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
+    std::vector<Color> last;          // likewise, their last samples, if these decide when pixels end
+    bool is_pilot = false;            // what is traced is not for the picture and has other random numbers
 };
 
 // Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This

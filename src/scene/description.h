@@ -107,7 +107,8 @@ struct MeshData {
         normal_triangles;   // parallel to triangles, no_normal where a face has none; empty if normals is
     std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
     std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
-    std::vector<uint32_t> face_material;         // per triangle, index into materials; empty if materials has one entry
+    std::vector<Color> colors;            // parallel to positions, as in the file, in [0, 1]; empty if it has none
+    std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one; none for a shape
     uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
     static constexpr uint32_t no_normal = UINT32_MAX, no_uv = UINT32_MAX;
@@ -124,6 +125,9 @@ struct Bands {
     float width = 0.05f;  // part of a cell, or of a barycentric coordinate; in [0, 1]
 };
 
+// What the numbers of vertex colours are; none: they are not looked at.
+enum class VertexColors { srgb, linear, none };
+
 struct MeshDescription {
     std::string name;  // may be empty; an [[instance]] refers to it
     Location where;
@@ -131,6 +135,7 @@ struct MeshDescription {
     std::string material;                  // if not empty: replaces every material of the file
     TransformDescription transform;
     std::optional<Bands> bands{};  // a shape, with the texture coordinates that Rim wants
+    VertexColors vertex_colors = VertexColors::srgb;
 };
 
 struct InstanceDescription {
@@ -196,6 +201,7 @@ struct RenderDescription {
     std::optional<std::string> integrator, filter, sampler;
     std::optional<uint32_t> spp, max_depth;
     std::optional<uint64_t> seed;
+    std::optional<double> stop_error;             // relative half-width of confidence at which a pixel may stop
     std::optional<std::array<uint32_t, 2>> size;  // width, height
     SaidSwitches switches{};
 

@@ -47,12 +47,37 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
                        .pdf = d2 / (std::abs(c) * q.area)};
 }
 
+// A sphere of light as a point at its centre of the same power, for shadows without penumbra: of what faces the surface
+// the nearest place shines for all. The shadow ray ends there; from inside, at the centre.
+std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, uint32_t material, Vec3 org)
+{
+    const Vec3d d = s.center - to_double(org);
+    const double d2 = dot(d, d), r2 = s.radius * s.radius;
+    if (!(d2 > 0)) return {};
+    const Vec3d wi = d / std::sqrt(d2);
+    const bool outside = d2 > r2;
+    const Vec3 n = outside ? to_float(-wi) : Vec3{};
+    const Vec3 point = to_float(outside ? s.center - wi * s.radius : s.center);
+    const ShadingPoint place =
+        point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(outside ? -wi : wi)) : Vec2{});
+    const Color radiance = scene.emission[material].towards(outside, place) * opacity_at(scene, material, place);
+    if (is_black(radiance)) return {};
+    return LightSample{.wi = to_float(wi),
+                       .point = point,
+                       .p_error = sphere_point_error(s, point),
+                       .n = n,
+                       .radiance = radiance * static_cast<float>(pi_d * r2 / d2),
+                       .pdf = 1,
+                       .delta = true};
+}
+
 // Uniform in the cone under which the sphere is seen (Physically Based Rendering, 4th ed., section 6.2.4), in double
 // and with 1 - cos free of cancellation, so that it holds for any distance; from inside, uniform over the area.
 std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const uint32_t material = scene.sphere_material[light.sphere];
+    if (!scene.soft_shadows) return sample_center(scene, s, material, org);
     const Emission& emission = scene.emission[material];
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
@@ -155,6 +180,8 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
         const float c = std::abs(dot(wi, at.n));
         return c > 0 ? choice * dot(d, d) / (c * at.area) : 0;
     }
+    // As from its centre: light sampling has all of it, as of every light that no ray can meet.
+    if (!scene.soft_shadows) return std::numeric_limits<float>::infinity();
     const auto& light = std::get<SphereLight>(scene.lights.lights[at.light]);
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Vec3d to_center = s.center - to_double(from);
@@ -171,7 +198,8 @@ float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
     const float choice = scene.lights.pick.probability(scene.environment_light);
-    return choice * (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
+    return choice *
+           (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
 }
 
 }  // namespace lancer

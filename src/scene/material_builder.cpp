@@ -15,7 +15,7 @@ Material MaterialBuilder::make(const MaterialDescription& m, const std::function
             return metal;
         }
         case MaterialType::glass:
-            return Glass{base, m.ior, {m.roughness, id_of(m.roughness_map)}};
+            return Glass{base, m.ior, {m.roughness, id_of(m.roughness_map)}, options_.fresnel};
         case MaterialType::plastic: {
             Plastic plastic{.base = base,
                             .roughness = {m.roughness, id_of(m.roughness_map)},
@@ -29,7 +29,7 @@ Material MaterialBuilder::make(const MaterialDescription& m, const std::function
             return plastic;
         }
         case MaterialType::interface:
-            return Interface{base, m.phong};
+            return Interface{base, m.phong, options_.fresnel};
         default:
             return Lambert{base};
     }

@@ -13,6 +13,7 @@ namespace lancer {
 // Choices for the whole picture.
 struct MaterialOptions {
     bool multiscatter = false;  // compensate GGX for the light that it loses between its facets
+    bool fresnel = true;        // else smooth glass only refracts
 };
 
 class MaterialBuilder {

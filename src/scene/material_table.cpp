@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/names.h"
-#include "scene/presets.h"
 #include "scene/media.h"
+#include "scene/presets.h"
 
 namespace lancer {
 namespace {
@@ -45,7 +45,8 @@ MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, 
       scene_(scene),
       diagnostics_(diagnostics),
       images_(images),
-      builder_({.multiscatter = description.render.is_on(Switch::multiscatter)}),
+      builder_({.multiscatter = description.render.is_on(Switch::multiscatter),
+                .fresnel = description.render.is_on(Switch::fresnel)}),
       ids_(description.materials.size(), Scene::none),
       used_(description.materials.size()),
       in_progress_(description.materials.size()),

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/names.h"
+#include "core/srgb.h"
 #include "scene/background.h"
 #include "scene/environment.h"
 #include "scene/light_table.h"
@@ -26,6 +27,7 @@ public:
     {
         scene_.file = d_.file;
         scene_.terminator_fix = d_.render.is_on(Switch::terminator);
+        scene_.soft_shadows = d_.render.is_on(Switch::soft_shadows);
         scene_.legacy = d_.render.is_on(Switch::legacy);
         scene_.normalisation = normalise(frame());
         add_spheres();
@@ -139,12 +141,22 @@ private:
             shading.uvs = data.uvs;
             shading.uv_triangles = data.uv_triangles;
         }
+        shading.colors = linear_colors(data, m.vertex_colors);
         // A mirroring map turns the winding round, not the side that a face shows.
         if (place.determinant() < 0)
             for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles})
                 for (auto& t : *triangles) std::swap(t[1], t[2]);
         scene_.geometry.meshes.push_back(std::move(mesh));
         scene_.shading.push_back(std::move(shading));
+    }
+    static std::vector<Color> linear_colors(const MeshData& data, VertexColors meaning)
+    {
+        if (meaning == VertexColors::none) return {};
+        std::vector<Color> colors = data.colors;
+        if (meaning == VertexColors::linear) return colors;
+        const auto decoded = [](float x) { return static_cast<float>(linear_from_srgb(static_cast<double>(x))); };
+        for (Color& c : colors) c = {decoded(c.r), decoded(c.g), decoded(c.b)};
+        return colors;
     }
     void add_instances()
     {
@@ -265,6 +277,7 @@ ShadingPoint Scene::shading_point(const Surface& s) const
             .uv_width = s.uv_width,
             .uv_along = s.uv_along,
             .textures = textures.data(),
+            .vertex_color = s.vertex_color,
             .eta = s.eta};
 }
 

@@ -26,6 +26,7 @@ struct MeshShading {
     std::vector<Vec2> uvs;                                  // empty unless a texture is looked up with them
     std::vector<std::array<uint32_t, 3>> uv_triangles;      // per triangle, MeshData::no_uv where it has none
     std::vector<uint32_t> face_material;                    // per triangle; empty if the mesh has one material
+    std::vector<Color> colors;                              // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
     std::vector<uint32_t>
         emitter_rank;  // per triangle: its place among the mesh's emitters, or none; empty if it has none
@@ -62,8 +63,8 @@ struct Scene {
     std::shared_ptr<const Background> background;             // adds to either; null if it is but a constant
     std::shared_ptr<const EnvironmentMap> environment_table;  // by which all of it is drawn; null: it is a constant
     bool glow = false;                                        // see glow_of_lights()
-    std::vector<PointLight> point_lights;              // as the description lists them
-    std::vector<DirectionalLight> directional_lights;  // likewise
+    std::vector<PointLight> point_lights;                     // as the description lists them
+    std::vector<DirectionalLight> directional_lights;         // likewise
 
     std::string file;  // of the description
     Normalisation normalisation;
@@ -88,6 +89,7 @@ struct Scene {
     std::optional<PendingBackground> pending_background;
     bool is_complete = false;
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
+    bool soft_shadows = true;     // else spheres of light shine as from their centres
     bool legacy = false;          // see Switch::legacy
 
     // Checks what only the whole scene can tell, resolves names, normalises; asks `images` for the pictures that the
@@ -95,7 +97,8 @@ struct Scene {
     static Scene begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
     // Waits for the pictures and makes the textures, then lists the lights. A picture that could not be read is a
     // warning, and its texture stands for 1; but an environment or a background that could not be read would leave
-    // the picture black, and is thrown as an Error. Geometry does not change: an accelerator may have been built before.
+    // the picture black, and is thrown as an Error. Geometry does not change: an accelerator may have been built
+    // before.
     void complete(Diagnostics& diagnostics);
     // Both at once.
     static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});

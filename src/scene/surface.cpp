@@ -112,6 +112,14 @@ uint32_t light_of(const Scene& scene, const Hit& hit)
     return first + ranks[hit.primitive];
 }
 
+Color vertex_color(const Scene& scene, const Hit& hit)
+{
+    const std::vector<Color>& colors = scene.shading[hit.geometry].colors;
+    const auto& corners = scene.geometry.meshes[hit.geometry].triangles[hit.primitive];
+    const float w = std::max(0.0f, 1 - hit.uv.x - hit.uv.y);
+    return colors[corners[0]] * w + colors[corners[1]] * hit.uv.x + colors[corners[2]] * hit.uv.y;
+}
+
 // The interpolated normals of a coarse mesh promise a rounder shape than is there, and its triangles shadow their
 // neighbours in visible steps. Rays start from that rounder shape instead: the mean of the projections of the place
 // onto the tangent planes of the corners. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4. On
@@ -232,6 +240,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
             s.light = light_of(scene, hit);
+            if (!scene.shading[hit.geometry].colors.empty()) s.vertex_color = vertex_color(scene, hit);
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
                 s.uv = placed.uv;
                 s.uv_width = width * uv_per_length(*uvs, placed.area);

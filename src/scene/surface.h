@@ -1,6 +1,7 @@
 // The place that a hit is: point, normals, material. Derived from the hit once, whichever accelerator found it.
 #pragma once
 
+#include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
 
@@ -20,12 +21,13 @@ struct Surface {
     uint32_t material;
     uint32_t light;  // id of the light that this place belongs to, or Scene::none
     float t;
-    float area = 0;      // of a triangle as a whole, scene units; else 0
-    Vec2 uv{};           // texture coordinates; only filled where the material reads textures
-    float uv_width = 0;  // footprint of the ray's cone there, in uv
-    Vec2 uv_along{};     // of a plane: what is more of it along the ray; see Footprint
-    float eta = 0;       // index beyond over index before, where the media on the ray's way tell; else 0
-    Vec3 ns_front{};     // shading normal on the front side, as the shape and its maps say: not turned, not bent
+    float area = 0;               // of a triangle as a whole, scene units; else 0
+    Vec2 uv{};                    // texture coordinates; only filled where the material reads textures
+    float uv_width = 0;           // footprint of the ray's cone there, in uv
+    Vec2 uv_along{};              // of a plane: what is more of it along the ray; see Footprint
+    float eta = 0;                // index beyond over index before, where the media on the ray's way tell; else 0
+    Vec3 ns_front{};              // shading normal on the front side, as the shape and its maps say: not turned or bent
+    Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
 };
 
 // How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).

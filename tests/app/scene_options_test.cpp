@@ -85,6 +85,48 @@ TEST_F(SceneOptions, SwitchesStandInTheLedger)
     EXPECT_EQ(metadata("d.exr", "bias"), "none");
 }
 
+TEST_F(SceneOptions, PartsOfTheLightStandInTheLedger)
+{
+    const std::string all = "direct=false,indirect=false,emitters=false,fresnel=false,soft_shadows=false";
+    EXPECT_EQ(render_as("scene.toml", "a.exr", {"--set", all}).code, 0);
+    EXPECT_EQ(metadata("a.exr", "bias"), "no_direct, no_indirect, no_emitters, no_fresnel, no_soft_shadows");
+    for (const Color c : image("a.exr").pixels) EXPECT_EQ(c, Color{});
+}
+
+// Pixels that end early are done, not missing; and what decides it stands with the settings.
+TEST_F(SceneOptions, PixelsThatEndEarlyAreComplete)
+{
+    const auto render = [&](const std::string& scene, const std::string& output, std::vector<std::string> more) {
+        more.insert(more.end(), {"--aov", "samples", "--stats", "s.json"});
+        more.insert(more.begin(), {"-s", "400"});
+        const Said said = render_as(scene, output, more);
+        EXPECT_EQ(said.code, 0) << said.err;
+        EXPECT_EQ(metadata(output, "partial"), "0");
+        EXPECT_EQ(metadata(output, "spp_done"), "400");
+        EXPECT_EQ(metadata(output, "bias"), "none");
+        double sum = 0;
+        for (const float n : read_exr_channel(file(output), "samples.N")) {
+            EXPECT_GE(n, 16);
+            EXPECT_LE(n, 400);
+            sum += static_cast<double>(n);
+        }
+        const std::string said_sum = "\"count\": " + std::to_string(std::llround(sum));
+        expect_words(read_bytes(file("s.json")), said_sum);
+        return sum / static_cast<double>(image(output).pixels.size());
+    };
+    EXPECT_EQ(render("scene.toml", "all.exr", {}), 400);
+    const double fine = render("scene.toml", "fine.exr", {"--set", "stop=true"});
+    const double coarse = render("scene.toml", "coarse.exr", {"--set", "stop=true", "--stop-error", "0.5"});
+    EXPECT_LT(fine, 400);
+    EXPECT_LT(coarse, 0.5 * fine);
+    EXPECT_NE(metadata("fine.exr", "settings_hash"), metadata("coarse.exr", "settings_hash"));
+    write("stop.toml", std::string(small_scene) + "[render]\nstop = true\nstop_error = 0.5\n");
+    render("stop.toml", "same.exr", {});
+    EXPECT_TRUE(same_pixels(image("coarse.exr"), image("same.exr")));
+    EXPECT_EQ(metadata("coarse.exr", "settings_hash"), metadata("same.exr", "settings_hash"));
+    EXPECT_EQ(render_as("scene.toml", "x.exr", {"--stop-error", "0"}).code, 2);
+}
+
 TEST_F(SceneOptions, PicturesOfTheSceneAreSparedAndHashed)
 {
     write("t.exr", "not a picture");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/run_program.h"
+#include "integrators/integrator.h"
 
 namespace lancer {
 namespace {
@@ -39,6 +40,31 @@ TEST_P(Shipped, HasNoProblemsAndIsSeen)
     const Image picture = image("a.exr");
     const auto lit = std::count_if(picture.pixels.begin(), picture.pixels.end(), [](Color c) { return !is_black(c); });
     EXPECT_GT(lit, static_cast<std::ptrdiff_t>(picture.pixels.size() / 2));
+}
+
+// What the camera sees first does not depend on how light is followed: not one bit of albedo, normal and the rest.
+TEST_P(Shipped, LooksTheSameToEveryIntegrator)
+{
+    const auto channels = [&](std::string_view integrator) {
+        const Said said = run({"render", shipped + GetParam() + ".toml", "--size", "30x20", "-s", "2", "-q", "--aov",
+                               "albedo,flat,normal,position,depth,uv,material,mask", "--integrator",
+                               std::string(integrator), "-o", "a.exr"});
+        EXPECT_EQ(said.code, 0) << said.err;
+        std::vector<std::vector<float>> all;
+        for (const ExrInfo::Channel& c : read_exr_info(file("a.exr")).channels)
+            if (c.name.find('.') != std::string::npos) all.push_back(read_exr_channel(file("a.exr"), c.name));
+        return all;
+    };
+    const auto names = names_of_integrators();
+    const auto first = channels(names[0]);
+    ASSERT_EQ(first.size(), 17u);
+    for (size_t i = 1; i < names.size(); ++i) {
+        const auto other = channels(names[i]);
+        ASSERT_EQ(other.size(), first.size());
+        for (size_t k = 0; k < first.size(); ++k)
+            EXPECT_EQ(std::memcmp(first[k].data(), other[k].data(), first[k].size() * sizeof(float)), 0)
+                << names[i] << ", channel " << k;
+    }
 }
 
 TEST_F(AppTest, TheForestIsOfMillionsOfTriangles)

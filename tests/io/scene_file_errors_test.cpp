@@ -32,11 +32,12 @@ TEST_F(SceneMistakes, UnknownKeys)
           "fov, aperture, focus"},
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
-          "sampler, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, stop, multiscatter, terminator, "
+          "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, stop, multiscatter, "
+          "terminator, "
           "legacy"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
-          "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, translate, "
-          "rotate, scale"},
+          "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
+          "vertex_colors, translate, rotate, scale"},
          {"[[sphere]]\ncentre = [0, 0, 0]",
           "2:1: error: unknown key 'centre' in [[sphere]]; did you mean 'center'? known: center, radius, material"},
          {"[[plane]]\npiont = [0, 0, 0]",

@@ -22,6 +22,7 @@ sampler = "sobol"
 spp = 2147483647
 max_depth = 2147483647
 seed = 9223372036854775807
+stop_error = 0.25
 multiscatter = true
 terminator = false
 size = [65536, 4096])")
@@ -33,15 +34,28 @@ size = [65536, 4096])")
     EXPECT_EQ(r.spp, 2147483647u);
     EXPECT_EQ(r.max_depth, 2147483647u);
     EXPECT_EQ(r.seed, 9223372036854775807u);
+    EXPECT_EQ(r.stop_error, 0.25);
     EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65536, 4096}));
     EXPECT_TRUE(r.is_on(Switch::multiscatter));
     EXPECT_FALSE(r.is_on(Switch::terminator));
 }
 
+TEST_F(SceneFileTest, AMeshSaysWhatItsVertexColoursAre)
+{
+    const auto meaning = [&](const std::string& key) {
+        return scene("[[mesh]]\nfile = \"a.obj\"\n" + key).meshes[0].vertex_colors;
+    };
+    write("a.obj", "");
+    EXPECT_EQ(meaning(""), VertexColors::srgb);
+    EXPECT_EQ(meaning("vertex_colors = \"srgb\""), VertexColors::srgb);
+    EXPECT_EQ(meaning("vertex_colors = \"linear\""), VertexColors::linear);
+    EXPECT_EQ(meaning("vertex_colors = \"none\""), VertexColors::none);
+}
+
 TEST_F(SceneFileTest, WhatRenderDoesNotSayIsLeftOpen)
 {
     const RenderDescription r = scene("[render]").render;
-    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size);
+    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size || r.stop_error);
     EXPECT_EQ(r.switches, SaidSwitches{});
     const RenderDescription least = scene("[render]\nspp = 1\nmax_depth = 0\nseed = 0\nsize = [1, 1]").render;
     EXPECT_EQ(least.spp, 1u);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/ray.h"
+#include "materials/interface.h"
 #include "materials/samples.h"
 
 namespace lancer {
@@ -71,6 +72,42 @@ TEST(Glass, ReflectsTotallyBeyondTheCriticalAngle)
             EXPECT_EQ(s->pdf, 1);
         }
     EXPECT_LT(inside.sample({std::sqrt(1 - critical * critical), 0, critical + 1e-5f}, 1 - 0x1p-24f, {})->wi.z, 0);
+}
+
+// Without Fresnel all light goes through, whatever number asks; but what is reflected totally has no other way.
+TEST(Glass, WithoutFresnelOnlyRefracts)
+{
+    const float critical = std::sqrt(1 - 1 / (1.5f * 1.5f));
+    for (const bool front : {true, false}) {
+        const auto glass = Glass{.tint = {0.9f, 0.5f, 0.1f}, .ior = 1.5f, .fresnel = false}.at({.front = front});
+        const InterfaceBsdf face({.diffuse = {0.9f, 0.5f, 0.1f},
+                                  .specular = {1, 1, 1},
+                                  .diffusion = 0,
+                                  .reflexion = 0.3f,
+                                  .refraction = 0.7f,
+                                  .inside_ior = 1.5f},
+                                 front, false);
+        const float eta = front ? 1.5f : 1 / 1.5f;
+        for (const float u : {0.0f, 0.02f, 0.5f, 1 - 0x1p-24f})
+            for (const float z : {1.0f, critical + 1e-5f}) {
+                const Vec3 wo{std::sqrt(1 - z * z), 0, z};
+                for (const auto& s : {glass.sample(wo, u, {}), face.sample(wo, u, {})}) {
+                    ASSERT_TRUE(s);
+                    EXPECT_LT(s->wi.z, 0);
+                    EXPECT_EQ(s->pdf, 1);
+                    EXPECT_NEAR(s->weight.g, 0.5f / (eta * eta), 1e-6f);
+                }
+                EXPECT_FALSE(face.reflection(wo));
+            }
+        if (front) continue;
+        const Vec3 grazing{std::sqrt(1 - 0.25f * critical * critical), 0, 0.5f * critical};
+        for (const auto& s : {glass.sample(grazing, 0.9f, {}), face.sample(grazing, 0.9f, {})}) {
+            ASSERT_TRUE(s);
+            EXPECT_EQ(s->wi.z, grazing.z);
+            EXPECT_EQ(s->pdf, 1);
+        }
+        EXPECT_FALSE(face.refraction(grazing));
+    }
 }
 
 // A boundary that is none changes nothing, not even the last bit that counts.

@@ -85,6 +85,7 @@ TEST(Aovs, TellWhatCanBeTold)
             const bool wall = y < 4;
             SCOPED_TRACE(testing::Message() << x << " " << y);
             EXPECT_EQ(values(planes, "mask.A")[k], wall ? 1 : 0);
+            EXPECT_EQ(values(planes, "samples.N")[k], 39);
             EXPECT_EQ(values(planes, "albedo.R")[k], wall ? 0.5f : 0);
             EXPECT_EQ(values(planes, "flat.B")[k], wall ? 0.125f : 0);
             EXPECT_EQ(values(planes, "normal.X")[k], 0);
@@ -154,6 +155,22 @@ TEST_P(AovsSamePixels, TheLightDoesNotNotice)
         EXPECT_EQ(with.aovs[i].samples, 32u);
         EXPECT_EQ(with.pixels[i].sum, without.pixels[i].sum) << i;
         EXPECT_EQ(with.pixels[i].sum_sq, without.pixels[i].sum_sq) << i;
+    }
+}
+
+// What the camera sees first does not depend on how light is followed: every integrator is compared with the first.
+TEST_P(AovsSamePixels, UnderEveryIntegrator)
+{
+    const auto without_light = [&] {
+        auto planes = planes_of(scene, request);
+        std::erase_if(planes, [](const ImagePlane& p) { return p.name == "R" || p.name == "variance.V"; });
+        return planes;
+    };
+    const auto first = without_light();
+    ASSERT_GE(first.size(), 18u);
+    for (const AnyIntegrator& integrator : all_integrators()) {
+        request.settings.integrator = integrator;
+        EXPECT_TRUE(same(first, without_light())) << std::visit([](const auto& i) { return i.name; }, integrator);
     }
 }
 

@@ -74,6 +74,8 @@ TEST(MaterialBuilder, GlassHasItsIndex)
     expect_base(glass.tint);
     expect_roughness(glass.roughness);
     EXPECT_EQ(glass.ior, 1.7f);
+    EXPECT_TRUE(glass.fresnel);
+    EXPECT_FALSE(made<Glass>(description(MaterialType::glass), {.fresnel = false}).fresnel);
 }
 
 TEST(MaterialBuilder, InterfaceIsWhatItSaysWithTheBaseColourAsItsDiffuseOne)

@@ -35,6 +35,7 @@ inline Rendered render(const SceneDescription& d, const RenderRequest& r)
 {
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
     if (r.aovs) out.film.aovs.resize(out.film.pixels.size());
+    if (r.settings.kernel.stop != StopRule::never) out.film.wanted.resize(out.film.pixels.size());
     with_threads(r.threads, [&] {
         const Renderer renderer(build_scene(d, r.images), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);

@@ -1,0 +1,101 @@
+// The one loop over rays. A batch of paths of one tile advances in lockstep: their rays are traced together, each end
+// is handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
+// A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
+#pragma once
+
+#include "integrators/media.h"
+#include "render/tinted_shadows.h"
+#include "render/workspace.h"
+
+namespace lancer {
+
+// Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
+template <class Integrator>
+uint32_t batch_of(const KernelSettings& settings)
+{
+    if constexpr (requires { Integrator::branches; })
+        return std::min(settings.batch, 16u);
+    else
+        return settings.batch;
+}
+
+// Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
+template <class Integrator, class Listener>
+void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                 const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
+                 const Listener& listener)
+{
+    const uint64_t seed = w.is_pilot ? pilot_seed(settings.seed) : settings.seed;
+    const auto sampler = [&](const State& s) {
+        const SampleId& id = w.slots[s.slot];
+        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, id.sample, s.branch);
+    };
+    w.queue.radiance.assign(w.slots.size(), Color{});
+    // One of each per path is the most today's integrators ask for. Without this a later batch may be the first to ask
+    // for so many, and allocate.
+    w.queue.next.reserve(w.slots.size());
+    w.queue.shadow_rays.reserve(w.slots.size());
+    w.queue.shadows.reserve(w.slots.size());
+    w.occluded.reserve(w.slots.size());
+    w.states.clear();
+    for (uint32_t i = 0; i < w.slots.size(); ++i) {
+        State s;
+        s.slot = i;
+        const Sampler numbers = sampler(s);
+        const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
+        s.ray = camera.ray(
+            {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
+            numbers.get2(0, Dim::lens));
+        s.ray.key = view.ray_key(numbers, 0, Dim::hole);
+        s.cone = {0, camera.pixel_spread()};
+        s.media = view.scene.camera_media;
+        w.states.push_back(s);
+    }
+    counters.camera_rays += w.slots.size();
+
+    const bool has_media = !view.scene.media.empty();
+    for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
+        w.rays.clear();
+        for (const State& s : w.states) w.rays.push_back(s.ray);
+        w.hits.resize(w.rays.size());
+        accel.closest(w.rays, w.hits, coherence);
+        if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
+
+        w.queue.next.clear();
+        w.queue.shadow_rays.clear();
+        w.queue.shadows.clear();
+        w.queue.tinted_shadows.clear();
+        for (size_t i = 0; i < w.states.size(); ++i) {
+            State& s = w.states[i];
+            Steps steps(w.queue, s.slot);
+            const Color before = w.queue.radiance[s.slot];
+            listener.ray(s, w.hits[i]);
+            if (w.hits[i]) {
+                Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
+                listener.vertex(s, surface);
+                const auto hit = [&] { integrator.hit(view, s, surface, sampler(s), steps); };
+                if (has_media)
+                    hit_in_media(view, s, surface, w.queue, steps, hit);
+                else
+                    hit();
+            } else {
+                if (has_media) miss_in_media(view, s);
+                integrator.miss(view, s, steps);
+            }
+            listener.added(s, w.queue.radiance[s.slot] - before);
+        }
+
+        w.occluded.resize(w.queue.shadow_rays.size());
+        accel.any(w.queue.shadow_rays, w.occluded);
+        counters.shadow_rays += w.queue.shadow_rays.size();
+        for (size_t i = 0; i < w.occluded.size(); ++i) {
+            const Queue::Shadow& shadow = w.queue.shadows[i];
+            listener.shadow(w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
+        }
+        if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
+        std::swap(w.states, w.queue.next);
+    }
+}
+
+}  // namespace lancer

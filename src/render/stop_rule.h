@@ -1,0 +1,63 @@
+// When a pixel has samples enough. By confidence: a pilot of 16 samples, with random numbers of its own, tells from its
+// variance how many the pixel needs, and does not count itself: Stein, "A Two-Sample Test for a Linear Hypothesis Whose
+// Power is Independent of the Variance", Annals of Mathematical Statistics 16(3), 1945. What is averaged knows nothing
+// of when it ends, so that the mean stays unbiased; a rule that looks at the samples which it averages ends early where
+// they happen to agree, and misses thin bright things. The rule of the past is of that kind.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "core/film.h"
+#include "core/hash.h"
+#include "core/switches.h"
+
+namespace lancer {
+
+enum class StopRule {
+    never,
+    confidence,   // of the mean luminance, from a pilot
+    last_sample,  // when a sample, the fifth or a later one, is close to the mean; legacy
+};
+
+// The classic integrators have ways of their own with legacy: they clamp each sample to [0, 1], and end pixels by the
+// last sample.
+inline bool clamps_samples(std::string_view integrator, const Switches& switches)
+{
+    return switches[Switch::legacy] && (integrator == "whitted" || integrator == "random-decision");
+}
+inline StopRule stop_rule(std::string_view integrator, const Switches& switches)
+{
+    if (!switches[Switch::stop]) return StopRule::never;
+    return clamps_samples(integrator, switches) ? StopRule::last_sample : StopRule::confidence;
+}
+
+// The seed of the pilots in a picture of that seed: their numbers have nothing to do with those that count.
+constexpr uint64_t pilot_seed(uint64_t seed) { return mix_bits(~seed); }
+
+// How many samples a pixel needs after its pilot of samples_per_block samples: so many, in whole blocks, that the 95 %
+// confidence interval of its mean luminance reaches no further than error * sqrt(mean^2 + 0.01) to either side.
+// error: > 0. A pilot in which something was not finite cannot tell: all that there can be.
+inline uint32_t samples_for(const Pixel& pilot, double error)
+{
+    constexpr uint32_t all = std::numeric_limits<uint32_t>::max();
+    if (pilot.n < samples_per_block) return all;
+    constexpr double student = 2.131449546;  // 97.5 % quantile for 15 degrees of freedom
+    const double n = pilot.n, mean = luminance(pilot.sum[0], pilot.sum[1], pilot.sum[2]) / n;
+    const double variance = std::max(0.0, (pilot.sum_sq / n - mean * mean) * n / (n - 1));
+    const double needed = student * student * variance / (error * error * (mean * mean + 0.01));
+    const double blocks = std::max(1.0, std::ceil(needed / samples_per_block));
+    return blocks < double{all / samples_per_block} ? static_cast<uint32_t>(blocks) * samples_per_block : all;
+}
+
+// Whether the pixel ends with `last`, which is in its sums already. Never with one that was not finite.
+inline bool ends_with(const Pixel& pixel, Color last)
+{
+    if (pixel.n < 5) return false;
+    const Color d = pixel.mean() - last;
+    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) < 0.005f * static_cast<float>(pixel.n);
+}
+
+}  // namespace lancer
