@@ -63,7 +63,11 @@ TEST(Background, IsTheSameToTheBit)
     const Film film = render(d, request).film;
     request.threads = 3, request.tile = 5, request.settings.kernel.batch = 7, request.spp = {5, 11};
     EXPECT_TRUE(same_bits(film, render(d, request).film));
-    for (const int k : {-9, 8}) EXPECT_TRUE(same_bits(film, render(scaled_by(d, std::ldexp(1.0, k)), request).film));
+    // The disc of a point light is as bright as a number that is larger in a larger scene.
+    d.lights.erase(d.lights.begin());
+    const Film without = render(d, request).film;
+    for (const int k : {-9, 8})
+        EXPECT_TRUE(same_bits(without, render(scaled_by(d, std::ldexp(1.0, k)), request).film)) << k;
 }
 
 // A furnace has the same bits whether its walls are an environment or a background.
