@@ -90,7 +90,7 @@ private:
     {
         if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
         State next = v.s;
-        next.ray = {.org = org, .dir = normalize(wi)};
+        next.ray = {.org = org, .dir = wi};
         next.ray.key = view.ray_key(v.sampler, v.s.depth + 1, Dim::hole);
         next.throughput *= weight;
         next.specular = sees_lights;
@@ -102,7 +102,7 @@ private:
     void mirror(const V& view, const Vertex& v, const Phong& p, Steps& steps) const
     {
         const Vec3 d = v.s.ray.dir;
-        send(view, v, v.origin(1), d - v.n() * (2 * dot(d, v.n())), p.specular, v.s.specular, steps);
+        send(view, v, v.origin(1), normalize(d - v.n() * (2 * dot(d, v.n()))), p.specular, v.s.specular, steps);
     }
 
     template <class V>
@@ -120,8 +120,9 @@ private:
             const float root = (from - to) / (from + to), k0 = root * root, grazing = 1 - cos, g2 = grazing * grazing;
             return v.sampler.get1(v.s.depth, Dim::bsdf) < k0 + (1 - k0) * g2 * g2 * grazing;
         };
-        if (reflects()) return send(view, v, v.origin(side), d + n * (2 * cos), p.specular, false, steps);
-        send(view, v, v.origin(-side), (d + n * cos) * ratio - n * std::sqrt(cos2_t), p.diffuse, false, steps);
+        if (reflects()) return send(view, v, v.origin(side), normalize(d + n * (2 * cos)), p.specular, false, steps);
+        const Vec3 refracted = (d + n * cos) * ratio - n * std::sqrt(cos2_t);
+        send(view, v, v.origin(-side), normalize(refracted), p.diffuse, false, steps);
     }
 
     template <class V>
@@ -175,10 +176,11 @@ private:
     {
         const Vec3 center = to_float(sphere.center), h = square_to_cosine_hemisphere(u);
         const auto radius = static_cast<float>(sphere.radius);
-        from_center = Frame(normalize(v.surface.p - center)).to_world(h);
-        const Vec3 d = center + from_center * radius - v.surface.p;
+        const Vec3 axis = v.surface.p - center;
+        from_center = Frame(axis * (1 / length(axis))).to_world(h);
+        const Vec3 d = from_center * radius - axis;
         const float d2 = dot(d, d);
-        const Vec3 wi = d / std::sqrt(d2);
+        const Vec3 wi = d * (1 / std::sqrt(d2));
         const float cos = dot(v.n(), wi), cos_light = -dot(from_center, wi);
         if (cos > 0 && cos_light > 0 && h.z > 0) geometry = cos * cos_light * radius * radius / (d2 * h.z);
         return {.org = v.origin(1), .dir = wi, .t_max = std::sqrt(shadow_end * d2)};

@@ -52,7 +52,7 @@ TEST_F(Legacy, ReplaysItsSamplesByTheOptionsThatItPrints)
     const Color c = image("a.exr").at(12, 3);
     EXPECT_FALSE(is_black(c));
     char text[64];
-    std::snprintf(text, sizeof text, "%.9g %.9g %.9g", static_cast<double>(c.r), static_cast<double>(c.g),
+    std::snprintf(text, sizeof text, "radiance (%.9g, %.9g, %.9g)", static_cast<double>(c.r), static_cast<double>(c.g),
                   static_cast<double>(c.b));
     expect_words(pixel.out, text);
 }
