@@ -41,7 +41,7 @@ inline Surface receiver(Vec3 p, Vec3 n)
             .p_error = abs(p) * gamma(1),
             .n = n,
             .ns = n,
-            .origin = p,
+            .origin = offset_origin(p, abs(p) * gamma(1), n, n),
             .side = n,
             .front = true,
             .material = 0,
