@@ -255,6 +255,7 @@ TEST(LightDensity, HoldsBehindTheSurfaceToo)
             Surface turned = from;
             turned.n = -from.n;
             turned.side = -from.side;
+            turned.origin = start_of(from, turned.n);
             const auto front = sample_light(stage.scene, from, pick, u),
                        back = sample_light(stage.scene, turned, pick, u);
             const bool constant_sky = s && s->infinite && !s->delta && !stage.scene.environment_map;
