@@ -51,9 +51,9 @@ Settings settings_of_scene(const RenderDescription& scene)
     return s;
 }
 
-// What belongs to the programs of the past besides their integrators: pixels, their filter, 8 bits. Whoever names a
-// filter gets it.
-void take_legacy(Settings& s, bool says_filter)
+// What belongs to the programs of the past besides their integrators: pixels, their filter, when they end, 8 bits.
+// Whoever names a filter or the stop gets it.
+void take_legacy(Settings& s, bool says_filter, bool says_stop)
 {
     if (!s.switches[Switch::legacy]) return;
     if (is_students(s.integrator)) {
@@ -64,6 +64,7 @@ void take_legacy(Settings& s, bool says_filter)
         s.grid = PixelGrid::corners;
         s.tonemap = ToneMap::clamped;
         if (!says_filter) s.filter = s.spp == 1 ? "centre" : "box";
+        if (!says_stop && s.spp > 1 && s.integrator == "whitted") s.switches.set(Switch::stop, true);
     }
 }
 
@@ -85,7 +86,8 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.switches.take(o.switches);
     if (o.legacy) s.switches.set(Switch::legacy, true);
     s.spp = o.spp.value_or(s.spp);
-    take_legacy(s, o.filter || scene.filter);
+    constexpr auto stop = static_cast<size_t>(Switch::stop);
+    take_legacy(s, o.filter || scene.filter, o.switches[stop] || scene.switches[stop]);
     s.threads = o.threads ? *o.threads : available_threads();
     return s;
 }

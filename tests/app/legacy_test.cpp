@@ -36,7 +36,7 @@ TEST_F(Legacy, IsSaidInTheHeaderAndChangesThePicture)
 {
     EXPECT_EQ(render({"--legacy", "--filter", "box", "-o", "old.exr", "-q"}).code, 0);
     EXPECT_EQ(render({"--filter", "box", "-o", "new.exr", "-q"}).code, 0);
-    EXPECT_EQ(metadata("old.exr", "bias"), "legacy");
+    EXPECT_EQ(metadata("old.exr", "bias"), "max_depth=5, legacy");
     EXPECT_EQ(metadata("new.exr", "bias"), "none");
     EXPECT_FALSE(same_pixels(image("old.exr"), image("new.exr")));
 }

@@ -101,7 +101,7 @@ TEST_F(Render, TheLedgerTellsTheDepthThatTheIntegratorKeptTo)
         ASSERT_EQ(
             run({"scene.toml", "-o", "a.exr", "-s", "1", "--integrator", name, "--max-depth", "3", "--legacy"}).code,
             0);
-        EXPECT_EQ(metadata("a.exr", "bias"), "no_diffuse_bounces, straight_shadows, max_depth=3, legacy");
+        EXPECT_EQ(metadata("a.exr", "bias"), "no_diffuse_bounces, straight_shadows, max_depth=3, legacy, clamp");
     }
     ASSERT_EQ(run({"scene.toml", "-o", "a.exr", "-s", "1", "--integrator", "path"}).code, 0);
     EXPECT_EQ(metadata("a.exr", "max_depth"), "0");

@@ -69,7 +69,7 @@ TEST_F(Definitions, MistakesAreNamedAsInTheFileWithTheirPlace)
 {
     EXPECT_EQ(problems_with("camera.fvo=35", "version = 1"),
               "-D camera.fvo=35: error: unknown key 'fvo' in [camera]; did you mean 'fov'? known: type, position, "
-              "target, up, fov, aperture, focus");
+              "target, up, fov, aperture, focus, inside");
     EXPECT_EQ(problems_with("camera.fov=350", "[camera]"),
               "-D camera.fov=350: error: 'fov' in [camera] must be greater than 0 and less than 180, not 350");
     EXPECT_EQ(problems_with("camera.fov.x=1", "[camera]\nfov = 3"),

@@ -29,7 +29,7 @@ TEST_F(SceneMistakes, UnknownKeys)
     check(
         {{"[camera]\n  positon = [0, 0, 1]",
           "2:3: error: unknown key 'positon' in [camera]; did you mean 'position'? known: type, position, target, up, "
-          "fov, aperture, focus"},
+          "fov, aperture, focus, inside"},
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
           "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, stop, multiscatter, "
@@ -46,8 +46,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "band_width"},
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
-          "roughness, roughness_texture, metallic, metallic_texture, ior, eta, k, specular, first, second, weight, "
-          "weight_texture, ambient, shininess, diffusion, reflexion and 10 more"},
+          "roughness, roughness_texture, metallic, metallic_texture, ior, absorption, priority, eta, k, specular, "
+          "first, second, weight, weight_texture, ambient, shininess and 12 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate"},
@@ -85,7 +85,7 @@ TEST_F(SceneMistakes, LightsAndCameras)
           "5:8: error: 'file' in [[light]] needs type 'environment', not 'point'"},
          {"[camera]\nfov = 30\n[camera.close]\nfvo = 3",
           "4:1: error: unknown key 'fvo' in [camera.close]; did you mean 'fov'? known: type, position, target, up, "
-          "fov, aperture, focus"},
+          "fov, aperture, focus, inside"},
          {"[camera.close]\ntarget = [0, 0, 5]",
           "2:10: error: 'position' and 'target' in [camera.close] must be different points"},
          {"[render]\nterminator = 1", "2:14: error: 'terminator' in [render] must be true or false, not an integer"}});

@@ -163,7 +163,9 @@ TEST_F(ShapeTables, MistakesOfPlanes)
          {"[[plane]]\nu = [1, 0, 0]\nv = [0, 0, 1]\nnormal = [0, 1, 0]",
           "4:10: error: 'normal' in [[plane]] must be the direction of u x v, or not be given"},
          {"[[plane]]\nband_width = 0.5", "2:14: error: 'band_width' in [[plane]] needs 'band_material'"},
-         {"[[plane]]\nband_material = \"a\"", "2:17: error: unknown material 'a'; the file has no [material.NAME]"},
+         {"[[plane]]\nband_material = \"a\"",
+          "2:17: error: unknown material 'a'; known: white_plastic, red_plastic, bronze, "
+          "emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
          {"[[plane]]\nband_material = \"a\"\nband_width = 1.5\n[material.a]",
           "3:14: error: 'band_width' in [[plane]] must be from 0 to 1, not 1.5"},
          {"[[water]]\nwaves = []",
