@@ -48,7 +48,8 @@ bool emits(const MeshData& mesh)
 bool emits(const SceneDescription& scene)
 {
     const auto shines = [](const MaterialDescription& m) { return !is_black(m.emission); };
-    return !scene.lights.empty() || scene.background || std::any_of(scene.materials.begin(), scene.materials.end(), shines) ||
+    return !scene.lights.empty() || scene.background ||
+           std::any_of(scene.materials.begin(), scene.materials.end(), shines) ||
            std::any_of(scene.meshes.begin(), scene.meshes.end(),
                        [](const MeshDescription& m) { return m.material.empty() && emits(*m.data); });
 }

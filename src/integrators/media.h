@@ -43,8 +43,8 @@ void hit_in_media(const View& view, State& s, Surface& surface, Queue& queue, St
         queue.tinted_shadows[i].media = medium_towards(queue.tinted_shadows[i].ray.dir);
 }
 
-// The part of a shadow ray's light that goes on beyond a surface. `in` becomes what the ray is in there; through(): what
-// the integrator says of `surface`, which is changed before.
+// The part of a shadow ray's light that goes on beyond a surface. `in` becomes what the ray is in there; through():
+// what the integrator says of `surface`, which is changed before.
 template <class F>
 Color shadow_in_media(const View& view, MediumStack& in, Surface& surface, const F& through)
 {

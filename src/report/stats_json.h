@@ -30,7 +30,7 @@ struct RunStats {
         std::string integrator, sampler, filter, accel, isa;
         Switches switches;
         std::vector<std::string> biases;  // of the integrator, whatever its settings
-        std::string hash;  // of all that decides the value of a pixel, but the scene
+        std::string hash;                 // of all that decides the value of a pixel, but the scene
     };
     struct Phase {
         std::string name;

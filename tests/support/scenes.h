@@ -424,7 +424,7 @@ inline SceneDescription glossy_scene()
     return d;
 }
 
-SceneDescription media_scene();  // in support/media_scenes.h
+SceneDescription media_scene();   // in support/media_scenes.h
 SceneDescription shapes_scene();  // in support/shapes_scene.h
 
 struct NamedScene {
