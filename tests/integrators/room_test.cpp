@@ -64,24 +64,29 @@ SceneDescription caustic()
 }
 constexpr Tile caustic_region{70, 58, 78, 63};
 
-stats::Tally look_at_caustic(DirectLight how, uint32_t max_depth, uint32_t spp, uint64_t seed)
+stats::Tally look_at_caustic(const AnyIntegrator& integrator, uint32_t spp, uint64_t seed)
 {
+    SceneDescription scene = caustic();
+    scene.render.set(Switch::legacy, std::holds_alternative<LegacyPath>(integrator));
     RenderRequest r;
     r.width = 128, r.height = 96, r.crop = caustic_region, r.spp = {spp}, r.threads = 2;
-    r.settings.integrator = Path{.max_depth = max_depth, .direct = how};
+    r.settings.integrator = integrator;
     r.settings.kernel.sampler = SamplerKind::independent;
     r.settings.kernel.seed = seed;
-    const Rendered out = render(caustic(), r);
+    const Rendered out = render(scene, r);
     EXPECT_EQ(out.counters.dropped, 0u);
     return tally(out.film);
 }
 
 TEST(Caustic, OfAGlassBallIsFoundByTheDefaultPath)
 {
-    const stats::Tally both = look_at_caustic(ways[0], 0, 2048, 1), bsdf = look_at_caustic(ways[2], 0, 2048, 2);
+    const stats::Tally both = look_at_caustic(Path{.direct = ways[0]}, 2048, 1);
+    const stats::Tally bsdf = look_at_caustic(Path{.direct = ways[2]}, 2048, 2);
     EXPECT_LT(both.error(), 0.02 * both.mean);
     EXPECT_GE(stats::welch_p(both, bsdf), 0.01) << both.mean << " against " << bsdf.mean;
-    EXPECT_EQ(look_at_caustic(ways[0], 1, 16, 3).mean, 0) << "of direct light there is only shadow";
+    EXPECT_EQ(look_at_caustic(Path{.max_depth = 1}, 16, 3).mean, 0) << "of direct light there is only shadow";
+    const stats::Tally legacy = look_at_caustic(LegacyPath{}, 2048, 4);
+    EXPECT_GE(both.mean - 4 * both.error(), 3 * (legacy.mean + 4 * legacy.error())) << "light sampling alone loses it";
     std::printf("caustic: %.4g by nee and mis, %.4g by the bsdf, sigma %.2g\n", both.mean, bsdf.mean, both.error());
 }
 
