@@ -59,10 +59,10 @@ two_lamps=("${as_course[@]}" -D light.1.intensity=1)
 draw_course() {
     local name
     for name in start three-spheres bubble noon copper glow; do draw "$name" 360x240 64 "seed-a/$name"; done
-    for name in floor night triangle pyramids water presets buildings water-pyramids; do
-        draw "$name" 360x240 32 "seed-a/$name"
+    for name in floor night triangle pyramids water presets buildings; do
+        draw "$name" 360x240 64 "seed-a/$name"
     done
-    draw sunset 360x240 64 seed-a/sunset
+    for name in sunset water-pyramids; do draw "$name" 360x240 64 "seed-a/$name"; done
     for name in fisheye ground textured-triangle; do draw "$name" 360x240 64 "seed-a-$name"; done
     draw random-decision 360x240 128 seed-a/random-decision
     draw bubble-from-inside 360x240 128 seed-a/bubble-from-inside --integrator random-decision
