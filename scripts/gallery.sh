@@ -4,9 +4,10 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/gallery.sh [--quick] [--out FOLDER] [PART...]
+usage: scripts/gallery.sh [--quick] [--out FOLDER] [--only PICTURE]... [PART...]
   --quick       half the size, a sixteenth of the samples
   --out FOLDER  where to (build/gallery); docs/pictures/gallery makes the documentation's pictures anew
+  --only NAME   only this picture; may be given several times
   PART...       of course, student, legacy, depth, faults (all but faults)
 Prints the CPU seconds of rendering and the command of each picture. LANCER names the program (build/release/lancer).
 `faults` builds the program six times in build/mutations, with each of the patches of tests/mutations that it draws.
@@ -18,7 +19,7 @@ fail() { echo "gallery.sh: error: $1" >&2; exit "${2:-1}"; }
 unset CDPATH
 started_in=$PWD
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-quick=0 out=build/gallery parts=()
+quick=0 out=build/gallery only=() parts=()
 while (($#)); do
     case $1 in
         --quick) quick=1; shift ;;
@@ -27,6 +28,7 @@ while (($#)); do
             [[ $out == /* ]] || out=$started_in/$out
             shift 2
             ;;
+        --only) only+=("${2:?--only needs a name}"); shift 2 ;;
         -h | --help) usage; exit 0 ;;
         course | student | legacy | depth | faults) parts+=("$1"); shift ;;
         *) echo "gallery.sh: error: unknown part '$1'" >&2; usage >&2; exit 2 ;;
@@ -42,6 +44,7 @@ trap 'rm -f "$figures"' EXIT
 # draw PICTURE WxH SPP SCENE [OPTION...]
 draw() {
     local picture=$1 size=$2 spp=$3 scene=$4 seconds
+    if ((${#only[@]})) && [[ " ${only[*]} " != *" $picture "* ]]; then return; fi
     if ((quick)); then
         size=$((${size%x*} / 2))x$((${size#*x} / 2))
         spp=$((spp < 16 ? 1 : spp / 16))
@@ -55,20 +58,20 @@ draw() {
 # The course's scenes with the numbers of their lights as the course meant them: colours that do not fade.
 as_course=(--legacy -D light.0.irradiance=1)
 two_lamps=("${as_course[@]}" -D light.1.intensity=1)
+full_sky=(-D background.strength=1)
 
 draw_course() {
     local name
     for name in start three-spheres bubble noon copper glow; do draw "$name" 360x240 64 "seed-a/$name"; done
-    for name in floor night triangle pyramids water presets buildings; do
-        draw "$name" 360x240 64 "seed-a/$name"
-    done
-    for name in sunset water-pyramids; do draw "$name" 360x240 64 "seed-a/$name"; done
-    for name in fisheye ground textured-triangle; do draw "$name" 360x240 64 "seed-a-$name"; done
+    for name in floor night triangle pyramids water presets; do draw "$name" 360x240 64 "seed-a/$name"; done
+    for name in sunset water-pyramids; do draw "$name" 360x240 32 "seed-a/$name"; done
+    draw buildings 360x240 16 seed-a/buildings
+    for name in fisheye ground textured-triangle; do draw "$name" 360x240 32 "seed-a-$name"; done
     draw random-decision 360x240 128 seed-a/random-decision
-    draw bubble-from-inside 360x240 128 seed-a/bubble-from-inside --integrator random-decision
-    draw bubbles 360x240 128 seed-a/bubbles --integrator random-decision
-    draw nested 360x240 128 seed-a/nested
-    draw interreflections 360x240 256 seed-a/interreflections
+    draw bubble-from-inside 360x240 64 seed-a/bubble-from-inside --integrator random-decision
+    draw bubbles 360x240 64 seed-a/bubbles --integrator random-decision
+    draw nested 360x240 64 seed-a/nested
+    draw interreflections 360x240 128 seed-a/interreflections
 }
 
 draw_student() {
@@ -76,7 +79,7 @@ draw_student() {
     draw noeffects 240x240 1 seed-b/noeffects
     draw antialiasing 240x240 32 seed-b/antialiasing
     for name in indirect softshadows miroir fresnel; do draw "$name" 240x240 128 "seed-b/$name"; done
-    draw room-three-spheres 240x240 256 seed-b/three-spheres
+    draw room-three-spheres 240x240 128 seed-b/three-spheres
     draw caustic 320x240 256 seed-b/caustic
     draw mesh 240x240 1 seed-b-mesh
     draw texturesdirect 240x240 1 seed-b-texturesdirect
@@ -87,8 +90,8 @@ draw_legacy() {
     local name
     for name in three-spheres bubble; do draw "$name-legacy" 360x240 16 "seed-a/$name" "${two_lamps[@]}"; done
     draw water-legacy 360x240 16 seed-a/water "${as_course[@]}"
-    draw presets-legacy 360x240 16 seed-a/presets "${two_lamps[@]}" -D background.strength=1
-    draw buildings-legacy 360x240 16 seed-a/buildings "${as_course[@]}" -D background.strength=1
+    draw presets-legacy 360x240 16 seed-a/presets "${two_lamps[@]}" "${full_sky[@]}"
+    draw buildings-legacy 360x240 16 seed-a/buildings "${as_course[@]}" "${full_sky[@]}"
     for name in fresnel miroir transparent; do draw "$name-legacy" 240x240 128 "seed-b/$name" --legacy; done
     draw caustic-legacy 320x240 256 seed-b/caustic --legacy
 }
@@ -97,7 +100,8 @@ draw_legacy() {
 draw_depth() {
     local depth
     for depth in 1 2 3 4 5 6 8 12; do
-        draw "depth-$depth" 240x160 4 seed-a/bubbles "${as_course[@]}" -D background.strength=1 --max-depth $((depth + 1))
+        draw "depth-$depth" 240x160 4 seed-a/bubbles "${as_course[@]}" "${full_sky[@]}" \
+            --max-depth $((depth + 1))
     done
 }
 
@@ -132,9 +136,9 @@ draw_faults() {
     with_fault index_on_leaving fault-index 360x240 16 seed-a/bubble "${two_lamps[@]}"
     with_fault bubble_too_white fault-white-bubble 360x240 16 seed-a/bubble "${two_lamps[@]}"
     with_fault glow_cones fault-glow 360x240 16 seed-a/glow
-    with_fault plane_missed fault-plane 360x240 16 seed-a/buildings "${as_course[@]}" -D background.strength=1
-    with_fault shadow_lighter fault-shadow-lighter 360x240 16 seed-a/presets "${two_lamps[@]}" -D background.strength=1
-    with_fault shadow_coefficients fault-shadow-parts 360x240 16 seed-a/presets "${two_lamps[@]}" -D background.strength=1
+    with_fault plane_missed fault-plane 360x240 16 seed-a/buildings "${as_course[@]}" "${full_sky[@]}"
+    with_fault shadow_lighter fault-shadow-lighter 360x240 16 seed-a/presets "${two_lamps[@]}" "${full_sky[@]}"
+    with_fault shadow_coefficients fault-shadow-parts 360x240 16 seed-a/presets "${two_lamps[@]}" "${full_sky[@]}"
     return $failed
 }
 
