@@ -41,10 +41,12 @@ mkdir -p "$out"
 figures=$(mktemp)
 trap 'rm -f "$figures"' EXIT
 
+wanted() { ((${#only[@]} == 0)) || [[ " ${only[*]} " == *" $1 "* ]]; }
+
 # draw PICTURE WxH SPP SCENE [OPTION...]
 draw() {
     local picture=$1 size=$2 spp=$3 scene=$4 seconds
-    if ((${#only[@]})) && [[ " ${only[*]} " != *" $picture "* ]]; then return; fi
+    wanted "$picture" || return 0
     if ((quick)); then
         size=$((${size%x*} / 2))x$((${size#*x} / 2))
         spp=$((spp < 16 ? 1 : spp / 16))
@@ -108,6 +110,7 @@ draw_depth() {
 # with_fault PATCH PICTURE ...: draws with the program of a source that has the fault.
 with_fault() {
     local patch=$PWD/tests/mutations/$1.patch scratch=$PWD/build/mutations
+    wanted "$2" || return 0
     (cd "$scratch/source" && GIT_CEILING_DIRECTORIES=$scratch git apply -p1 "$patch")
     if cmake --build "$scratch/build" -j "$(build_jobs)" --target lancer >"$scratch/build.log" 2>&1; then
         lancer=$scratch/build/lancer draw "${@:2}"
