@@ -53,7 +53,9 @@ draw() {
     fi
     local command=(render "scenes/$scene.toml" --size "$size" -s "$spp" "${@:5}")
     "$lancer" "${command[@]}" -t 1 -q --stats "$figures" -o "$out/$picture.png" >/dev/null </dev/null
-    seconds=$(awk -F'[:, ]+' '/"name": "render"/ { r = 1 } r && /"cpu_s"/ { printf "%.1f", $3; exit }' "$figures")
+    seconds=$(awk -F'[:, ]+' '
+        /"name": "render"/ { rendering = 1 }
+        rendering && /"cpu_s"/ { printf $3 < 1 ? "%.2f" : "%.1f", $3; exit }' "$figures")
     printf '%-28s %7s s  lancer %s\n' "$picture" "$seconds" "${command[*]}"
 }
 
@@ -134,7 +136,8 @@ draw_faults() {
             mkdir -p "$scratch/source/$(dirname "$file")"
             cp "$file" "$scratch/source/$file"
         done
-    (cd "$scratch/source" && cmake --preset release -B "$scratch/build" -DLANCER_WERROR=OFF) >"$scratch/build.log" 2>&1 ||
+    (cd "$scratch/source" && cmake --preset release -B "$scratch/build" -DLANCER_WERROR=OFF) \
+        >"$scratch/build.log" 2>&1 ||
         fail "cmake failed, see $scratch/build.log"
     with_fault index_on_leaving fault-index 360x240 16 seed-a/bubble "${two_lamps[@]}"
     with_fault bubble_too_white fault-white-bubble 360x240 16 seed-a/bubble "${two_lamps[@]}"
