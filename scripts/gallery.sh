@@ -25,7 +25,9 @@ while (($#)); do
         --quick) quick=1; shift ;;
         --out)
             out=${2:?--out needs a folder}
-            [[ $out == /* ]] || out=$started_in/$out
+            # Relative, since pictures remember the command that drew them.
+            out=$(cd -- "$started_in" && realpath -m -- "$out")
+            out=$(realpath -m --relative-base=. -- "$out")
             shift 2
             ;;
         --only) only+=("${2:?--only needs a name}"); shift 2 ;;
@@ -38,7 +40,7 @@ done
 lancer=${LANCER:-build/release/lancer}
 [[ -x $lancer ]] || fail "no program '$lancer'; build it, or set LANCER to its path"
 mkdir -p "$out"
-figures=$(mktemp)
+figures=$out/figures-$$.json
 trap 'rm -f "$figures"' EXIT
 
 wanted() { ((${#only[@]} == 0)) || [[ " ${only[*]} " == *" $1 "* ]]; }
@@ -68,13 +70,14 @@ draw_course() {
     local name
     for name in start three-spheres bubble noon copper glow; do draw "$name" 360x240 64 "seed-a/$name"; done
     for name in floor night triangle pyramids water presets; do draw "$name" 360x240 64 "seed-a/$name"; done
-    for name in sunset water-pyramids; do draw "$name" 360x240 32 "seed-a/$name"; done
-    draw buildings 360x240 16 seed-a/buildings
+    draw sunset 360x240 32 seed-a/sunset
     for name in fisheye ground textured-triangle; do draw "$name" 360x240 32 "seed-a-$name"; done
-    draw random-decision 360x240 128 seed-a/random-decision
-    draw bubble-from-inside 360x240 64 seed-a/bubble-from-inside --integrator random-decision
-    draw bubbles 360x240 64 seed-a/bubbles --integrator random-decision
-    draw nested 360x240 64 seed-a/nested
+    for name in water-pyramids buildings; do draw "$name" 360x240 16 "seed-a/$name"; done
+    draw random-decision 360x240 64 seed-a/random-decision
+    for name in bubble-from-inside bubbles; do
+        draw "$name" 360x240 32 "seed-a/$name" --integrator random-decision
+    done
+    draw nested 360x240 32 seed-a/nested
     draw interreflections 360x240 128 seed-a/interreflections
 }
 
@@ -83,7 +86,7 @@ draw_student() {
     draw noeffects 240x240 1 seed-b/noeffects
     draw antialiasing 240x240 32 seed-b/antialiasing
     for name in indirect softshadows miroir fresnel; do draw "$name" 240x240 128 "seed-b/$name"; done
-    draw room-three-spheres 240x240 128 seed-b/three-spheres
+    draw room-three-spheres 240x240 64 seed-b/three-spheres
     draw caustic 320x240 256 seed-b/caustic
     draw mesh 240x240 1 seed-b-mesh
     draw texturesdirect 240x240 1 seed-b-texturesdirect
@@ -96,8 +99,8 @@ draw_legacy() {
     draw water-legacy 360x240 16 seed-a/water "${as_course[@]}"
     draw presets-legacy 360x240 16 seed-a/presets "${two_lamps[@]}" "${full_sky[@]}"
     draw buildings-legacy 360x240 16 seed-a/buildings "${as_course[@]}" "${full_sky[@]}"
-    for name in fresnel miroir transparent; do draw "$name-legacy" 240x240 128 "seed-b/$name" --legacy; done
-    draw caustic-legacy 320x240 256 seed-b/caustic --legacy
+    for name in fresnel miroir transparent; do draw "$name-legacy" 240x240 32 "seed-b/$name" --legacy; done
+    draw caustic-legacy 320x240 64 seed-b/caustic --legacy
 }
 
 # The course counts what follows the first surface: its depth 1 is --max-depth 2.
