@@ -99,7 +99,7 @@ draw_legacy() {
     draw water-legacy 360x240 16 seed-a/water "${as_course[@]}"
     draw presets-legacy 360x240 16 seed-a/presets "${two_lamps[@]}" "${full_sky[@]}"
     draw buildings-legacy 360x240 16 seed-a/buildings "${as_course[@]}" "${full_sky[@]}"
-    for name in fresnel miroir transparent; do draw "$name-legacy" 240x240 32 "seed-b/$name" --legacy; done
+    for name in fresnel miroir; do draw "$name-legacy" 240x240 32 "seed-b/$name" --legacy; done
     draw caustic-legacy 320x240 64 seed-b/caustic --legacy
 }
 
