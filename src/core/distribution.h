@@ -56,6 +56,8 @@ public:
         const auto i = std::min(static_cast<uint32_t>(it - cumulative_.begin()), static_cast<uint32_t>(size() - 1));
         return {i, static_cast<float>((cumulative_[i] - (i ? cumulative_[i - 1] : 0)) / rest)};
     }
+    // The part of all weight that the indices from `first` on have.
+    double share_from(uint32_t first) const { return first ? 1 - cumulative_[first - 1] / total_ : 1; }
 
 private:
     std::vector<double> cumulative_;

@@ -52,6 +52,7 @@ public:
         const uint32_t deltas = view_.delta_lights();
         for (uint32_t i = 0; i < deltas; ++i) add_light(view_.delta_light(surface_, i), throughput, key + i, steps);
         add_light(view_.sample_extended_light(surface_, sampler_, s_.depth), throughput, key + deltas, steps);
+        add_environment_seen(throughput, key + deltas + 1, steps);
     }
 
 private:
@@ -73,11 +74,29 @@ private:
         if (!light) return;
         const Vec3 wi = frame_.to_local(light->wi);
         if (!sides_agree(surface_, light->wi, wi)) return;
-        const Color f_cos = bsdf_.eval(wo_, wi).f_cos;
-        if (is_black(f_cos)) return;
+        const BsdfValue f = bsdf_.eval(wo_, wi);
+        if (is_black(f.f_cos)) return;
         Ray ray = shadow_ray(surface_, *light);
         ray.key = key;
-        steps.tinted_shadow(ray, throughput * f_cos * light->radiance / light->pdf, light->radiance);
+        const float weight = light->infinite && !light->delta ? power_heuristic(light->pdf, f.pdf) : 1;
+        steps.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
+    }
+    // The environment once more, in a direction that the surface chooses: a narrow highlight hardly meets a direction
+    // that the sky chose. Other lights are small, and left to their own samples.
+    void add_environment_seen(Color throughput, uint32_t key, Steps& steps) const
+    {
+        if (view_.scene.environment_light == Scene::none) return;
+        const float u = sampler_.get1(s_.depth, Dim::roulette);
+        const auto b = bsdf_.sample(wo_, u, sampler_.get2(s_.depth, Dim::bsdf));
+        if (!b || b->delta) return;
+        const Vec3 wi = normalize(frame_.to_world(b->wi));
+        if (!sides_agree(surface_, wi, b->wi)) return;
+        const Color radiance = view_.environment(wi);
+        const float pdf = view_.pdf_extended_environment(surface_.ns, wi);
+        if (is_black(radiance)) return;
+        const Ray ray{.org = ray_origin(surface_, wi), .dir = wi, .key = key};
+        const float weight = pdf > 0 ? power_heuristic(b->pdf, pdf) : 1;
+        steps.tinted_shadow(ray, throughput * b->weight * radiance * weight, radiance);
     }
 
     const V& view_;

@@ -62,6 +62,12 @@ struct View {
         return lancer::sample_extended_light(scene, from, sampler.get1(bounce, Dim::light),
                                              sampler.get2(bounce, Dim::light));
     }
+    // The density with which that one finds a direction out of the scene.
+    float pdf_extended_environment(Vec3 normal, Vec3 wi) const
+    {
+        const float pdf = pdf_environment(normal, wi);
+        return pdf > 0 ? pdf / static_cast<float>(scene.lights.pick.share_from(scene.lights.deltas)) : 0;
+    }
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {

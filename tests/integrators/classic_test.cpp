@@ -71,6 +71,24 @@ TEST(Classic, FindsItByMirrorsAndThroughGlass)
     expect_direct_light(cornell, "glass");
 }
 
+// The sky in narrow highlights: found by directions of the sky and by those of the surface.
+TEST(Classic, FindsTheSkyInHighlights)
+{
+    SceneDescription d;
+    for (CourseMaterial m : course_materials()) {
+        if (m.name != "bronze" && m.name != "steel" && m.name != "grey_metallic") continue;
+        m.phong.ambient = {};
+        d.spheres.push_back(sphere_of({1.2 * (static_cast<double>(d.spheres.size()) - 1), 0, 0}, 0.55, m.name));
+        d.materials.push_back(make_interface(m.name, m.phong));
+    }
+    ASSERT_EQ(d.spheres.size(), 3u);
+    d.background.emplace();
+    d.background->sky = SkyType::gradient;
+    d.lights.push_back(light_of(LightType::sphere, {9, 9, 8}, {-0.5, 2.5, 1.5}, 0.4));
+    d.camera = make_camera({0, 0.3, 4}, {0, 0, 0}, 40);
+    expect_direct_light(d, "highlights");
+}
+
 // Points of light are asked each for itself: no choice, no noise.
 TEST(Whitted, OfPointsOfLightHasNoNoise)
 {
