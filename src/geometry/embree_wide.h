@@ -9,11 +9,13 @@
 
 namespace lancer::embree {
 
-// f(embree geometry, number, stops) for each wide shape, in the order in which the first of equals wins.
+// f(embree geometry, number, stops) for each wide shape, in the order in which the first of equals wins. Spheres may be
+// left out that no ray meets up to its `end`, which f may bring nearer.
 template <class F>
-void for_each_wide(const Geometry& g, const WideShapes& wide, const RayLanes& rays, F&& f)
+void for_each_wide(const Geometry& g, const WideShapes& wide, const RayLanes& rays, const Double4& end, F&& f)
 {
-    for (const uint32_t i : wide.spheres) f(sphere_id(g), i, stop(g.spheres[i], rays));
+    for (const uint32_t i : wide.spheres)
+        if (bits(surely_misses(g.spheres[i], rays, end)) != all_bits) f(sphere_id(g), i, stop(g.spheres[i], rays));
     for (const uint32_t i : wide.planes) f(plane_id(g), i, stop(g.planes[i], rays));
 }
 
@@ -24,7 +26,7 @@ inline void closest_wide(const Geometry& g, const WideShapes& wide, RTCRayHit8& 
         const RayLanes rays(r.ray, first);
         Double4 best = rays.t_max;
         Mask4 found{}, exit{}, id{};
-        for_each_wide(g, wide, rays, [&](uint32_t geometry, uint32_t number, const StopLanes& s) {
+        for_each_wide(g, wide, rays, best, [&](uint32_t geometry, uint32_t number, const StopLanes& s) {
             const Mask4 nearer = s.ok & ((s.t < best) | (~found & (s.t == best)));
             const auto name = static_cast<int64_t>(uint64_t{geometry} << 32 | number);
             best = select(nearer, s.t, best);
@@ -49,7 +51,7 @@ inline uint32_t any_wide(const Geometry& g, const WideShapes& wide, const RTCRay
     for (uint32_t first = 0; first < packet; first += lanes) {
         const RayLanes rays(r, first);
         Mask4 found{};
-        for_each_wide(g, wide, rays,
+        for_each_wide(g, wide, rays, rays.t_max,
                       [&](uint32_t, uint32_t, const StopLanes& s) { found |= s.ok & (s.t <= rays.t_max); });
         occluded |= bits(found) << first;
     }

@@ -10,7 +10,7 @@ namespace lancer {
 using Double4 = double __attribute__((vector_size(32)));
 using Mask4 = int64_t __attribute__((vector_size(32)));  // of each lane all bits or none
 
-inline constexpr uint32_t lanes = 4;
+inline constexpr uint32_t lanes = 4, all_bits = 15;  // all_bits: bits() of a mask of all lanes
 
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
 

@@ -58,6 +58,20 @@ inline StopLanes stop(const Sphere& s, const RayLanes& r)
     return {t, (t >= r.t_min) & (q != 0), exit};
 }
 
+// The ray is sure not to meet the sphere from 0 to `end`, said without a root or a quotient; false decides nothing. It
+// starts outside, and heads away, or would meet it beyond `end`, or passes by. The margins are far above all rounding:
+// that of stop(), which near the silhouette is half of double's digits, and that of t to float.
+inline Mask4 surely_misses(const Sphere& s, const RayLanes& r, Double4 end)
+{
+    const Double4 radius2 = all_lanes(s.radius * s.radius);
+    const Vec3T<Double4> oc =
+        r.org - Vec3T<Double4>{all_lanes(s.center.x), all_lanes(s.center.y), all_lanes(s.center.z)};
+    const Double4 oc2 = dot(oc, oc), b = -dot(oc, r.dir), c = oc2 - radius2;
+    const Double4 outside = c - (oc2 + radius2) * 0x1p-36, beyond = end * (1 + 0x1p-20), reach = r.dir2 * beyond;
+    const Mask4 ends_before = (reach < b) & (beyond * (2 * b - reach) < outside);
+    return (outside > 0) & ((b <= 0) | ends_before | (b * b < r.dir2 * outside));
+}
+
 inline StopLanes stop(const Plane& p, const RayLanes& r)
 {
     const Vec3T<Double4> n{all_lanes(p.normal.x), all_lanes(p.normal.y), all_lanes(p.normal.z)};

@@ -43,6 +43,9 @@ struct LegacyPath {
         }
         const Vertex vertex{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
         if (sphere_of(view.scene, surface.light)) return diffuse(view, vertex, {1, 1, 1}, steps);
+        // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
+        if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
+            return diffuse(view, vertex, matt->albedo.value * surface.vertex_color, steps);
         // The program had one kind of reflection for each object: here the largest part. Its textures were not
         // filtered.
         ShadingPoint point = view.scene.shading_point(surface);
@@ -75,6 +78,11 @@ private:
         const auto* sphere = std::get_if<SphereLight>(&scene.lights.lights[light]);
         return sphere ? &scene.geometry.spheres[sphere->sphere] : nullptr;
     }
+    static const Lambert* lambert(const Scene& scene, uint32_t material)
+    {
+        if (!scene.mix_of.empty() && scene.mix_of[material] != Scene::none) return nullptr;
+        return std::get_if<Lambert>(&scene.materials[material]);
+    }
     // Of a sphere the intensity that would light as it does, in units of the file: 4 pi^2 R^2 times too much.
     static Color seen(const Scene& scene, const Surface& surface)
     {
@@ -89,13 +97,14 @@ private:
     void send(const V& view, const Vertex& v, Vec3 org, Vec3 wi, Color weight, bool sees_lights, Steps& steps) const
     {
         if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
-        State next = v.s;
-        next.ray = {.org = org, .dir = wi};
-        next.ray.key = view.ray_key(v.sampler, v.s.depth + 1, Dim::hole);
-        next.throughput *= weight;
-        next.specular = sees_lights;
-        ++next.depth;
-        steps.next(next);
+        steps.next_from(v.s, [&](State& next) {
+            next.ray = {.org = org, .dir = wi};
+            next.ray.key = view.ray_key(v.sampler, v.s.depth + 1, Dim::hole);
+            next.throughput *= weight;
+            next.specular = sees_lights;
+            ++next.depth;
+            return true;
+        });
     }
 
     template <class V>
@@ -157,7 +166,8 @@ private:
             if (!(geometry > 0)) return;
             ShadingPoint place{.textures = scene.textures.data()};
             if (e.radiance.texture != no_texture) place.uv = sphere_uv(from_center);
-            radiance = e.towards(true, place) * (geometry / pick.probability(id));
+            if (pick.size() > 1) geometry /= pick.probability(id);
+            radiance = e.towards(true, place) * geometry;
         } else {
             const auto sample = sample_light(scene, v.surface, u, on_light);
             if (!sample) return;

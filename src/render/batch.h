@@ -3,6 +3,11 @@
 // A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+
 #include "integrators/media.h"
 #include "render/tinted_shadows.h"
 #include "render/workspace.h"
@@ -18,6 +23,18 @@ uint32_t batch_of(const KernelSettings& settings)
     else
         return settings.batch;
 }
+
+// So many surfaces and random numbers are computed before the first of them is put to use: no one waits for another, so
+// the processor works on several at once.
+inline constexpr size_t looked_ahead = 16;
+
+// For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
+// in parts would wait for all that came before.
+template <class F>
+struct Made {
+    const F& f;
+    operator std::invoke_result_t<F>() const { return f(); }
+};
 
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
 template <class Integrator, class Listener>
@@ -53,6 +70,18 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
     }
     counters.camera_rays += w.slots.size();
 
+    std::array<std::optional<Sampler>, looked_ahead> samplers;
+    std::array<std::optional<Surface>, looked_ahead> surfaces;
+    const auto look_ahead = [&](size_t first) {
+        const size_t end = std::min(w.states.size(), first + looked_ahead);
+        for (size_t i = first; i < end; ++i) {
+            if (!w.hits[i]) continue;
+            const State& s = w.states[i];
+            // The numbers that integrators ask for first; the sampler keeps them.
+            samplers[i - first].emplace(sampler(s)).get2(s.depth, Dim::light);
+            surfaces[i - first].emplace(Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone); }});
+        }
+    };
     const bool has_media = !view.scene.media.empty();
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
@@ -66,14 +95,16 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         w.queue.shadows.clear();
         w.queue.tinted_shadows.clear();
         for (size_t i = 0; i < w.states.size(); ++i) {
+            const size_t k = i % looked_ahead;
+            if (k == 0) look_ahead(i);
             State& s = w.states[i];
             Steps steps(w.queue, s.slot);
             const Color before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
-                Surface surface = view.surface_at(s.ray, w.hits[i], s.cone);
+                Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
-                const auto hit = [&] { integrator.hit(view, s, surface, sampler(s), steps); };
+                const auto hit = [&] { integrator.hit(view, s, surface, *samplers[k], steps); };
                 if (has_media)
                     hit_in_media(view, s, surface, w.queue, steps, hit);
                 else

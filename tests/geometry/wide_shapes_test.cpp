@@ -61,30 +61,40 @@ struct FourRays {
     float org_x[4], org_y[4], org_z[4], tnear[4], dir_x[4], dir_y[4], dir_z[4], tfar[4];
 };
 
-// Spheres from specks to worlds, rays from inside, from outside, from the surface, past and along it.
+// A sphere, a plane and four rays: spheres from specks to worlds, rays from inside, from outside, from the surface,
+// past and along it.
+struct Round {
+    Geometry g;
+    std::array<Ray, 4> rays;
+    FourRays four;
+};
+Round make_round(Random& random)
+{
+    Round round;
+    const double radius = std::pow(10.0, random.uniform(-4, 5)), far = std::pow(10.0, random.uniform(-2, 5));
+    round.g.spheres.push_back({random.point(-1, 1) * far, radius});
+    round.g.planes.push_back({random.direction(), random.uniform(-2, 2)});
+    FourRays& four = round.four;
+    for (size_t i = 0; i < 4; ++i) {
+        const Sphere& s = round.g.spheres[0];
+        const std::array<double, 4> distances{0.5, 1, 1 + 1e-6, 3};
+        const Vec3d out = random.direction(), at = s.center + out * (radius * distances[random.below(4)]);
+        const double beside = radius * random.uniform(0, 1.05);
+        const Vec3d aim = s.center + random.direction() * beside;
+        Ray& r = round.rays[i];
+        r.org = to_float(at), r.dir = to_float(normalize(random.below(4) ? aim - at : cross(out, random.direction())));
+        four.org_x[i] = r.org.x, four.org_y[i] = r.org.y, four.org_z[i] = r.org.z, four.tnear[i] = r.t_min;
+        four.dir_x[i] = r.dir.x, four.dir_y[i] = r.dir.y, four.dir_z[i] = r.dir.z, four.tfar[i] = r.t_max;
+    }
+    return round;
+}
+
 TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
 {
     Random random(3);
     int met = 0, left = 0;
     for (int round = 0; round < 20000; ++round) {
-        Geometry g;
-        const double radius = std::pow(10.0, random.uniform(-4, 5)), far = std::pow(10.0, random.uniform(-2, 5));
-        g.spheres.push_back({random.point(-1, 1) * far, radius});
-        g.planes.push_back({random.direction(), random.uniform(-2, 2)});
-        std::array<Ray, 4> rays;
-        FourRays four;
-        for (size_t i = 0; i < 4; ++i) {
-            const Sphere& s = g.spheres[0];
-            const std::array<double, 4> distances{0.5, 1, 1 + 1e-6, 3};
-            const Vec3d out = random.direction(), at = s.center + out * (radius * distances[random.below(4)]);
-            const double beside = radius * random.uniform(0, 1.05);
-            const Vec3d aim = s.center + random.direction() * beside;
-            Ray& r = rays[i];
-            r.org = to_float(at),
-            r.dir = to_float(normalize(random.below(4) ? aim - at : cross(out, random.direction())));
-            four.org_x[i] = r.org.x, four.org_y[i] = r.org.y, four.org_z[i] = r.org.z, four.tnear[i] = r.t_min;
-            four.dir_x[i] = r.dir.x, four.dir_y[i] = r.dir.y, four.dir_z[i] = r.dir.z, four.tfar[i] = r.t_max;
-        }
+        const auto [g, rays, four] = make_round(random);
         const RayLanes wide(four, 0);
         const StopLanes sphere = stop(g.spheres[0], wide), plane = stop(g.planes[0], wide);
         for (size_t i = 0; i < 4; ++i) {
@@ -103,6 +113,32 @@ TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
     }
     EXPECT_GT(met, 30000);
     EXPECT_GT(left, 10000);
+}
+
+// What may be left out is not met, up to ends that are just before, at and beyond the place; and much is left out.
+TEST(WideShapes, WhatIsSurelyMissedIsNotMet)
+{
+    Random random(4);
+    int met = 0, missed = 0, ends_before = 0;
+    for (int round = 0; round < 20000; ++round) {
+        const auto [g, rays, four] = make_round(random);
+        const RayLanes wide(four, 0);
+        const StopLanes sphere = stop(g.spheres[0], wide);
+        for (const double part : {0.5, 1 - 0x1p-19, 1 - 0x1p-23, 1.0, 1 + 0x1p-23, 2.0}) {
+            const Double4 end = select(sphere.ok, sphere.t * part, all_lanes(part));
+            const Mask4 misses = surely_misses(g.spheres[0], wide, end);
+            for (size_t i = 0; i < 4; ++i) {
+                const bool is_met = sphere.ok[i] && sphere.t[i] <= end[i];
+                ASSERT_FALSE(misses[i] && is_met) << round << " " << i << " " << part;
+                met += is_met;
+                missed += misses[i] && !sphere.ok[i];
+                ends_before += misses[i] && sphere.ok[i];
+            }
+        }
+    }
+    EXPECT_GT(met, 50000);
+    EXPECT_GT(missed, 50000);
+    EXPECT_GT(ends_before, 10000);
 }
 
 // With few balls all are wide, with many only the walls; between two in one place the first wins, wherever each is.
