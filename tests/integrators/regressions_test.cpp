@@ -116,5 +116,27 @@ TEST(Regression, BubbleIsNotWhite)
     }
 }
 
+// A lit ball without anything that could shade it. Rays that start on their own surface see it as their own shade:
+// specks.
+TEST(Regression, LitBallsHaveNoSpecks)
+{
+    SceneDescription d;
+    d.materials = {make_lambert("white", {1, 1, 1})};
+    d.spheres = {sphere_of({0.3, -0.2, 0.1}, 1, "white")};
+    d.lights = {light_of(LightType::directional, {1, 1, 1})};
+    d.lights[0].direction = {0, 0, -1};
+    d.camera = make_camera({0.3, -0.2, 40}, {0.3, -0.2, 0}, 2.5);
+    for (const bool legacy : {false, true}) {
+        const Film film = shoot_classic(d, Whitted{}, legacy, {.width = 48, .height = 48, .spp = 4});
+        const double full = legacy ? 1 : 1 / pi_d;
+        for (uint32_t j = 0; j < 48; ++j)
+            for (uint32_t i = 0; i < 48; ++i) {
+                const double r = std::hypot(i - 23.5, j - 23.5) / 24 * 40 * std::tan(1.25 * pi_d / 180);
+                if (r > 0.9) continue;
+                ASSERT_NEAR(tally(film.at(i, j)).mean, full * std::sqrt(1 - r * r), 0.04 * full) << i << " " << j;
+            }
+    }
+}
+
 }  // namespace
 }  // namespace lancer
