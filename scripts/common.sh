@@ -49,3 +49,27 @@ build_preset() {
     fi
     echo "Built preset $preset in $((SECONDS - start)) s"
 }
+
+# copy_source SCRATCH: brings SCRATCH/source, a copy of what builds and draws, up to date and configures SCRATCH/build.
+# Only what changed gets a new time, so that a second build compiles little. The output goes to SCRATCH/build.log; if
+# cmake fails, its end is shown and the result is 1.
+copy_source() {
+    local scratch=$1
+    mkdir -p "$scratch/source"
+    git ls-files -z --cached --others --exclude-standard -- CMakeLists.txt CMakePresets.json cmake src tests scenes |
+        while IFS= read -r -d '' file; do
+            if cmp -s "$file" "$scratch/source/$file"; then continue; fi
+            mkdir -p "$scratch/source/$(dirname "$file")"
+            cp "$file" "$scratch/source/$file"
+        done
+    if ! (cd "$scratch/source" && cmake --preset release -B "$scratch/build" -DLANCER_WERROR=OFF) \
+        >"$scratch/build.log" 2>&1; then
+        tail -n 25 "$scratch/build.log"
+        return 1
+    fi
+}
+
+# patch_source SCRATCH PATCH [--reverse]: the copy lies within a repository and is none itself.
+patch_source() {
+    (cd "$1/source" && GIT_CEILING_DIRECTORIES=$1 git apply -p1 "${@:3}" "$2")
+}

@@ -116,7 +116,7 @@ draw_depth() {
 with_fault() {
     local patch=$PWD/tests/mutations/$1.patch scratch=$PWD/build/mutations
     wanted "$2" || return 0
-    (cd "$scratch/source" && GIT_CEILING_DIRECTORIES=$scratch git apply -p1 "$patch")
+    patch_source "$scratch" "$patch"
     if cmake --build "$scratch/build" -j "$(build_jobs)" --target lancer >"$scratch/build.log" 2>&1; then
         lancer=$scratch/build/lancer draw "${@:2}"
     else
@@ -124,24 +124,14 @@ with_fault() {
         echo "gallery.sh: error: with $1 the program does not build" >&2
         failed=1
     fi
-    (cd "$scratch/source" && GIT_CEILING_DIRECTORIES=$scratch git apply -p1 --reverse "$patch")
+    patch_source "$scratch" "$patch" --reverse
 }
 
 draw_faults() {
     local scratch=$PWD/build/mutations failed=0
     # shellcheck source=scripts/common.sh
     source scripts/common.sh
-    mkdir -p "$scratch/source"
-    # Only what changed gets a new time, so that a second run builds little.
-    git ls-files -z --cached --others --exclude-standard -- CMakeLists.txt CMakePresets.json cmake src tests scenes |
-        while IFS= read -r -d '' file; do
-            if cmp -s "$file" "$scratch/source/$file"; then continue; fi
-            mkdir -p "$scratch/source/$(dirname "$file")"
-            cp "$file" "$scratch/source/$file"
-        done
-    (cd "$scratch/source" && cmake --preset release -B "$scratch/build" -DLANCER_WERROR=OFF) \
-        >"$scratch/build.log" 2>&1 ||
-        fail "cmake failed, see $scratch/build.log"
+    copy_source "$scratch" || fail "the copy of the source cannot be built"
     with_fault index_on_leaving fault-index 360x240 16 seed-a/bubble "${two_lamps[@]}"
     with_fault bubble_too_white fault-white-bubble 360x240 16 seed-a/bubble "${two_lamps[@]}"
     with_fault glow_cones fault-glow 360x240 16 seed-a/glow

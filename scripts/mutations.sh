@@ -37,16 +37,7 @@ if ((${#patches[@]} == 0)); then patches=("$PWD"/tests/mutations/*.patch); fi
 
 scratch=$PWD/build/mutations
 log=$scratch/build.log
-mkdir -p "$scratch/source"
-# Only what changed gets a new time, so that a second run builds little.
-git ls-files -z --cached --others --exclude-standard -- CMakeLists.txt CMakePresets.json cmake src tests scenes |
-    while IFS= read -r -d '' file; do
-        if cmp -s "$file" "$scratch/source/$file"; then continue; fi
-        mkdir -p "$scratch/source/$(dirname "$file")"
-        cp "$file" "$scratch/source/$file"
-    done
-cd "$scratch/source" || exit 1
-cmake --preset release -B "$scratch/build" -DLANCER_WERROR=OFF >"$log" 2>&1 || { tail -n 25 "$log"; exit 1; }
+copy_source "$scratch" || exit 1
 
 # passes FOLDER/SUITE.NAME: 0 if it passes, 1 if it fails, 2 if it could not be built or does not exist.
 passes() {
@@ -58,9 +49,6 @@ passes() {
     ((status == 0)) && grep -q '^\[  PASSED  \] [1-9]' "$out" && return 0
     return 1
 }
-
-# The scratch copy lies within a repository and is none itself.
-apply() { GIT_CEILING_DIRECTORIES=$scratch git apply -p1 "$@" >"$scratch/patch.log" 2>&1; }
 
 seen=0 missed=0
 miss() {
@@ -80,7 +68,7 @@ for file in "${patches[@]}"; do
         1) miss "$name" "$test fails without the fault"; continue ;;
         2) miss "$name" "$test does not build or does not exist"; tail -n 5 "$log"; continue ;;
     esac
-    if ! apply "$file"; then
+    if ! patch_source "$scratch" "$file" >"$scratch/patch.log" 2>&1; then
         miss "$name" "the patch does not fit the source any more"
         tail -n 5 "$scratch/patch.log"
         continue
@@ -91,7 +79,7 @@ for file in "${patches[@]}"; do
         1) echo "seen    $name: $fault"; seen=$((seen + 1)) ;;
         2) miss "$name" "with the fault it does not build"; tail -n 5 "$log" ;;
     esac
-    apply --reverse "$file"
+    patch_source "$scratch" "$file" --reverse
 done
 echo "$seen seen, $missed missed"
 ((missed == 0 && seen > 0))
