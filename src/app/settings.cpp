@@ -20,9 +20,6 @@ size_t index_of(const std::vector<std::string_view>& names, std::string_view nam
     return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-// Of the two programs that legacy stands for one had paths, the other what Whitted's illumination asks for.
-bool is_students(std::string_view integrator) { return integrator != "whitted" && integrator != "random-decision"; }
-
 // Takes what [render] says of a name, if it is one.
 void take_name(const std::optional<std::string>& said, const char* what, const std::vector<std::string_view>& known,
                const Location& where, Diagnostics& diagnostics, std::string& value)
@@ -56,7 +53,7 @@ Settings settings_of_scene(const RenderDescription& scene)
 void take_legacy(Settings& s, bool says_filter, bool says_stop)
 {
     if (!s.switches[Switch::legacy]) return;
-    if (is_students(s.integrator)) {
+    if (!is_classic(s.integrator)) {
         s.grid = PixelGrid::shifted;
         s.tonemap = ToneMap::gamma22;
         if (!says_filter) s.filter = s.spp == 1 ? "centre" : "narrow-gaussian";
@@ -64,7 +61,7 @@ void take_legacy(Settings& s, bool says_filter, bool says_stop)
         s.grid = PixelGrid::corners;
         s.tonemap = ToneMap::clamped;
         if (!says_filter) s.filter = s.spp == 1 ? "centre" : "box";
-        if (!says_stop && s.spp > 1 && s.integrator == "whitted") s.switches.set(Switch::stop, true);
+        if (!says_stop && s.spp > 1 && s.integrator == Whitted::name) s.switches.set(Switch::stop, true);
     }
 }
 

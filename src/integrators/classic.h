@@ -92,8 +92,8 @@ private:
         const Vec3 wi = normalize(frame_.to_world(b->wi));
         if (!sides_agree(surface_, wi, b->wi)) return;
         const Color radiance = view_.environment(wi);
-        const float pdf = view_.pdf_extended_environment(surface_.ns, wi);
         if (is_black(radiance)) return;
+        const float pdf = view_.pdf_extended_environment(surface_.ns, wi);
         const Ray ray{.org = ray_origin(surface_, wi), .dir = wi, .key = key};
         const float weight = pdf > 0 ? power_heuristic(b->pdf, pdf) : 1;
         steps.tinted_shadow(ray, throughput * b->weight * radiance * weight, radiance);

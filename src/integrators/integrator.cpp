@@ -1,6 +1,7 @@
 #include "integrators/integrator.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace lancer {
@@ -37,6 +38,15 @@ std::vector<std::string_view> names_of_integrators()
         if (!is_legacy<Integrator>()) names.push_back(Integrator::name);
     });
     return names;
+}
+
+bool is_classic(std::string_view name)
+{
+    bool found = false;
+    for_each_integrator([&]<class Integrator>(const Integrator&) {
+        found = found || (name == Integrator::name && std::is_base_of_v<Classic, Integrator>);
+    });
+    return found;
 }
 
 AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings)

@@ -18,6 +18,9 @@ namespace lancer {
 
 using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion, LegacyPath>;
 
+// Whether an integrator is one of the two that the course's ray tracer had; with legacy the others go the student's way.
+bool is_classic(std::string_view name);
+
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();
 

@@ -13,6 +13,7 @@
 #include "core/film.h"
 #include "core/hash.h"
 #include "core/switches.h"
+#include "integrators/integrator.h"
 
 namespace lancer {
 
@@ -26,7 +27,7 @@ enum class StopRule {
 // last sample.
 inline bool clamps_samples(std::string_view integrator, const Switches& switches)
 {
-    return switches[Switch::legacy] && (integrator == "whitted" || integrator == "random-decision");
+    return switches[Switch::legacy] && is_classic(integrator);
 }
 inline StopRule stop_rule(std::string_view integrator, const Switches& switches)
 {
