@@ -9,7 +9,11 @@ namespace lancer {
 const std::vector<std::string_view> integrator_names = names_of_integrators();
 const std::vector<std::string_view> sampler_names{"sobol", "independent"};
 const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris", "narrow-gaussian", "centre"};
-const std::vector<std::string_view> accel_names{"embree", "list"};
+const std::vector<std::string_view> accel_names = [] {
+    std::vector<std::string_view> names;
+    for (const AccelName& a : accelerators) names.push_back(a.name);
+    return names;
+}();
 const std::vector<std::string_view> isa_names{"sse2", "sse4.2", "avx", "avx2", "avx512"};
 
 namespace {
@@ -93,7 +97,7 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
 {
     RenderSettings r;
     r.integrator = make_integrator(s.integrator, {.max_depth = s.max_depth, .switches = s.switches});
-    r.accel = s.accel == "list" ? AccelKind::list : AccelKind::embree;
+    r.accel = accelerators[index_of(accel_names, s.accel)].kind;
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
     r.kernel.seed = s.seed;

@@ -1,13 +1,22 @@
 #include "geometry/accel.h"
 
+#include "geometry/box.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
+#include "geometry/tree_accelerator.h"
 
 namespace lancer {
 
 std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& geometry, const std::string& isa)
 {
-    if (kind == AccelKind::list) return std::make_unique<List>(geometry);
+    switch (kind) {
+        case AccelKind::list:
+            return std::make_unique<List>(geometry);
+        case AccelKind::box:
+            return std::make_unique<TreeAccelerator<Box>>(geometry);
+        case AccelKind::embree:
+            break;
+    }
     return make_embree(geometry, isa);
 }
 

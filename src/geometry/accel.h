@@ -3,10 +3,12 @@
 // primitive) where the accelerator sees them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "geometry/geometry.h"
 
@@ -14,7 +16,9 @@ namespace lancer {
 
 struct AccelStats {
     double build_seconds = 0;
-    uint64_t bytes = 0;  // of the structure, without the Geometry
+    uint64_t bytes = 0;   // of the structure, without the Geometry
+    double sah_cost = 0;  // expected cost of a random line that meets the box of what is drawn as it is, where the
+                          // structure tells: a node 1, a triangle 1
 };
 
 // Whether the rays of a batch start close together and go much the same way.
@@ -44,7 +48,18 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-enum class AccelKind { embree, list };
+enum class AccelKind { embree, list, box };
+
+// All of them, the default first.
+struct AccelName {
+    std::string_view name;
+    AccelKind kind;
+};
+inline constexpr std::array accelerators{
+    AccelName{"embree", AccelKind::embree},
+    AccelName{"list", AccelKind::list},
+    AccelName{"box", AccelKind::box},
+};
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.
 // Throws Error (failed) if the structure cannot be built. Not from inside a parallel loop.

@@ -14,16 +14,20 @@
 namespace lancer {
 
 struct AccelMaker {
-    const char* name;
+    std::string_view name;
     AccelKind kind;
 
     std::unique_ptr<Accelerator> operator()(const Geometry& g) const { return make_accelerator(kind, g, "avx2"); }
     friend void PrintTo(const AccelMaker& m, std::ostream* out) { *out << m.name; }
 };
-// A new accelerator is a line here; every law holds for it.
-inline constexpr std::array accel_makers{AccelMaker{"embree", AccelKind::embree}, AccelMaker{"list", AccelKind::list}};
+// Every law holds for every accelerator there is.
+inline const std::vector<AccelMaker> accel_makers = [] {
+    std::vector<AccelMaker> makers;
+    for (const AccelName& a : accelerators) makers.push_back({a.name, a.kind});
+    return makers;
+}();
 
-inline std::string accel_name(const testing::TestParamInfo<AccelMaker>& info) { return info.param.name; }
+inline std::string accel_name(const testing::TestParamInfo<AccelMaker>& info) { return std::string(info.param.name); }
 
 inline Mesh to_mesh(const MeshData& data, const Transform& m = {})
 {

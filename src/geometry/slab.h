@@ -1,0 +1,74 @@
+// Boxes in float, and whether a ray meets one: never no where the exact answer, or the float test of a triangle within,
+// is yes. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005; the far sides are
+// moved out by the rounding of the quotients: Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/ray.h"
+
+namespace lancer {
+
+// Starts empty.
+struct FloatBox {
+    static constexpr float inf = std::numeric_limits<float>::infinity();
+    Vec3 lower{inf, inf, inf}, upper{-inf, -inf, -inf};
+
+    bool empty() const { return lower.x > upper.x; }
+    void grow(const FloatBox& b)
+    {
+        lower = {std::min(lower.x, b.lower.x), std::min(lower.y, b.lower.y), std::min(lower.z, b.lower.z)};
+        upper = {std::max(upper.x, b.upper.x), std::max(upper.y, b.upper.y), std::max(upper.z, b.upper.z)};
+    }
+    // Half the surface; 0 of the empty box.
+    float half_area() const
+    {
+        if (empty()) return 0;
+        const Vec3 d = upper - lower;
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+// A triangle's box, wider by what the test of the triangle in float may err: the edge functions by a part of the
+// triangle's own extent, the corners by a part of their coordinates.
+inline FloatBox box_of(Vec3 a, Vec3 b, Vec3 c)
+{
+    FloatBox box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                 {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+    const Vec3 extent = box.upper - box.lower;
+    const float own = gamma(16) * std::max({extent.x, extent.y, extent.z});
+    const auto margin = [&](Vec3 p) { return abs(p) * gamma(2) + Vec3{own, own, own}; };
+    box.lower = box.lower - margin(box.lower);
+    box.upper = box.upper + margin(box.upper);
+    return box;
+}
+
+// What of a ray all its boxes share.
+struct SlabRay {
+    Vec3 org, inverse, far_inverse;
+    float t_min;
+
+    explicit SlabRay(const Ray& r) : org(r.org), inverse{1 / r.dir.x, 1 / r.dir.y, 1 / r.dir.z}, t_min(r.t_min)
+    {
+        far_inverse = inverse * (1 + gamma(10));
+    }
+};
+
+// In [t_min, t_max]. 0 * infinity, a ray within the plane of a side, loosens the test and never tightens it: min and
+// max keep their second argument where the first is NaN.
+inline bool meets(const FloatBox& b, const SlabRay& r, float t_max)
+{
+    float near = r.t_min, far = t_max;
+    for (int k = 0; k < 3; ++k) {
+        const bool back = std::signbit(r.inverse[k]);
+        const float t0 = ((back ? b.upper[k] : b.lower[k]) - r.org[k]) * r.inverse[k];
+        const float t1 = ((back ? b.lower[k] : b.upper[k]) - r.org[k]) * r.far_inverse[k];
+        near = t0 > near ? t0 : near;
+        far = t1 < far ? t1 : far;
+    }
+    return near <= far;
+}
+
+}  // namespace lancer
