@@ -56,7 +56,8 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
         o.seed = to_number<uint64_t>("--seed", t, 0, std::numeric_limits<int64_t>::max(), "a whole number");
     });
     add_name(p, "--integrator", "How light is followed (path)", integrator_names, o.integrator);
-    p.value("--max-depth", "N", "Surface vertices of a path; 1 is direct light only, 0 no limit, for whitted and random-decision 7 (0)",
+    p.value("--max-depth", "N",
+            "Surface vertices of a path; 1 is direct light only, 0 no limit, for whitted and random-decision 7 (0)",
             [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
     p.values("--set", "NAME=true|false,...",
              "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "

@@ -2,24 +2,27 @@
 // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 #pragma once
 
+#include "core/lanes.h"
 #include "core/vec.h"
 
 namespace lancer {
 
-struct Frame {
-    Vec3 x, y, z;
+template <class T>
+struct FrameT {
+    Vec3T<T> x, y, z;
 
     // n: unit. z is n itself.
-    explicit Frame(Vec3 n) : z(n)
+    explicit FrameT(Vec3T<T> n) : z(n)
     {
-        const float s = std::copysign(1.0f, n.z);
-        const float a = -1 / (s + n.z);
-        const float b = n.x * n.y * a;
-        x = {1 + s * n.x * n.x * a, s * b, -s * n.x};
+        const T s = copysign(T{} + 1.0f, n.z);
+        const T a = -1.0f / (s + n.z);
+        const T b = n.x * n.y * a;
+        x = {1.0f + s * n.x * n.x * a, s * b, -s * n.x};
         y = {b, s + n.y * n.y * a, -n.y};
     }
-    Vec3 to_local(Vec3 v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
-    Vec3 to_world(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
+    Vec3T<T> to_local(Vec3T<T> v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+    Vec3T<T> to_world(Vec3T<T> v) const { return x * v.x + y * v.y + z * v.z; }
 };
+using Frame = FrameT<float>;
 
 }  // namespace lancer

@@ -17,7 +17,7 @@ constexpr Vec2 operator*(Vec2 a, float s) { return {a.x * s, a.y * s}; }
 
 template <class T>
 struct Vec3T {
-    T x = 0, y = 0, z = 0;
+    T x{}, y{}, z{};
 
     constexpr T operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
     constexpr Vec3T& operator+=(Vec3T b) { return *this = {x + b.x, y + b.y, z + b.z}; }

@@ -2,34 +2,32 @@
 // Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
 #pragma once
 
-#include <bit>
-#include <cstdint>
-
+#include "core/lanes.h"
 #include "core/vec.h"
 
 namespace lancer {
 
-struct SinCos {
-    float sin, cos;
+template <class T>
+struct SinCosT {
+    T sin, cos;
 };
+using SinCos = SinCosT<float>;
 
 // Sine and cosine of 2 pi u for u in [0, 1]: quadrant and polynomial (the coefficients are those of Cephes' sinf and
 // cosf), so that every machine gets the same bits. Error below 2^-23.
-inline SinCos sin_cos_2pi(float u)
+template <class T>
+inline SinCosT<T> sin_cos_2pi(T u)
 {
-    const float t = u * 4;
-    const float q = std::nearbyint(t);
-    const float a = (t - q) * 1.57079632679489661923f, a2 = a * a;
-    const float s = a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
-    const float c =
-        1 - 0.5f * a2 + a2 * a2 * (4.166664568298827e-2f + a2 * (-1.388731625493765e-3f + a2 * 2.443315711809948e-5f));
+    const T t = u * 4.0f;
+    const T q = nearest(t);
+    const T a = (t - q) * 1.57079632679489661923f, a2 = a * a;
+    const T s = a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
+    const T c = 1.0f - 0.5f * a2 +
+                a2 * a2 * (4.166664568298827e-2f + a2 * (-1.388731625493765e-3f + a2 * 2.443315711809948e-5f));
     // Which of them, and with which sign: without a jump, as nothing could predict it.
-    const auto quadrant = static_cast<uint32_t>(static_cast<int>(q));
-    const bool odd = quadrant & 1;
-    const auto negated = [](float x, uint32_t bit) {
-        return std::bit_cast<float>(std::bit_cast<uint32_t>(x) ^ (bit << 31));
-    };
-    return {negated(odd ? c : s, quadrant >> 1 & 1), negated(odd ? s : c, (quadrant + 1) >> 1 & 1)};
+    const auto quadrant = to_whole(q);
+    const auto odd = is_odd(quadrant);
+    return {negated(select(odd, c, s), quadrant >> 1 & 1u), negated(select(odd, s, c), (quadrant + 1u) >> 1 & 1u)};
 }
 
 // Unit disk, uniform: Shirley and Chiu's concentric map.
@@ -45,12 +43,14 @@ inline Vec2 square_to_disk(Vec2 u)
 }
 
 // Hemisphere around z, density cos / pi.
-inline Vec3 square_to_cosine_hemisphere(Vec2 u)
+template <class T>
+inline Vec3T<T> square_to_cosine_hemisphere(T u, T v)
 {
-    const float r = std::sqrt(u.x);
-    const SinCos sc = sin_cos_2pi(u.y);
-    return {r * sc.cos, r * sc.sin, std::sqrt(std::max(0.0f, 1 - u.x))};
+    const T r = sqrt(u);
+    const SinCosT<T> sc = sin_cos_2pi(v);
+    return {r * sc.cos, r * sc.sin, sqrt(larger(T{}, 1.0f - u))};
 }
+inline Vec3 square_to_cosine_hemisphere(Vec2 u) { return square_to_cosine_hemisphere(u.x, u.y); }
 inline float pdf_cosine_hemisphere(float cos_theta) { return std::max(0.0f, cos_theta) * (1 / pi); }
 
 // Hemisphere around z, uniform.

@@ -18,7 +18,8 @@ namespace lancer {
 
 using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion, LegacyPath>;
 
-// Whether an integrator is one of the two that the course's ray tracer had; with legacy the others go the student's way.
+// Whether an integrator is one of the two that the course's ray tracer had; with legacy the others go the student's
+// way.
 bool is_classic(std::string_view name);
 
 // The first is the default.

@@ -9,6 +9,7 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
+#include "integrators/ahead.h"
 #include "integrators/integrator_settings.h"
 #include "integrators/transport.h"
 
@@ -33,27 +34,58 @@ struct LegacyPath {
         soft_shadows = settings.switches[Switch::soft_shadows];
     }
 
+    // A shadow ray to a sphere of light.
+    template <class T>
+    struct ToSphere {
+        Vec3T<T> wi, from_center{};
+        T reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
+    };
+    struct Ahead {
+        Vec3T<Float8> wi;           // by the cosine
+        ToSphere<Float8> to_light;  // where there is but one, a sphere
+
+        ToSphere<float> to_light_at(uint32_t i) const
+        {
+            return {lane(to_light.wi, i), lane(to_light.from_center, i), to_light.reach[i], to_light.geometry[i]};
+        }
+    };
+    template <class V>
+    Ahead ahead(const V& view, const Vertices& vertices) const
+    {
+        Ahead a;
+        const auto n = gather(vertices, [](const VertexAhead& v) { return v.surface->ns_front; });
+        const auto u = gather(vertices, Dim::bsdf);
+        a.wi = FrameT<Float8>(n).to_world(square_to_cosine_hemisphere(u.x, u.y));
+        if (const Sphere* only = only_sphere(view.scene); only && soft_shadows) {
+            const auto p = gather(vertices, [](const VertexAhead& v) { return v.surface->p; });
+            const auto on_light = gather(vertices, Dim::light);
+            a.to_light = to_its_half(*only, p, n, on_light.x, on_light.y);
+        }
+        return a;
+    }
+
     // State::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees lights.
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, const Ahead& ahead,
+             uint32_t lane, Steps& steps) const
     {
         if (surface.light != Scene::none && s.specular) {
             if (emitters) steps.add(s.throughput * seen(view.scene, surface));
             return;
         }
-        const Vertex vertex{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
-        if (sphere_of(view.scene, surface.light)) return diffuse(view, vertex, {1, 1, 1}, steps);
+        const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale), ahead, lane};
+        if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, steps);
         // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
         if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
-            return diffuse(view, vertex, matt->albedo.value * surface.vertex_color, steps);
+            return diffuse(view, v, matt->albedo.value * surface.vertex_color, steps);
         // The program had one kind of reflection for each object: here the largest part. Its textures were not
         // filtered.
         ShadingPoint point = view.scene.shading_point(surface);
         point.uv_width = 0;
         const Phong p = view.scene.phong(surface.material, point);
-        if (p.refraction > std::max(p.diffusion, p.reflexion)) return glass(view, vertex, p, steps);
-        if (p.reflexion > p.diffusion) return mirror(view, vertex, p, steps);
-        diffuse(view, vertex, p.diffuse, steps);
+        if (p.refraction > std::max(p.diffusion, p.reflexion)) return glass(view, v, p, steps);
+        if (p.reflexion > p.diffusion) return mirror(view, v, p, steps);
+        diffuse(view, v, p.diffuse, steps);
     }
     template <class V>
     void miss(const V& view, const State& s, Steps& steps) const
@@ -67,11 +99,17 @@ private:
         const Surface& surface;
         const Sampler& sampler;
         float offset;  // scene units
+        const Ahead& ahead;
+        uint32_t lane;
 
         Vec3 n() const { return surface.ns_front; }
         Vec3 origin(float side) const { return surface.p + n() * (side * offset); }
     };
 
+    static const Sphere* only_sphere(const Scene& scene)
+    {
+        return scene.lights.pick.size() == 1 ? sphere_of(scene, 0) : nullptr;
+    }
     static const Sphere* sphere_of(const Scene& scene, uint32_t light)
     {
         if (light == Scene::none) return nullptr;
@@ -139,8 +177,7 @@ private:
     {
         light(view, v, albedo, steps);
         if (!indirect) return;
-        const Vec3 wi = Frame(v.n()).to_world(square_to_cosine_hemisphere(v.sampler.get2(v.s.depth, Dim::bsdf)));
-        send(view, v, v.origin(1), wi, albedo, false, steps);
+        send(view, v, v.origin(1), lane(v.ahead.wi, v.lane), albedo, false, steps);
     }
 
     // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
@@ -149,64 +186,74 @@ private:
     void light(const V& view, const Vertex& v, Color albedo, Steps& steps) const
     {
         const Scene& scene = view.scene;
+        if (const Sphere* only = only_sphere(scene); only && soft_shadows)
+            return shadow(view, v, albedo, *only, v.ahead.to_light_at(v.lane), steps);
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return;
         const float u = pick.size() > 1 ? v.sampler.get1(v.s.depth, Dim::light) : 0;
         const Vec2 on_light = v.sampler.get2(v.s.depth, Dim::light);
         const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light.x)) : 0;
-        Ray ray;
-        Color radiance;
         if (const Sphere* sphere = sphere_of(scene, id)) {
-            const Emission& e =
-                scene.emission[scene.sphere_material[std::get<SphereLight>(scene.lights.lights[id]).sphere]];
-            float geometry = 0;
-            Vec3 from_center;
-            ray = soft_shadows ? to_sphere(v, *sphere, on_light, geometry, from_center)
-                               : to_center(v, *sphere, geometry, from_center);
-            if (!(geometry > 0)) return;
-            ShadingPoint place{.textures = scene.textures.data()};
-            if (e.radiance.texture != no_texture) place.uv = sphere_uv(from_center);
-            if (pick.size() > 1) geometry /= pick.probability(id);
-            radiance = e.towards(true, place) * geometry;
-        } else {
-            const auto sample = sample_light(scene, v.surface, u, on_light);
-            if (!sample) return;
-            ray = shadow_ray(v.surface, *sample);
-            radiance = sample->radiance * (std::max(0.0f, dot(v.n(), sample->wi)) / (pi * sample->pdf));
+            auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light.x, on_light.y)
+                                   : to_its_center(*sphere, v.surface.p, v.n());
+            if (pick.size() > 1) to.geometry /= pick.probability(id);
+            return shadow(view, v, albedo, *sphere, to, steps);
         }
-        radiance *= v.s.throughput * albedo;
+        const auto sample = sample_light(scene, v.surface, u, on_light);
+        if (!sample) return;
+        const float cos = std::max(0.0f, dot(v.n(), sample->wi));
+        const Color radiance = v.s.throughput * albedo * (sample->radiance * (cos / (pi * sample->pdf)));
         if (is_black(radiance)) return;
+        Ray ray = shadow_ray(v.surface, *sample);
         ray.key = view.ray_key(v.sampler, v.s.depth, Dim::shadow_hole);
         steps.shadow(ray, radiance);
     }
-
-    // A ray to a point of the half that faces the surface, drawn by the cosine from the middle of that half. geometry:
-    // cosines over distance squared, pi and density.
-    static Ray to_sphere(const Vertex& v, const Sphere& sphere, Vec2 u, float& geometry, Vec3& from_center)
+    template <class V>
+    static void shadow(const V& view, const Vertex& v, Color albedo, const Sphere& sphere, const ToSphere<float>& to,
+                       Steps& steps)
     {
-        const Vec3 center = to_float(sphere.center), h = square_to_cosine_hemisphere(u);
-        const auto radius = static_cast<float>(sphere.radius);
-        const Vec3 axis = v.surface.p - center;
-        from_center = Frame(axis * (1 / length(axis))).to_world(h);
-        const Vec3 d = from_center * radius - axis;
-        const float d2 = dot(d, d);
-        const Vec3 wi = d * (1 / std::sqrt(d2));
-        const float cos = dot(v.n(), wi), cos_light = -dot(from_center, wi);
-        if (cos > 0 && cos_light > 0 && h.z > 0) geometry = cos * cos_light * radius * radius / (d2 * h.z);
-        return {.org = v.origin(1), .dir = wi, .t_max = std::sqrt(shadow_end * d2)};
+        if (!(to.geometry > 0)) return;
+        const Scene& scene = view.scene;
+        const Emission& e = scene.emission[scene.sphere_material[&sphere - scene.geometry.spheres.data()]];
+        ShadingPoint place{.textures = scene.textures.data()};
+        if (e.radiance.texture != no_texture) place.uv = sphere_uv(to.from_center);
+        const Color radiance = v.s.throughput * albedo * (e.towards(true, place) * to.geometry);
+        if (is_black(radiance)) return;
+        steps.shadow_from(
+            [&](Ray& ray) {
+                ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach;
+                ray.key = view.ray_key(v.sampler, v.s.depth, Dim::shadow_hole);
+            },
+            radiance);
+    }
+    // To a point of the half that faces the surface, drawn by the cosine from the middle of that half. p, n: the place
+    // and its normal.
+    template <class T>
+    static ToSphere<T> to_its_half(const Sphere& sphere, Vec3T<T> p, Vec3T<T> n, T u, T v)
+    {
+        const auto same = [](float x) { return T{} + x; };
+        const Vec3 c = to_float(sphere.center);
+        const T radius = same(static_cast<float>(sphere.radius));
+        const Vec3T<T> h = square_to_cosine_hemisphere(u, v), axis = p - Vec3T<T>{same(c.x), same(c.y), same(c.z)};
+        const Vec3T<T> from_center = FrameT<T>(axis * (1.0f / sqrt(dot(axis, axis)))).to_world(h);
+        const Vec3T<T> d = from_center * radius - axis;
+        const T d2 = dot(d, d);
+        const Vec3T<T> wi = d * (1.0f / sqrt(d2));
+        const T cos = dot(n, wi), cos_light = -dot(from_center, wi);
+        const T geometry = cos * cos_light * radius * radius / (d2 * h.z);
+        return {wi, from_center, sqrt(shadow_end * d2),
+                select((cos > 0.0f) & (cos_light > 0.0f) & (h.z > 0.0f), geometry, T{})};
     }
     // As from a point at the center, of the intensity that lights places far away as the sphere would.
-    static Ray to_center(const Vertex& v, const Sphere& sphere, float& geometry, Vec3& from_center)
+    static ToSphere<float> to_its_center(const Sphere& sphere, Vec3 p, Vec3 n)
     {
-        const Vec3 d = to_float(sphere.center) - v.surface.p;
+        const Vec3 d = to_float(sphere.center) - p;
         const auto radius = static_cast<float>(sphere.radius);
         const float d2 = dot(d, d), distance = std::sqrt(d2);
         const Vec3 wi = d / distance;
-        from_center = -wi;
         // Up to the sphere, which a place on the sphere itself need not be in front of.
         const float reach = std::max(0.0f, shadow_end * (distance - radius));
-        if (reach > 0) geometry = std::max(0.0f, dot(v.n(), wi)) * radius * radius / d2;
-        return {.org = v.origin(1), .dir = wi, .t_max = reach};
+        return {wi, -wi, reach, reach > 0 ? std::max(0.0f, dot(n, wi)) * radius * radius / d2 : 0};
     }
 };
 

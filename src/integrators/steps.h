@@ -69,6 +69,18 @@ public:
         queue_.shadow_rays.push_back(ray);
         queue_.shadows.push_back({radiance_if_unoccluded, slot_});
     }
+    // The same with a ray that is still to be written: f(ray) changes what a new one holds.
+    template <class F>
+    void shadow_from(F&& f, Color radiance_if_unoccluded)
+    {
+        Ray& ray = queue_.shadow_rays.emplace_back();
+        f(ray);
+        if (!is_traceable(ray)) {
+            queue_.shadow_rays.pop_back();
+            return spoil();
+        }
+        queue_.shadows.push_back({radiance_if_unoccluded, slot_});
+    }
     // As shadow(), but what lies in between takes only its part: the integrator's through() says which. light: the
     // colour of the light itself, for is_spent().
     void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light)

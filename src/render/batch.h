@@ -8,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "integrators/ahead.h"
 #include "integrators/media.h"
 #include "render/tinted_shadows.h"
 #include "render/workspace.h"
@@ -28,6 +29,15 @@ uint32_t batch_of(const KernelSettings& settings)
 // the processor works on several at once.
 inline constexpr size_t looked_ahead = 16;
 
+template <class Integrator>
+struct AheadOf {
+    struct type {};
+};
+template <LooksAhead Integrator>
+struct AheadOf<Integrator> {
+    using type = typename Integrator::Ahead;
+};
+
 // For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
 // in parts would wait for all that came before.
 template <class F>
@@ -43,9 +53,9 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                  const Listener& listener)
 {
     const uint64_t seed = w.is_pilot ? pilot_seed(settings.seed) : settings.seed;
-    const auto sampler = [&](const State& s) {
-        const SampleId& id = w.slots[s.slot];
-        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, id.sample, s.branch);
+    const auto sampler = [&](uint32_t slot, uint32_t branch) {
+        const SampleId& id = w.slots[slot];
+        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, id.sample, branch);
     };
     w.queue.radiance.assign(w.slots.size(), Color{});
     // One of each per path is the most today's integrators ask for. Without this a later batch may be the first to ask
@@ -55,10 +65,18 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
     w.queue.shadows.reserve(w.slots.size());
     w.occluded.reserve(w.slots.size());
     w.states.clear();
+    std::array<std::optional<Sampler>, looked_ahead> samplers;
+    const auto prepare_camera = [&](uint32_t first) {
+        AskedNumbers<looked_ahead> asked(Dim::pixel);
+        for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
+            asked.add(samplers[i - first].emplace(sampler(i, 0)), 0);
+        asked.prepare();
+    };
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
-        State s;
+        if (i % looked_ahead == 0) prepare_camera(i);
+        State& s = w.states.emplace_back();
         s.slot = i;
-        const Sampler numbers = sampler(s);
+        const Sampler& numbers = *samplers[i % looked_ahead];
         const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
         s.ray = camera.ray(
             {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
@@ -66,21 +84,28 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         s.ray.key = view.ray_key(numbers, 0, Dim::hole);
         s.cone = {0, camera.pixel_spread()};
         s.media = view.scene.camera_media;
-        w.states.push_back(s);
     }
     counters.camera_rays += w.slots.size();
 
-    std::array<std::optional<Sampler>, looked_ahead> samplers;
     std::array<std::optional<Surface>, looked_ahead> surfaces;
+    std::array<typename AheadOf<Integrator>::type, looked_ahead / float_lanes> aheads;
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
+        AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const State& s = w.states[i];
-            // The numbers that integrators ask for first; the sampler keeps them.
-            samplers[i - first].emplace(sampler(s)).get2(s.depth, Dim::light);
+            asked.add(samplers[i - first].emplace(sampler(s.slot, s.branch)), s.depth);
             surfaces[i - first].emplace(Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone); }});
         }
+        asked.prepare();
+        if constexpr (LooksAhead<Integrator>)
+            for (size_t group = 0; first + group * float_lanes < end; ++group) {
+                Vertices vertices;
+                for (size_t k = group * float_lanes, i = first + k; k < (group + 1) * float_lanes && i < end; ++k, ++i)
+                    if (w.hits[i]) vertices[k % float_lanes] = {&w.states[i], &*surfaces[k], &*samplers[k]};
+                aheads[group] = integrator.ahead(view, vertices);
+            }
     };
     const bool has_media = !view.scene.media.empty();
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
@@ -104,7 +129,12 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
-                const auto hit = [&] { integrator.hit(view, s, surface, *samplers[k], steps); };
+                const auto hit = [&] {
+                    if constexpr (LooksAhead<Integrator>)
+                        integrator.hit(view, s, surface, *samplers[k], aheads[k / float_lanes], k % float_lanes, steps);
+                    else
+                        integrator.hit(view, s, surface, *samplers[k], steps);
+                };
                 if (has_media)
                     hit_in_media(view, s, surface, w.queue, steps, hit);
                 else

@@ -59,6 +59,29 @@ TEST(Sampler, ANumberIsAFunctionOfItsAddress)
         }
 }
 
+// Eight at once, fewer, and those of one sampler after another say what each alone says.
+TEST(Sampler, NumbersPreparedForManyAreThoseOfEach)
+{
+    Random random(31);
+    for (const SamplerKind kind : kinds)
+        for (int round = 0; round < 2000; ++round) {
+            std::vector<Sampler> samplers, alone;
+            std::vector<uint32_t> bounces;
+            const uint32_t n = 1 + random.below(16);
+            const Dim dim = dims[random.below(5)];
+            for (uint32_t i = 0; i < n; ++i) {
+                samplers.emplace_back(kind, 7, random.below(1u << 26), random.below(1u << 20), random.below(3));
+                bounces.push_back(random.below(32));
+            }
+            alone = samplers;
+            AskedNumbers<16> asked(dim);
+            for (uint32_t i = 0; i < n; ++i) asked.add(samplers[i], bounces[i]);
+            asked.prepare();
+            for (uint32_t i = 0; i < n; ++i)
+                for (const Dim d : dims) ASSERT_EQ(samplers[i].get2(bounces[i], d), alone[i].get2(bounces[i], d));
+        }
+}
+
 // One number of each of many addresses that differ in one part only: uniform in 1-D and in every pair.
 TEST(Sampler, NumbersOfDifferentAddressesAreUniform)
 {

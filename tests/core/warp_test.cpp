@@ -1,5 +1,7 @@
 #include "core/warp.h"
 
+#include "core/frame.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -178,6 +180,31 @@ TEST(OneMinusCos, RelativeErrorIsAFewRoundingsDownToTheSmallest)
     EXPECT_LT(worst_double, 4 * 0x1p-53);
     EXPECT_EQ(one_minus_cos(1.0), 1);
     EXPECT_EQ(one_minus_cos(0.0), 0);
+}
+
+// Eight at once have the bits of each alone, at the ends and where quadrants meet too.
+TEST(Lanes, WarpsAndFramesAreThoseOfEach)
+{
+    Random random(77);
+    const std::array<float, 8> ends{0, 0.125f, 0.25f, 0.375f, 0.5f, 0.75f, 0x1.fffffep-1f, 0x1p-24f};
+    for (int round = 0; round < 20000; ++round) {
+        Float8 u, v;
+        Vec3T<Float8> n;
+        std::array<Vec3, 8> normals;
+        for (size_t k = 0; k < 8; ++k) {
+            const auto number = [&] { return static_cast<float>(random.below(1u << 24)) * 0x1p-24f; };
+            u[k] = random.below(4) ? number() : ends[random.below(8)];
+            v[k] = random.below(4) ? number() : ends[random.below(8)];
+            normals[k] = random.below(8) ? to_float(random.direction()) : Vec3{0, 0, random.below(2) ? -1.0f : 1.0f};
+            n.x[k] = normals[k].x, n.y[k] = normals[k].y, n.z[k] = normals[k].z;
+        }
+        const auto h = square_to_cosine_hemisphere(u, v), w = FrameT<Float8>(n).to_world(h);
+        for (size_t k = 0; k < 8; ++k) {
+            const Vec3 h1 = square_to_cosine_hemisphere(Vec2{u[k], v[k]}), w1 = Frame(normals[k]).to_world(h1);
+            ASSERT_EQ(h1, (Vec3{h.x[k], h.y[k], h.z[k]})) << u[k] << " " << v[k];
+            ASSERT_EQ(w1, (Vec3{w.x[k], w.y[k], w.z[k]}));
+        }
+    }
 }
 
 }  // namespace

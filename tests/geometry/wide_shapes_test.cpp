@@ -96,7 +96,7 @@ TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
     for (int round = 0; round < 20000; ++round) {
         const auto [g, rays, four] = make_round(random);
         const RayLanes wide(four, 0);
-        const StopLanes sphere = stop(g.spheres[0], wide), plane = stop(g.planes[0], wide);
+        const StopLanes sphere = stop(SphereLanes(g.spheres[0]), wide), plane = stop(g.planes[0], wide);
         for (size_t i = 0; i < 4; ++i) {
             const Hit s = first_stop<Kind::sphere>(g, 0, rays[i]), p = first_stop<Kind::plane>(g, 0, rays[i]);
             ASSERT_EQ(static_cast<bool>(s), sphere.ok[i] != 0) << round;
@@ -123,7 +123,7 @@ TEST(WideShapes, WhatIsSurelyMissedIsNotMet)
     for (int round = 0; round < 20000; ++round) {
         const auto [g, rays, four] = make_round(random);
         const RayLanes wide(four, 0);
-        const StopLanes sphere = stop(g.spheres[0], wide);
+        const StopLanes sphere = stop(SphereLanes(g.spheres[0]), wide);
         for (const double part : {0.5, 1 - 0x1p-19, 1 - 0x1p-23, 1.0, 1 + 0x1p-23, 2.0}) {
             const Double4 end = select(sphere.ok, sphere.t * part, all_lanes(part));
             const Mask4 misses = surely_misses(g.spheres[0], wide, end);

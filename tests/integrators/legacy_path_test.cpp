@@ -243,7 +243,8 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
             for (uint32_t i = 0; i < tries; ++i) {
                 queue.next.clear();
                 Steps steps(queue, 0);
-                LegacyPath{}.hit(view, s, *surface, Sampler(SamplerKind::independent, 9, 0, i, 0), steps);
+                const Sampler sampler(SamplerKind::independent, 9, 0, i, 0);
+                LegacyPath{}.hit(view, s, *surface, sampler, {}, 0, steps);
                 ASSERT_EQ(queue.next.size(), 1u);
                 const Ray& ray = queue.next[0].ray;
                 const bool back = ray.dir.y * up < 0;
@@ -255,7 +256,7 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
                 LegacyPath plain;
                 plain.fresnel = false;
                 queue.next.clear();
-                plain.hit(view, s, *surface, Sampler(SamplerKind::independent, 9, 0, i, 0), steps);
+                plain.hit(view, s, *surface, sampler, {}, 0, steps);
                 ASSERT_EQ(queue.next[0].ray.dir.y * up < 0, total);
             }
             if (total) {

@@ -1,0 +1,82 @@
+// Several numbers at once, each computed as one alone would be: the same bits, as no operation is fused or reordered.
+// What is written once for T = float and T = Float8 uses these functions, which there are for both.
+#pragma once
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace lancer {
+
+using Double4 = double __attribute__((vector_size(32)));
+using Mask4 = int64_t __attribute__((vector_size(32)));  // of each lane all bits or none
+using Float8 = float __attribute__((vector_size(32)));
+using Mask8 = int32_t __attribute__((vector_size(32)));
+using UInt8 = uint32_t __attribute__((vector_size(32)));
+
+inline constexpr uint32_t lanes = 4, all_bits = 15;  // of Double4; all_bits: bits() of a mask of all lanes
+inline constexpr uint32_t float_lanes = 8;
+
+inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
+inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
+
+// From four floats, and to four.
+inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
+inline void store(float* to, Double4 x) { _mm_storeu_ps(to, _mm256_cvtpd_ps(x)); }
+
+// As it is after being stored in float.
+inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
+
+// NaN where x is negative.
+inline Double4 sqrt(Double4 x) { return _mm256_sqrt_pd(x); }
+inline Float8 sqrt(Float8 x) { return _mm256_sqrt_ps(x); }
+inline float sqrt(float x) { return std::sqrt(x); }
+
+inline Double4 copysign(Double4 x, Double4 sign)
+{
+    const Double4 bit = all_lanes(-0.0);
+    return _mm256_or_pd(_mm256_andnot_pd(bit, x), _mm256_and_pd(bit, sign));
+}
+inline Float8 copysign(Float8 x, Float8 sign)
+{
+    const Float8 bit = all_lanes(-0.0f);
+    return _mm256_or_ps(_mm256_andnot_ps(bit, x), _mm256_and_ps(bit, sign));
+}
+inline float copysign(float x, float sign) { return std::copysign(x, sign); }
+
+inline Double4 select(Mask4 m, Double4 yes, Double4 no)
+{
+    return _mm256_blendv_pd(no, yes, reinterpret_cast<__m256d>(m));
+}
+inline Mask4 select(Mask4 m, Mask4 yes, Mask4 no) { return (m & yes) | (~m & no); }
+inline Float8 select(Mask8 m, Float8 yes, Float8 no) { return _mm256_blendv_ps(no, yes, reinterpret_cast<__m256>(m)); }
+inline float select(bool m, float yes, float no) { return m ? yes : no; }
+
+// a where b is NaN, and b where a is, as std::max does.
+template <class T>
+T larger(T a, T b)
+{
+    return select(a < b, b, a);
+}
+
+// To the nearest whole number, to the even one of two.
+inline float nearest(float x) { return std::nearbyint(x); }
+inline Float8 nearest(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC); }
+// Of whole numbers that an int can hold.
+inline uint32_t to_whole(float x) { return static_cast<uint32_t>(static_cast<int>(x)); }
+inline UInt8 to_whole(Float8 x) { return reinterpret_cast<UInt8>(_mm256_cvttps_epi32(x)); }
+// The sign turned where the lowest bit of `bit` is set.
+inline float negated(float x, uint32_t bit) { return std::bit_cast<float>(std::bit_cast<uint32_t>(x) ^ (bit << 31)); }
+inline Float8 negated(Float8 x, UInt8 bit)
+{
+    return reinterpret_cast<Float8>(reinterpret_cast<UInt8>(x) ^ (bit << 31));
+}
+inline bool is_odd(uint32_t x) { return x & 1; }
+inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
+
+// Bit i: lane i.
+inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
+
+}  // namespace lancer
