@@ -1,0 +1,60 @@
+#include "harness/stage.h"
+
+#include "app/load_scene.h"
+#include "io/image_source.h"
+#include "scene/holes.h"
+
+namespace lancer::bench {
+namespace {
+
+Scene build(const SceneDescription& description, const Settings& settings)
+{
+    ImageSource images(1);
+    Diagnostics diagnostics;
+    SceneDescription said = description;
+    for (size_t i = 0; i < switch_names.size(); ++i)
+        said.render.set(static_cast<Switch>(i), settings.switches[static_cast<Switch>(i)]);
+    return Scene::build(said, diagnostics, images.source());
+}
+
+}  // namespace
+
+Stage::Stage(const SceneDescription& description, const PictureOptions& options)
+    : Stage(description, resolve_settings(options, description.render))
+{
+}
+
+Stage::Stage(const SceneDescription& description, Settings s)
+    : settings(std::move(s)),
+      scene(build(description, settings)),
+      camera(description.camera.value(), scene.normalisation, settings.width, settings.height, settings.grid),
+      render(to_render_settings(settings, RenderOptions{}.batch))
+{
+    bind_holes(scene);
+}
+
+SceneDescription load_description(const std::string& file, const PictureOptions& options)
+{
+    Diagnostics diagnostics;
+    SceneDescription d = load_scene({.file = file, .asset_root = {}, .definitions = {}, .camera = {}}, diagnostics);
+    const Settings s = resolve_settings(options, d.render);
+    complete_scene(d, double(s.width) / s.height);
+    return d;
+}
+
+SceneDescription describe_mesh(const MeshData& mesh, const std::optional<CameraDescription>& camera)
+{
+    MeshData bare;
+    bare.positions = mesh.positions, bare.triangles = mesh.triangles;
+    bare.materials.emplace_back();
+    SceneDescription d;
+    d.meshes.emplace_back().data = std::make_shared<const MeshData>(std::move(bare));
+    const Bounds subject = subject_bounds(d);
+    d.camera = camera.value_or(fit_camera(subject, 4.0 / 3));
+    d.lights = default_lights(subject);
+    return d;
+}
+
+std::string scene_file(const std::string& name) { return LANCER_SOURCE_DIR "/scenes/" + name + ".toml"; }
+
+}  // namespace lancer::bench
