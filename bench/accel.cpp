@@ -80,7 +80,7 @@ std::vector<Entry> entries_of(const Subjects& s, const Geometry& g)
                        "single",
                        [bare, &g](auto rays, auto hits, Coherence) {
                            for (size_t i = 0; i < rays.size(); ++i)
-                               hits[i] = refine(g, rays[i], bare->closest(rays[i]));
+                               if ((hits[i] = bare->closest(rays[i]))) hits[i] = refine(g, rays[i], hits[i]);
                        },
                        {}});
     }
@@ -115,7 +115,8 @@ Answers answer(const Entry& e, const RaySet& set, const Geometry& g)
     a.hits.resize(set.rays.size());
     e.closest(set.rays, a.hits, set.coherence);
     if (!e.refined)
-        for (size_t i = 0; i < set.rays.size(); ++i) a.hits[i] = refine(g, set.rays[i], a.hits[i]);
+        for (size_t i = 0; i < set.rays.size(); ++i)
+            if (a.hits[i]) a.hits[i] = refine(g, set.rays[i], a.hits[i]);
     return a;
 }
 
@@ -245,7 +246,8 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
     std::vector<uint8_t> occluded(rays.size());
     const auto count = static_cast<double>(rays.size());
     const auto refine_all = [&](std::span<const Ray> some, std::span<Hit> out) {
-        for (size_t i = 0; i < some.size(); ++i) out[i] = refine(g, some[i], out[i]);
+        for (size_t i = 0; i < some.size(); ++i)
+            if (out[i]) out[i] = refine(g, some[i], out[i]);
     };
     std::vector<Contestant> contestants;
     if (set.occlusion) {
@@ -272,7 +274,8 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
                                        [&](auto some, auto out) { accel->closest(some, out, set.coherence); });
                         }},
                        {"refine", count, [&] {
-                            for (size_t i = 0; i < rays.size(); ++i) hits[i] = refine(g, rays[i], found[i]);
+                            hits = found;
+                            refine_all(rays, hits);
                             keep(hits);
                         }}};
     }

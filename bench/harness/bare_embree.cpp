@@ -132,7 +132,6 @@ struct BareEmbree::Impl {
     RTCDevice device;
     RTCScene scene = nullptr;
     std::vector<RTCScene> mesh_scenes{};
-    std::vector<std::array<float, 4>> spheres{};
     double build_seconds = 0;
     std::atomic<int64_t> bytes{0};
 
@@ -155,7 +154,6 @@ struct BareEmbree::Impl {
             if (mesh_scenes[i]) rtcCommitScene(mesh_scenes[i]);
         }
         for (uint32_t i = 0; i < g.instances.size(); ++i) attach_instance(i);
-        if (!g.spheres.empty()) attach_spheres();
         rtcCommitScene(scene);
         const RTCError error = rtcGetDeviceError(device);
         if (error != RTC_ERROR_NONE)
@@ -197,8 +195,7 @@ struct BareEmbree::Impl {
                                    sizeof m.triangles[0], m.triangles.size());
         attach(to, geometry, i);
     }
-    uint32_t sphere_id() const { return static_cast<uint32_t>(g.meshes.size()); }
-    uint32_t first_instance_id() const { return sphere_id() + 1; }
+    uint32_t first_instance_id() const { return static_cast<uint32_t>(g.meshes.size()); }
     void attach_instance(uint32_t i) const
     {
         const Instance& instance = g.instances[i];
@@ -213,27 +210,12 @@ struct BareEmbree::Impl {
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
         attach(scene, geometry, first_instance_id() + i);
     }
-    void attach_spheres()
-    {
-        for (const Sphere& s : g.spheres)
-            spheres.push_back({static_cast<float>(s.center.x), static_cast<float>(s.center.y),
-                               static_cast<float>(s.center.z), static_cast<float>(s.radius)});
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, spheres.data(), 0,
-                                   sizeof spheres[0], spheres.size());
-        attach(scene, geometry, sphere_id());
-    }
     Hit to_hit(uint32_t geometry, uint32_t primitive, uint32_t instance, float t, float u, float v) const
     {
         if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
         const bool placed = instance != RTC_INVALID_GEOMETRY_ID;
-        const bool sphere = !placed && geometry == sphere_id();
-        return {t,
-                placed ? instance - first_instance_id() : Hit::no_instance,
-                sphere ? 0 : geometry,
-                primitive,
-                {u, v},
-                sphere ? Kind::sphere : Kind::triangle};
+        return {
+            t, placed ? instance - first_instance_id() : Hit::no_instance, geometry, primitive, {u, v}, Kind::triangle};
     }
 
     template <class Packet, size_t lanes>

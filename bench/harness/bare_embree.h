@@ -30,7 +30,7 @@ bool has_native_16(const std::string& isa);
 // Whether the library that is loaded was compiled with its assertions.
 bool embree_has_asserts();
 
-// Meshes and instances as the product builds them. Spheres are Embree's own, in float; planes and holes are left out.
+// Meshes and instances as the product builds them; spheres, planes and holes are left out.
 class BareEmbree {
 public:
     // The geometry must outlive this. Throws Error (failed).

@@ -9,6 +9,7 @@ namespace lancer::bench {
 namespace {
 
 constexpr uint32_t tile_side = 16;
+constexpr size_t most_rays = 8'000'000;  // of 40 bytes
 
 class Recorder final : public Accelerator {
 public:
@@ -100,7 +101,7 @@ std::vector<RaySet> record_kinds(const Stage& stage, const Accelerator& accel, s
     const std::vector<Tile> tiles = scattered_tiles(stage);
     const auto traced = [&](const AnyIntegrator& integrator, bool occlusion, uint32_t depth) {
         return record(stage, accel, integrator, tiles, samples_per_block, [&](const Recording& r) {
-            if (r.rays.size() > 20 * count) return true;  // there are few of them
+            if (r.rays.size() > most_rays) return true;  // there are few of them
             size_t so_far = 0;
             for (const Recording::Batch& b : r.batches)
                 if (b.occlusion == occlusion && b.depth == depth) so_far += b.count;

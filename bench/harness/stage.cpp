@@ -51,7 +51,10 @@ SceneDescription describe_mesh(const MeshData& mesh, const std::optional<CameraD
     d.meshes.emplace_back().data = std::make_shared<const MeshData>(std::move(bare));
     const Bounds subject = subject_bounds(d);
     d.camera = camera.value_or(fit_camera(subject, 4.0 / 3));
-    d.lights = default_lights(subject);
+    LightDescription sky, sun;
+    sky.type = LightType::environment, sky.power = {1, 1, 1};
+    sun.type = LightType::directional, sun.power = {3, 3, 3}, sun.direction = {0.5, -1, -0.6};
+    d.lights = {sky, sun};
     return d;
 }
 
