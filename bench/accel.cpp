@@ -301,8 +301,7 @@ void measure_mesh(const MeshChoice& choice, const Options& options, Report& repo
 
     const Subjects subjects(g, options);
     const std::vector<Entry> entries = entries_of(subjects, g);
-    const auto recorder = make_accelerator(AccelKind::embree, g, product_mode.isa);
-    for (const RaySet& set : record_kinds(stage, *recorder, options.full ? 500'000 : 50'000)) {
+    for (const RaySet& set : record_kinds(stage, options.full ? 500'000 : 50'000)) {
         measure_kind(choice.name, set, entries, g, options, report);
         measure_seam(choice.name, set, g, options, report);
     }

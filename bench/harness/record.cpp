@@ -8,7 +8,6 @@
 namespace lancer::bench {
 namespace {
 
-constexpr uint32_t tile_side = 16;
 constexpr size_t most_rays = 8'000'000;  // of 40 bytes
 
 class Recorder final : public Accelerator {
@@ -59,7 +58,7 @@ private:
 // Strides that are coprime with the number of tiles come by all of them, far from each other.
 std::vector<Tile> scattered_tiles(const Stage& stage)
 {
-    const std::vector<Tile> tiles = make_tiles(stage.settings.crop, tile_side);
+    const std::vector<Tile> tiles = stage.tiles();
     size_t stride = std::max<size_t>(1, static_cast<size_t>(0.618 * static_cast<double>(tiles.size())));
     while (std::gcd(stride, tiles.size()) != 1) ++stride;
     std::vector<Tile> scattered;
@@ -81,12 +80,12 @@ std::vector<Ray> rays_of(const Recording& from, size_t count, bool occlusion, ui
 
 }  // namespace
 
-Recording record(const Stage& stage, const Accelerator& accel, const AnyIntegrator& integrator,
-                 std::span<const Tile> tiles, uint32_t spp, const std::function<bool(const Recording&)>& enough)
+Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<const Tile> tiles, uint32_t spp,
+                 const std::function<bool(const Recording&)>& enough)
 {
-    Recorder recorder(accel);
+    Recorder recorder(stage.renderer.accelerator());
     const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.render.kernel);
-    Film film(stage.settings.width, stage.settings.height, stage.settings.crop);
+    Film film = stage.film();
     Workspace workspace;
     Counters counters;
     for (const Tile& tile : tiles) {
@@ -96,11 +95,11 @@ Recording record(const Stage& stage, const Accelerator& accel, const AnyIntegrat
     return recorder.take();
 }
 
-std::vector<RaySet> record_kinds(const Stage& stage, const Accelerator& accel, size_t count)
+std::vector<RaySet> record_kinds(const Stage& stage, size_t count)
 {
     const std::vector<Tile> tiles = scattered_tiles(stage);
     const auto traced = [&](const AnyIntegrator& integrator, bool occlusion, uint32_t depth) {
-        return record(stage, accel, integrator, tiles, samples_per_block, [&](const Recording& r) {
+        return record(stage, integrator, tiles, samples_per_block, [&](const Recording& r) {
             if (r.rays.size() > most_rays) return true;  // there are few of them
             size_t so_far = 0;
             for (const Recording::Batch& b : r.batches)

@@ -23,8 +23,8 @@ struct Recording {
 
 // Renders the tiles, one after another, with samples [0, spp) and this integrator; ends after the tile with which
 // `enough` says yes. Spoilt rays, which nobody traces, are left out.
-Recording record(const Stage& stage, const Accelerator& accel, const AnyIntegrator& integrator,
-                 std::span<const Tile> tiles, uint32_t spp, const std::function<bool(const Recording&)>& enough = {});
+Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<const Tile> tiles, uint32_t spp,
+                 const std::function<bool(const Recording&)>& enough = {});
 
 // Rays of one kind, as many as were wanted or as the picture had.
 struct RaySet {
@@ -37,6 +37,6 @@ inline constexpr std::array<std::string_view, 5> ray_kinds{"primary", "shadow", 
 
 // Up to `count` rays of each kind in the order of ray_kinds, from tiles all over the picture. shadow: of the first
 // surfaces. ao: of the integrator `ao`. A kind of which there are none is left out.
-std::vector<RaySet> record_kinds(const Stage& stage, const Accelerator& accel, size_t count);
+std::vector<RaySet> record_kinds(const Stage& stage, size_t count);
 
 }  // namespace lancer::bench

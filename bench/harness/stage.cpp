@@ -1,36 +1,34 @@
 #include "harness/stage.h"
 
 #include "app/load_scene.h"
-#include "io/image_source.h"
-#include "scene/holes.h"
 
 namespace lancer::bench {
 namespace {
 
-Scene build(const SceneDescription& description, const Settings& settings)
+Scene begin(const SceneDescription& description, const Settings& settings, const RasterSource& images)
 {
-    ImageSource images(1);
     Diagnostics diagnostics;
     SceneDescription said = description;
+    // Where Scene::begin looks for them.
     for (size_t i = 0; i < switch_names.size(); ++i)
         said.render.set(static_cast<Switch>(i), settings.switches[static_cast<Switch>(i)]);
-    return Scene::build(said, diagnostics, images.source());
+    return Scene::begin(said, diagnostics, images);
 }
 
 }  // namespace
 
 Stage::Stage(const SceneDescription& description, const PictureOptions& options)
-    : Stage(description, resolve_settings(options, description.render))
+    : Stage(description, resolve_settings(options, description.render), std::make_unique<ImageSource>(1))
 {
 }
 
-Stage::Stage(const SceneDescription& description, Settings s)
-    : settings(std::move(s)),
-      scene(build(description, settings)),
-      camera(description.camera.value(), scene.normalisation, settings.width, settings.height, settings.grid),
-      render(to_render_settings(settings, RenderOptions{}.batch))
+Stage::Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images)
+    : settings(s),
+      render(to_render_settings(settings, RenderOptions{}.batch)),
+      renderer(begin(description, settings, images->source()), render),
+      scene(renderer.scene()),
+      camera(description.camera.value(), scene.normalisation, settings.width, settings.height, settings.grid)
 {
-    bind_holes(scene);
 }
 
 SceneDescription load_description(const std::string& file, const PictureOptions& options)

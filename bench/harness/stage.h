@@ -5,24 +5,32 @@
 #include <string>
 
 #include "app/settings.h"
+#include "io/image_source.h"
 #include "render/renderer.h"
 #include "scene/camera.h"
 
 namespace lancer::bench {
 
-// Built once; does not move, as accelerators point into it.
-struct Stage {
-    Settings settings;
-    Scene scene;
-    Camera camera;
-    RenderSettings render;
-
+class Stage {
+public:
+    // Throws Error, also for what is wrong with the pictures of the scene. Call inside with_threads.
     Stage(const SceneDescription& description, const PictureOptions& options);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
 private:
-    Stage(const SceneDescription& description, Settings s);
+    Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images);
+
+public:
+    const Settings settings;
+    const RenderSettings render;
+    const Renderer renderer;
+    const Scene& scene;
+    const Camera camera;
+
+    // The whole picture, in tiles as the program makes them.
+    std::vector<Tile> tiles() const { return make_tiles(settings.crop, RenderOptions{}.tile); }
+    Film film() const { return {settings.width, settings.height, settings.crop}; }
 };
 
 // A scene file or a mesh as the program would take it. Throws Error, also if it is not there.

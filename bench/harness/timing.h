@@ -17,6 +17,7 @@ struct Contestant {
     std::string name;
     double items = 1;  // rays, triangles, samples: what one run does
     std::function<void()> run;
+    std::function<double()> timed = {};  // instead, for what takes its own time: nanoseconds of CPU
 };
 
 // Nanoseconds per item, one of each round; round r of one contestant and of another ran side by side.
