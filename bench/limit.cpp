@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/console.h"
+#include "core/parallel.h"
 #include "harness/bare_loop.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
@@ -99,6 +100,8 @@ int main(int argc, char** argv)
         "to "
         "gain.",
         [](const Options& options, Report& report) {
-            for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);
+            lancer::with_threads(options.threads, [&] {
+                for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);
+            });
         });
 }

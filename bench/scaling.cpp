@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/console.h"
+#include "core/parallel.h"
 #include "harness/bare_embree.h"
 #include "harness/generate.h"
 #include "harness/meshes.h"
@@ -233,8 +234,10 @@ int main(int argc, char** argv)
         "Shows how building and speed go with the number of triangles, lights and instances, and fits exponents to "
         "it.\nNames for --only: sphere, subdivided-armadillo, lights, instances.",
         [](const Options& options, Report& report) {
-            scale_triangles(options, report);
-            scale_lights(options, report);
-            scale_instances(options, report);
+            lancer::with_threads(options.threads, [&] {
+                scale_triangles(options, report);
+                scale_lights(options, report);
+                scale_instances(options, report);
+            });
         });
 }

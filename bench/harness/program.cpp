@@ -77,6 +77,7 @@ void print_row(const Json& row)
     for (const char* key : {"seconds", "bytes_per_triangle", "exponent", "share", "disagreements", "differing_pixels"})
         if (row.contains(key)) line += format_text("  %s %.4g", key, number(key));
     print_result(line);
+    flush_results();  // whoever waits sees where it is
 }
 
 int run_program(int argc, char** argv, const std::string& name, const std::string& description,
@@ -86,12 +87,10 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
     try {
         Options options;
         if (!parse(argc, argv, name, description, options)) return flush_results(), 0;
-        with_threads(options.threads, [&] {
-            Report report(machine_context(argv[0], options.threads));
-            body(options, report);
-            if (report.empty()) throw Error(ErrorKind::usage, {}, "--only: nothing of that name to measure");
-            if (!options.output.empty()) report.write(options.output);
-        });
+        Report report(machine_context(argv[0], options.threads));
+        with_threads(std::max(options.threads, available_threads()), [&] { body(options, report); });
+        if (report.empty()) throw Error(ErrorKind::usage, {}, "--only: nothing of that name to measure");
+        if (!options.output.empty()) report.write(options.output);
         flush_results();
         return 0;
     } catch (const Error& e) {
