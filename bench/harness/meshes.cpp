@@ -87,8 +87,12 @@ std::vector<MeshChoice> choose_meshes(const Options& options)
     };
     add("sphere", [] { return describe_mesh(*make_displaced_sphere(100'000)); });
     add("room", [] { return describe_mesh(*make_room(200'000), camera_at({0.9, 0.4, 0.95}, {-0.4, -0.2, -0.5}, 70)); });
-    add("terrain", [] { return describe_mesh(*make_terrain(200'000)); });
-    add("shell", [] { return load_grey(LANCER_SOURCE_DIR "/scenes/meshes/shell.obj"); });
+    // Those that need not be seen every time have to be asked for.
+    const auto add_more = [&](const std::string& name, std::function<SceneDescription()> load) {
+        if (options.full || !options.only.empty()) add(name, std::move(load));
+    };
+    add_more("terrain", [] { return describe_mesh(*make_terrain(200'000)); });
+    add_more("shell", [] { return load_grey(LANCER_SOURCE_DIR "/scenes/meshes/shell.obj"); });
     for (const SharedMesh& mesh : shared_meshes()) {
         if (!options.wants(mesh.name)) continue;
         const std::string file = shared_file(mesh.file, options.cache);

@@ -74,7 +74,8 @@ void print_row(const Json& row)
                             1e9 / number("min"));
     if (row.contains("ratio"))
         line += format_text("  x%.3f [%.3f .. %.3f]", number("ratio"), number("ratio_min"), number("ratio_max"));
-    for (const char* key : {"seconds", "bytes_per_triangle", "exponent", "share", "disagreements", "differing_pixels"})
+    for (const char* key :
+         {"seconds", "bytes_per_triangle", "exponent", "share", "extra_ns", "disagreements", "differing_pixels"})
         if (row.contains(key)) line += format_text("  %s %.4g", key, number(key));
     print_result(line);
     flush_results();  // whoever waits sees where it is
