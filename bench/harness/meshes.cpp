@@ -63,7 +63,9 @@ std::string shared_scenes()
 {
     const char* named = std::getenv("LANCER_SHARED");
     const fs::path folder = named ? fs::path(named) : fs::path(LANCER_SOURCE_DIR) / "../shared";
-    return fs::is_directory(folder / "scenes") ? (folder / "scenes").string() : "";
+    if (fs::is_directory(folder / "scenes")) return folder / "scenes";
+    if (named) throw Error(ErrorKind::missing_input, {(folder / "scenes").string()}, "no such folder ($LANCER_SHARED)");
+    return {};
 }
 
 std::string shared_file(const std::string& name, const std::string& cache)

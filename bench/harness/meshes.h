@@ -20,7 +20,7 @@ struct MeshChoice {
 std::vector<MeshChoice> choose_meshes(const Options& options);
 
 // The folder of scenes that are not the project's: $LANCER_SHARED/scenes, else ../shared/scenes beside the project;
-// empty if there is none.
+// empty if there is none. Throws Error (missing_input) if the variable names one that is not there.
 std::string shared_scenes();
 // A file in it, unpacked into the cache folder if only its .xz is there; empty if neither is.
 std::string shared_file(const std::string& name, const std::string& cache);
