@@ -10,7 +10,7 @@ packages=(
     libtinyobjloader-dev libtomlplusplus-dev                # scenes
     libopenimageio-dev libopenexr-dev libimath-dev libpng-dev # pictures
     libcli11-dev nlohmann-json3-dev                         # command line, reports
-    libgtest-dev libgmock-dev libbenchmark-dev              # tests, benchmarks
+    libgtest-dev libgmock-dev                               # tests
 )
 
 say() { printf '%s\n' "$*"; }

@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-OptionParser::OptionParser(const std::string& command, const std::string& description, const std::string& footer)
-    : app_(std::make_unique<CLI::App>(description, "lancer " + command))
+OptionParser::OptionParser(const std::string& program, const std::string& description, const std::string& footer)
+    : app_(std::make_unique<CLI::App>(description, program))
 {
     app_->get_formatter()->column_width(32);
     app_->allow_extras();

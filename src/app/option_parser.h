@@ -17,8 +17,8 @@ class OptionParser {
 public:
     using Take = std::function<void(const std::string&)>;
 
-    // footer: the end of the help.
-    OptionParser(const std::string& command, const std::string& description, const std::string& footer);
+    // program: as one calls it, "lancer render". footer: the end of the help.
+    OptionParser(const std::string& program, const std::string& description, const std::string& footer);
     ~OptionParser();
     OptionParser(const OptionParser&) = delete;
     OptionParser& operator=(const OptionParser&) = delete;

@@ -143,7 +143,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
 {
     RenderOptions o;
     OptionParser p(
-        "render", "Render a scene into pictures.",
+        "lancer render", "Render a scene into pictures.",
         exit_codes + std::string("Signals: a second interrupt exits at once; SIGUSR1 writes a snapshot and goes on.\n\n"
                                  "Examples:\n  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
                                  "  lancer mesh.obj --size 640x360\n"));
@@ -169,7 +169,7 @@ std::optional<CheckOptions> parse_check(int argc, char** argv)
 {
     CheckOptions o;
     OptionParser p(
-        "check", "Print every problem of a scene and its files, one line each, and count them.",
+        "lancer check", "Print every problem of a scene and its files, one line each, and count them.",
         "Exit codes: 0 no errors; 2 wrong usage; 65 errors, or with --strict warnings; 66 a file is missing.\n\n"
         "Example:\n  lancer check scene.toml --strict\n");
     add_scene_options(p, o.scene);
@@ -183,7 +183,7 @@ std::optional<CheckOptions> parse_check(int argc, char** argv)
 std::optional<InfoOptions> parse_info(int argc, char** argv)
 {
     InfoOptions o;
-    OptionParser p("info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
+    OptionParser p("lancer info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
                    "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing.\n\n"
                    "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
     add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
@@ -196,7 +196,7 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
 std::optional<PixelOptions> parse_pixel(int argc, char** argv)
 {
     PixelOptions o;
-    OptionParser p("pixel", "Trace one sample of a pixel again, with the same bits, and print every vertex.",
+    OptionParser p("lancer pixel", "Trace one sample of a pixel again, with the same bits, and print every vertex.",
                    exit_codes + std::string("\nExample:\n  lancer pixel scene.toml 231 40 17 --seed 3\n"));
     add_picture_options(p, o.picture);
     p.argument("X", "Pixel, from the left of the whole picture",
@@ -215,7 +215,7 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
 {
     CompareOptions o;
     OptionParser p(
-        "compare", "Print how far a picture is from a reference.",
+        "lancer compare", "Print how far a picture is from a reference.",
         "Exit codes: 0 done, or within the limit; 1 beyond it; 2 wrong usage; 65 unreadable or not of the same size;\n"
         "66 missing.\n\nExample:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n");
     p.argument("PICTURE", "Picture: EXR, PNG, HDR, JPEG, TIFF, ...", [&](const std::string& t) { o.picture = t; });

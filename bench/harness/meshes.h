@@ -1,0 +1,28 @@
+// The meshes to measure: our own, made by formulas or from scenes/, the shared ones where they are, and files that the
+// user names.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/program.h"
+#include "scene/description.h"
+
+namespace lancer::bench {
+
+struct MeshChoice {
+    std::string name;
+    std::function<SceneDescription()> load;  // with a camera and light; throws Error
+};
+
+// All that the options want. A file of --mesh is there, else Error (missing_input).
+std::vector<MeshChoice> choose_meshes(const Options& options);
+
+// The folder of scenes that are not the project's: $LANCER_SHARED/scenes, else ../shared/scenes beside the project;
+// empty if there is none. Throws Error (missing_input) if the variable names one that is not there.
+std::string shared_scenes();
+// A file in it, unpacked into the cache folder if only its .xz is there; empty if neither is.
+std::string shared_file(const std::string& name, const std::string& cache);
+
+}  // namespace lancer::bench

@@ -1,0 +1,45 @@
+// A scene made ready to render outside of the program: what the benches take their rays and pictures from.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/settings.h"
+#include "io/image_source.h"
+#include "render/renderer.h"
+#include "scene/camera.h"
+
+namespace lancer::bench {
+
+class Stage {
+public:
+    // Throws Error, also for what is wrong with the pictures of the scene. Call inside with_threads.
+    Stage(const SceneDescription& description, const PictureOptions& options);
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+private:
+    Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images);
+
+public:
+    const Settings settings;
+    const RenderSettings render;
+    const Renderer renderer;
+    const Scene& scene;
+    const Camera camera;
+
+    // The whole picture, in tiles as the program makes them.
+    std::vector<Tile> tiles() const { return make_tiles(settings.crop, RenderOptions{}.tile); }
+    Film film() const { return {settings.width, settings.height, settings.crop}; }
+};
+
+// A scene file or a mesh as the program would take it. Throws Error, also if it is not there.
+SceneDescription load_description(const std::string& file, const PictureOptions& options = {});
+// A mesh alone, whatever its materials grey and without holes, under a sky and a sun. Without a camera it is seen
+// whole.
+SceneDescription describe_mesh(const MeshData& mesh, const std::optional<CameraDescription>& camera = {});
+
+// A scene of the project: "cornell" is scenes/cornell.toml.
+std::string scene_file(const std::string& name);
+
+}  // namespace lancer::bench

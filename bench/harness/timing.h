@@ -1,0 +1,41 @@
+// Times of things to compare, taken in turns so that whatever disturbs the machine disturbs all of them alike: after a
+// round to warm up, each round runs every contestant once and begins with another one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lancer::bench {
+
+double wall_ns();    // since some fixed moment
+double thread_ns();  // of CPU, of the calling thread
+double all_ns();     // of CPU, of all threads of the process
+
+struct Contestant {
+    std::string name;
+    double items = 1;  // rays, triangles, samples: what one run does
+    std::function<void()> run;
+    std::function<double()> timed = {};  // instead, for what takes its own time: nanoseconds of CPU
+};
+
+// Nanoseconds per item, one of each round; round r of one contestant and of another ran side by side.
+struct Timing {
+    std::vector<double> cpu, wall;
+};
+
+// threads: with one, cpu is the calling thread's, else the process's. repetitions: rounds that count, >= 1.
+std::vector<Timing> take_turns(const std::vector<Contestant>& contestants, unsigned repetitions, unsigned threads);
+
+// How often `other` went round in the time of `base`, round by round: above 1 other is faster.
+std::vector<double> speed_ratios(const std::vector<double>& base, const std::vector<double>& other);
+
+// Keeps the compiler from leaving out the computation of what is never looked at.
+template <class T>
+void keep(const T& value)
+{
+    asm volatile("" : : "g"(&value) : "memory");
+}
+
+}  // namespace lancer::bench

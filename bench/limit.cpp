@@ -1,0 +1,107 @@
+// bench_limit: how much of a render is the tracing of its rays. The rays of a real render are traced again by nothing
+// but Embree, and a bare path tracer draws the same scene where it can.
+#include <algorithm>
+#include <cmath>
+
+#include "app/console.h"
+#include "core/parallel.h"
+#include "harness/bare_loop.h"
+#include "harness/record.h"
+#include "harness/scenes.h"
+#include "report/statistics.h"
+
+namespace lancer::bench {
+namespace {
+
+struct Counted {
+    std::vector<Ray> closest, any;  // in the order of the render
+};
+
+Counted split(const Recording& recording)
+{
+    Counted c;
+    for (const Recording::Batch& b : recording.batches) {
+        const auto first = recording.rays.begin() + static_cast<std::ptrdiff_t>(b.first);
+        auto& to = b.occlusion ? c.any : c.closest;
+        to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(b.count));
+    }
+    return c;
+}
+
+double mean_luminance(const Film& film)
+{
+    double sum = 0;
+    for (const Pixel& p : film.pixels) sum += static_cast<double>(luminance(p.mean()));
+    return sum / static_cast<double>(film.pixels.size());
+}
+
+void measure_scene(const BenchScene& scene, const Options& options, Report& report)
+{
+    const SceneDescription description = scene.load();
+    const Stage stage(description, scene.options(options.full ? 192 : 96));
+    const uint32_t spp = samples_per_block;
+    const Geometry& g = stage.scene.geometry;
+    const std::vector<Tile> tiles = stage.tiles();
+
+    if (stage.scene.triangle_count() == 0) return;  // nothing that bare Embree has
+
+    const BareEmbree bare(g, {});
+    const Counted rays = split(record(stage, stage.renderer.integrator(), tiles, spp));
+    const std::optional<BareLoop> loop = BareLoop::make(description, stage, bare);
+
+    const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
+    double render_mean = 0, loop_mean = 0;
+    std::vector<Hit> hits(rays.closest.size());
+    std::vector<uint8_t> occluded(rays.any.size());
+    std::vector<Contestant> contestants{
+        {"render", samples,
+         [&] {
+             Film film = stage.film();
+             stage.renderer.pass(stage.camera, film, tiles, {0, spp});
+             render_mean = mean_luminance(film);
+         }},
+        {"rays",
+         samples,
+         {},
+         [&] { return bare.replay_closest_ns(rays.closest, Coherence::incoherent) + bare.replay_any_ns(rays.any); }},
+        {"rays-packet8", samples, [&] {
+             bare.closest(rays.closest, hits, Way::packet8, Coherence::incoherent);
+             bare.any(rays.any, occluded, Way::packet8, Coherence::incoherent);
+         }}};
+    if (loop) contestants.push_back({"bare-loop", samples, [&] { loop_mean = loop->render(tiles, spp); }});
+
+    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
+    const auto best = [](const Timing& t) { return *std::min_element(t.cpu.begin(), t.cpu.end()); };
+    for (size_t i = 0; i < contestants.size(); ++i) {
+        Json& row = report.add("limit", joined({scene.name, contestants[i].name}), timings[i], 1);
+        row["threads"] = options.threads;
+        row["mesh"] = scene.name, row["accel"] = "embree", row["way"] = contestants[i].name;
+        row["rays_per_sample"] = static_cast<double>(rays.closest.size() + rays.any.size()) / samples;
+        row["best"] = best(timings[i]);
+        // Of the render's CPU time, best against best.
+        row["share"] = best(timings[i]) / best(timings[0]);
+        if (!g.spheres.empty() || !g.planes.empty()) row["left_out"] = "spheres and planes";  // of what Embree traces
+        if (contestants[i].name == "bare-loop") row["mean_ratio"] = loop_mean / render_mean;
+        add_ratio(row, "render", timings[0], timings[i], 1);
+        print_row(row);
+    }
+}
+
+}  // namespace
+}  // namespace lancer::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lancer::bench;
+    return run_program(
+        argc, argv, "bench_limit",
+        "Traces the rays of real renders again with nothing but Embree, and draws the scenes with a bare path tracer "
+        "where it can.\nThe share of a row is its CPU time over that of the render; the nearer to 1, the less is left "
+        "to "
+        "gain.",
+        [](const Options& options, Report& report) {
+            lancer::with_threads(options.threads, [&] {
+                for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);
+            });
+        });
+}

@@ -1,0 +1,132 @@
+// bench_render: whole pictures with each accelerator. They must have the same bits; what differs is the time.
+#include <bit>
+
+#include "app/console.h"
+#include "app/outputs.h"
+#include "core/parallel.h"
+#include "harness/scenes.h"
+#include "harness/stage.h"
+#include "io/exr.h"
+#include "report/metrics.h"
+#include "report/statistics.h"
+
+namespace lancer::bench {
+namespace {
+
+constexpr double most_run_ns = 4e9;  // an accelerator that takes longer for a picture draws none
+
+bool same_bits(const Pixel& a, const Pixel& b)
+{
+    const auto same = [](double x, double y) { return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y); };
+    return same(a.sum[0], b.sum[0]) && same(a.sum[1], b.sum[1]) && same(a.sum[2], b.sum[2]) &&
+           same(a.sum_sq, b.sum_sq) && a.n == b.n;
+}
+
+size_t differing_pixels(const Film& a, const Film& b)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i) count += !same_bits(a.pixels[i], b.pixels[i]);
+    return count;
+}
+
+// Relative mean squared error: against the references if there are any of this size, else as the samples tell it.
+double squared_error(const BenchScene& scene, const Film& film)
+{
+    if (scene.references[0].empty() || film.height != scene.reference_height) return estimate_rel_mse(film);
+    return unbiased_squared_error(to_image(film), read_exr(scene.references[0]), read_exr(scene.references[1]));
+}
+
+// A picture by one accelerator, made again and again.
+struct Painter {
+    std::string name;
+    std::unique_ptr<Stage> stage;
+    Film film;
+    uint32_t spp;
+
+    void draw()
+    {
+        film = stage->film();
+        stage->renderer.pass(stage->camera, film, stage->tiles(), {0, spp});
+    }
+    // From a few tiles all over the picture, one sample each.
+    double expected_ns() const
+    {
+        constexpr uint32_t side = 4;  // of a tile, and tiles in a row
+        Film probe = stage->film();
+        const auto tile_ns = [&](uint32_t i) {
+            const uint32_t x = (2 * (i % side) + 1) * film.width / (2 * side);
+            const uint32_t y = (2 * (i / side) + 1) * film.height / (2 * side);
+            const Tile tile{x, y, x + side, y + side};
+            const double start = all_ns();
+            stage->renderer.pass(stage->camera, probe, {&tile, 1}, {0, 1});
+            return all_ns() - start;
+        };
+        const double tiles = static_cast<double>(film.width) * film.height * spp / (side * side);
+        const double cold = tiles * tile_ns(0);  // what starts slowly makes this a little large
+        if (cold > 100 * most_run_ns) return cold;
+        double sum = 0;
+        for (uint32_t i = 0; i < side * side; ++i) sum += tile_ns(i);
+        return tiles * sum / (side * side);
+    }
+};
+
+void measure_scene(const BenchScene& scene, const Options& options, Report& report)
+{
+    const SceneDescription description = scene.load();
+    PictureOptions picture = scene.options(scene.reference_height ? scene.reference_height : 180);
+    std::vector<Painter> painters;
+    for (const AccelName& a : accelerators) {
+        const std::string name(a.name);
+        if (!options.wants_accel(name)) continue;
+        picture.accel = name;
+        auto stage = std::make_unique<Stage>(description, picture);
+        Film film = stage->film();
+        Painter painter{name, std::move(stage), std::move(film), options.full ? 64u : 16u};
+        if (painter.expected_ns() <= most_run_ns)
+            painters.push_back(std::move(painter));
+        else
+            print_note(format_text("%s: %s is too slow for a whole picture", scene.name.c_str(), name.c_str()));
+    }
+    if (painters.empty()) return;
+    std::vector<Contestant> contestants;
+    for (Painter& p : painters) {
+        const double samples = static_cast<double>(p.film.width) * p.film.height * p.spp;
+        contestants.push_back({p.name, samples, [&p] { p.draw(); }});
+    }
+    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
+    for (size_t i = 0; i < painters.size(); ++i) {
+        const Painter& p = painters[i];
+        Json& row = report.add("render", joined({scene.name, p.name}), timings[i], options.threads);
+        row["mesh"] = scene.name, row["accel"] = p.name;
+        row["width"] = p.film.width, row["height"] = p.film.height, row["spp"] = p.spp;
+        const double seconds = 1e-9 * contestants[i].items * median(counted(timings[i], options.threads));
+        const double error = squared_error(scene, p.film);
+        row["seconds"] = seconds;
+        row["error"] = error;
+        row["error_is"] = scene.references[0].empty() ? "estimated from its own samples" : "against two references";
+        // Plain Monte Carlo halves the squared error in twice the time: what stays is their product.
+        row["error_seconds"] = error * seconds;
+        row["differing_pixels"] = differing_pixels(p.film, painters[0].film);
+        row["same_bits"] = row["differing_pixels"] == 0;
+        row["compared_with"] = painters[0].name;
+        add_ratio(row, painters[0].name, timings[0], timings[i], options.threads);
+        print_row(row);
+    }
+}
+
+}  // namespace
+}  // namespace lancer::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lancer::bench;
+    return run_program(
+        argc, argv, "bench_render",
+        "Draws whole pictures with each accelerator and compares their bits, their seconds and their errors.\nRatios "
+        "are to the first accelerator; a picture that would take longer than some seconds is left out.",
+        [](const Options& options, Report& report) {
+            lancer::with_threads(options.threads, [&] {
+                for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);
+            });
+        });
+}

@@ -1,0 +1,41 @@
+// Few numbers that say what many measurements were: medians with their range, means of ratios, power laws. Intervals
+// come from the bootstrap with a fixed seed, so the same measurements give the same intervals: Efron, Tibshirani, "An
+// Introduction to the Bootstrap", 1993, chapters 9 and 13.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lancer {
+
+// Of an even count the mean of the middle two. values: not empty, no NaN, in any order.
+double median(std::vector<double> values);
+
+struct Spread {
+    double median = 0, min = 0, max = 0;
+};
+// values: not empty, no NaN.
+Spread spread_of(std::span<const double> values);
+
+// Of positive values: the mean of ratios that treats r and 1/r alike. Not empty.
+double geometric_mean(std::span<const double> values);
+
+struct Interval {
+    double low = 0, high = 0;
+    bool contains(double x) const { return low <= x && x <= high; }
+    bool overlaps(const Interval& o) const { return low <= o.high && o.low <= high; }
+};
+
+// Of the median, 95 %, by resampling the values. Not empty.
+Interval median_interval(std::span<const double> values, uint64_t seed = 0);
+
+// y = factor * x^exponent.
+struct PowerLaw {
+    double exponent = 0, factor = 0;
+    Interval exponent_interval;  // 95 %, by resampling what the law leaves unexplained
+};
+// Least squares in logarithms. x, y: positive, of the same size, at least three, x not all equal; else Error (failed).
+PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, uint64_t seed = 0);
+
+}  // namespace lancer
