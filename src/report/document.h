@@ -11,7 +11,7 @@ namespace lancer {
 enum class Tone { plain, good, bad };
 
 struct Cell {
-    std::string text;
+    std::string text;     // may have several lines
     bool number = false;  // numbers are set flush right
     Tone tone = Tone::plain;
 };

@@ -38,6 +38,13 @@ std::string class_of(const Cell& cell)
     return name.empty() ? "" : " class=\"" + name + "\"";
 }
 
+std::string with_breaks(const std::string& text)
+{
+    std::string out;
+    for (const char c : escape_xml(text)) out += c == '\n' ? std::string("<br/>") : std::string(1, c);
+    return out;
+}
+
 struct HtmlBlock {
     std::string operator()(const Paragraph& p) const
     {
@@ -55,7 +62,7 @@ struct HtmlBlock {
             out += "<tr>";
             for (size_t i = 0; i < std::max(row.size(), table.head.size()); ++i) {
                 const Cell cell = i < row.size() ? row[i] : Cell{};
-                out += "<td" + class_of(cell) + ">" + escape_xml(cell.text) + "</td>";
+                out += "<td" + class_of(cell) + ">" + with_breaks(cell.text) + "</td>";
             }
             out += "</tr>\n";
         }

@@ -10,8 +10,12 @@ std::string escaped(const std::string& text)
 {
     std::string out;
     for (const char c : text) {
+        if (c == '\n') {
+            out += "<br>";
+            continue;
+        }
         if (c == '|' || c == '<' || c == '\\' || c == '`' || c == '*' || c == '_') out += '\\';
-        out += c == '\n' || c == '\r' ? ' ' : c;
+        out += c == '\r' ? ' ' : c;
     }
     return out;
 }
