@@ -31,7 +31,8 @@ void add_keys(const Fields& fields, std::vector<std::string>& keys)
 Cell field_cell(const BenchRow& row, const std::string& key)
 {
     if (const auto x = row.number(key)) return *x == std::trunc(*x) ? count_cell(x) : number_cell(x);
-    return text_cell(row.text(key));
+    const std::string text = row.text(key);
+    return {text, false, text == "yes" ? Tone::good : text == "no" ? Tone::bad : Tone::plain};
 }
 
 std::string words_of(std::string key)

@@ -85,11 +85,62 @@ constexpr std::array plain_families{
           "What the class around Embree costs against calling it directly, and its largest part, refine."},
 };
 
+// How much of a render's time its parts take, for each scene.
+BarPlot share_plot(const BenchRows& rows)
+{
+    BarPlot plot{{"Share of the render's time",
+                  "Bars for each scene: the CPU time of each way to do a part of the render's work over that of the "
+                  "render itself.",
+                  "scene", "share"},
+                 Scale::linear,
+                 distinct(rows, &BenchRow::mesh),
+                 {},
+                 {{1, "the render"}}};
+    for (const std::string& way : distinct(rows, &BenchRow::way)) {
+        BarSeries series{way, {}};
+        for (const std::string& scene : plot.groups) {
+            const BenchRow* row = find_row(rows, {scene, "", "", way});
+            const auto share = row ? row->number("share") : std::nullopt;
+            series.bars.push_back(share ? std::optional(Ranged{*share}) : std::nullopt);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
+// How fast whole pictures are drawn, against the first accelerator.
+BarPlot pictures_plot(const BenchRows& rows)
+{
+    const std::string first = rows.front()->accel;
+    BarPlot plot{{"Whole pictures",
+                  "Bars for each scene: how many times as fast as " + first +
+                      " each accelerator draws the picture. Whiskers: least and largest of the rounds.",
+                  "scene", "times " + first},
+                 Scale::linear,
+                 distinct(rows, &BenchRow::mesh),
+                 {},
+                 {{1, first}}};
+    for (const std::string& accel : distinct(rows, &BenchRow::accel)) {
+        BarSeries series{accel, {}};
+        for (const std::string& scene : plot.groups) {
+            const BenchRow* row = find_row(rows, {scene, accel, "", ""});
+            const auto r = row ? row->speed_ratio() : std::nullopt;
+            series.bars.push_back(r ? std::optional(Ranged{r->value, r->low, r->high}) : std::nullopt);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
 std::vector<Section> plain_section(const std::vector<BenchFile>& files, const Plain& plain)
 {
     const BenchRows rows = rows_of(files, plain.family);
     if (rows.empty()) return {};
-    return {{plain.heading, {Paragraph{plain.words}, table_of(rows, "")}}};
+    Section section{plain.heading, {Paragraph{plain.words}}};
+    if (plain.family == std::string("limit")) section.blocks.emplace_back(Plot{to_svg(share_plot(rows))});
+    if (plain.family == std::string("render")) section.blocks.emplace_back(Plot{to_svg(pictures_plot(rows))});
+    section.blocks.emplace_back(table_of(rows, ""));
+    return {section};
 }
 
 // What no part of the page knows is not lost.

@@ -9,21 +9,8 @@
 namespace lancer {
 namespace {
 
-// What grows, the first that a row has: a scene of many lights or instances has triangles too.
-constexpr std::array sizes{"lights", "instances", "triangles"};
-
-std::string size_of(const BenchRow& row)
-{
-    for (const char* size : sizes)
-        if (row.number(size)) return size;
-    return "";
-}
-
-struct Quantity {
-    const char* title;
-    const char* unit;
-    Ranged (*of)(const BenchRow&);
-};
+// What grows: a series about lights or instances has their name, all others are meshes of more and more triangles.
+std::string growing(const std::string& mesh) { return mesh == "lights" || mesh == "instances" ? mesh : "triangles"; }
 
 Ranged field(const BenchRow& row, const char* name)
 {
@@ -32,20 +19,25 @@ Ranged field(const BenchRow& row, const char* name)
     return r;
 }
 
+struct Quantity {
+    const char* title;
+    const char* unit;
+    Ranged (*of)(const BenchRow&);
+};
 constexpr std::array quantities{
-    Quantity{"speed", "millions per second",
-             [](const BenchRow& row) { return row.number("build_seconds") ? Ranged{} : row.mega_per_second(); }},
-    Quantity{"build time", "seconds", [](const BenchRow& row) { return field(row, "build_seconds"); }},
+    Quantity{"speed", "millions per second", [](const BenchRow& row) { return row.mega_per_second(); }},
+    Quantity{"CPU time of building", "seconds", [](const BenchRow& row) { return field(row, "build_seconds"); }},
     Quantity{"memory", "bytes", [](const BenchRow& row) { return field(row, "bytes"); }},
 };
 
-// A curve for each accelerator; rows without the quantity are another plot's.
-LinePlot growth_plot(const BenchRows& rows, const std::string& size, const std::string& what, const Quantity& quantity)
+// A curve for each accelerator that has the quantity at more than one size.
+LinePlot growth_plot(const BenchRows& rows, const std::string& mesh, const std::string& what, const Quantity& quantity)
 {
-    LinePlot plot{{what + ": " + quantity.title,
-                   std::string("Curves for each accelerator: ") + quantity.title + " against the number of " + size +
+    const std::string grows = growing(mesh), subject = mesh + (what == "build" ? "" : ", " + what);
+    LinePlot plot{{subject + ": " + quantity.title,
+                   std::string("Curves for each accelerator: ") + quantity.title + " against the number of " + grows +
                        ", both by powers of ten.",
-                   size, quantity.unit},
+                   grows, quantity.unit},
                   Scale::logarithmic,
                   Scale::logarithmic,
                   {},
@@ -54,7 +46,8 @@ LinePlot growth_plot(const BenchRows& rows, const std::string& size, const std::
         PlotSeries series{accel, {}, Look::line};
         for (const BenchRow* row : where(rows, &BenchRow::accel, accel)) {
             const Ranged value = quantity.of(*row);
-            if (!std::isnan(value.value)) series.points.push_back({*row->number(size), value});
+            const auto size = row->number("size");
+            if (size && !std::isnan(value.value)) series.points.push_back({*size, value});
         }
         std::stable_sort(series.points.begin(), series.points.end(),
                          [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -63,19 +56,18 @@ LinePlot growth_plot(const BenchRows& rows, const std::string& size, const std::
     return plot;
 }
 
-// One plot for each mesh, kind of ray and quantity that has a curve.
-void add_plots(const BenchRows& rows, const std::string& size, std::vector<Block>& blocks)
+void add_plots(const BenchRows& rows, const std::string& mesh, std::vector<Block>& blocks)
 {
-    for (const std::string& mesh : distinct(rows, &BenchRow::mesh)) {
-        const BenchRows of_mesh = where(rows, &BenchRow::mesh, mesh);
-        std::vector<std::string> kinds = distinct(of_mesh, &BenchRow::rays);
-        kinds.emplace_back();  // rows about no kind
-        for (const std::string& kind : kinds) {
-            const BenchRows of_kind = where(of_mesh, &BenchRow::rays, kind);
-            for (const Quantity& quantity : quantities) {
-                const LinePlot plot = growth_plot(of_kind, size, mesh + (kind.empty() ? "" : ", " + kind), quantity);
-                if (!plot.series.empty()) blocks.emplace_back(Plot{to_svg(plot)});
-            }
+    std::vector<std::string> whats;
+    for (const BenchRow* row : rows)
+        if (std::find(whats.begin(), whats.end(), row->text("what")) == whats.end()) whats.push_back(row->text("what"));
+    for (const std::string& what : whats) {
+        BenchRows of_what;
+        for (const BenchRow* row : rows)
+            if (row->text("what") == what) of_what.push_back(row);
+        for (const Quantity& quantity : quantities) {
+            const LinePlot plot = growth_plot(of_what, mesh, what, quantity);
+            if (!plot.series.empty()) blocks.emplace_back(Plot{to_svg(plot)});
         }
     }
 }
@@ -83,13 +75,14 @@ void add_plots(const BenchRows& rows, const std::string& size, std::vector<Block
 Table exponent_table(const BenchRows& rows)
 {
     Table table{"Exponents: value ~ size^exponent, with an interval of 95 %",
-                {"what", "mesh", "accelerator", "rays", "exponent"},
+                {"mesh", "accelerator", "what", "exponent", "from", "to", "of"},
                 {}};
     for (const BenchRow* row : rows) {
         Ranged r = field(*row, "exponent");
         r.low = field(*row, "exponent_low").value, r.high = field(*row, "exponent_high").value;
-        table.rows.push_back({text_cell(row->name.substr(row->name.find('/') + 1)), text_cell(row->mesh),
-                              text_cell(row->accel), text_cell(row->rays), ranged_cell(r)});
+        table.rows.push_back({text_cell(row->mesh), text_cell(row->accel), text_cell(row->text("what")), ranged_cell(r),
+                              count_cell(row->number("from")), count_cell(row->number("to")),
+                              text_cell(growing(row->mesh))});
     }
     return table;
 }
@@ -103,13 +96,11 @@ std::vector<Section> scaling_sections(const std::vector<BenchFile>& files)
     if (points.empty() && fits.empty()) return {};
     Section section{"Growth", {}};
     if (!fits.empty()) section.blocks.emplace_back(exponent_table(fits));
-    for (const char* size : sizes) {
-        BenchRows of_size;
-        for (const BenchRow* row : points)
-            if (size_of(*row) == size) of_size.push_back(row);
-        add_plots(of_size, size, section.blocks);
-    }
-    section.blocks.emplace_back(table_of(points, "All sizes"));
+    for (const std::string& mesh : distinct(points, &BenchRow::mesh))
+        add_plots(where(points, &BenchRow::mesh, mesh), mesh, section.blocks);
+    Table all = table_of(points, "All sizes");
+    all.page_only = true;
+    section.blocks.emplace_back(std::move(all));
     return {section};
 }
 

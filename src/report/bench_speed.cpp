@@ -15,6 +15,16 @@ const std::string robust_embree = "embree-robust-high-avx2", fast_embree = "embr
 // The modes of Embree begin so; "embree" alone is the accelerator of that name.
 bool is_bare_embree(const std::string& accel) { return accel.starts_with("embree-"); }
 
+// Plots show the modes that differ by more than a little; the tables have them all.
+std::vector<std::string> plotted(const BenchRows& rows)
+{
+    std::vector<std::string> names = distinct(rows, &BenchRow::accel);
+    std::erase_if(names, [](const std::string& name) {
+        return is_bare_embree(name) && (name.find("-medium-") != std::string::npos || name.ends_with("+refine"));
+    });
+    return names;
+}
+
 double geometric_mean(const std::vector<double>& values)
 {
     double sum = 0;
@@ -79,7 +89,7 @@ BarPlot ladder_plot(const BenchRows& rows)
                  distinct(rows, &BenchRow::mesh),
                  {},
                  {{1, robust_embree}}};
-    for (const std::string& accel : distinct(where(rows, &BenchRow::way, "single"), &BenchRow::accel)) {
+    for (const std::string& accel : plotted(where(rows, &BenchRow::way, "single"))) {
         BarSeries series{accel, {}};
         for (const std::string& mesh : plot.groups) {
             const double mean = mean_ratio(rows, mesh, accel, robust_embree);
@@ -139,7 +149,7 @@ BarPlot mesh_plot(const BenchRows& rows, const std::string& mesh)
                  distinct(rows, &BenchRow::rays),
                  {},
                  {}};
-    for (const std::string& accel : distinct(where(rows, &BenchRow::way, "single"), &BenchRow::accel)) {
+    for (const std::string& accel : plotted(where(rows, &BenchRow::way, "single"))) {
         BarSeries series{accel, {}};
         for (const std::string& kind : plot.groups) {
             const BenchRow* row = find_row(rows, {mesh, accel, kind, "single"});
@@ -181,7 +191,8 @@ Table mesh_table(const BenchRows& rows, const BenchRows& all)
         "Mrays/s: median [least .. largest]; times " + robust_embree +
             ", singly; wrong answers per 1e6 rays. Misses: per 1e6 rays from inside closed meshes, the worst of them.",
         {"accelerator", "way"},
-        {}};
+        {},
+        true};
     table.head.insert(table.head.end(), kinds.begin(), kinds.end());
     table.head.emplace_back("misses random / edge / vertex");
     for (const std::string& accel : distinct(rows, &BenchRow::accel)) {
@@ -242,24 +253,28 @@ Table build_table(const BenchRows& rows)
     return table;
 }
 
+// Against the first; with as many threads as there were.
 BarPlot build_plot(const BenchRows& rows)
 {
     double most = 0;
     for (const BenchRow* row : rows) most = std::max(most, row->number("threads").value_or(1));
-    BarPlot plot{{"Building with " + count_text(most) + " threads",
-                  "Bars for each mesh: millions of triangles per second that each accelerator is built with.", "mesh",
-                  "Mtriangles/s"},
+    const std::string first = rows.front()->accel;
+    BarPlot plot{{"Building with " + count_text(most) + (most == 1 ? " thread" : " threads"),
+                  "Bars for each mesh: how many times as fast as " + first +
+                      " each accelerator is built. Whiskers: least and largest of the rounds.",
+                  "mesh", "times " + first},
                  Scale::logarithmic,
                  distinct(rows, &BenchRow::mesh),
                  {},
-                 {}};
-    for (const std::string& accel : distinct(rows, &BenchRow::accel)) {
+                 {{1, first}},
+                 1};
+    for (const std::string& accel : plotted(rows)) {
         BarSeries series{accel, std::vector<std::optional<Ranged>>(plot.groups.size())};
         for (const BenchRow* row : where(rows, &BenchRow::accel, accel)) {
-            if (row->number("threads").value_or(1) != most) continue;
+            const auto ratio = row->speed_ratio();
+            if (row->number("threads").value_or(1) != most || !ratio) continue;
             const auto group = std::find(plot.groups.begin(), plot.groups.end(), row->mesh) - plot.groups.begin();
-            if (const auto rate = row->number("triangles_per_second"))
-                series.bars[static_cast<size_t>(group)] = Ranged{*rate / 1e6};
+            series.bars[static_cast<size_t>(group)] = Ranged{ratio->value, ratio->low, ratio->high};
         }
         plot.series.push_back(std::move(series));
     }

@@ -20,6 +20,7 @@ struct Table {
     std::string caption;
     std::vector<std::string> head;
     std::vector<std::vector<Cell>> rows;  // short ones are filled up with empty cells
+    bool page_only = false;               // too long for the documentation
 };
 
 struct Paragraph {

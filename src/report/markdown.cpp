@@ -24,6 +24,7 @@ struct MarkdownBlock {
     std::string operator()(const Paragraph& p) const { return escaped(p.text) + "\n\n"; }
     std::string operator()(const Table& table) const
     {
+        if (table.page_only) return "";
         std::string out = table.caption.empty() ? "" : escaped(table.caption) + "\n\n";
         std::string line = "|";
         for (size_t i = 0; i < table.head.size(); ++i) {

@@ -1,4 +1,5 @@
-// The words and tables of a report as Markdown, for the documentation. Plots and raw data are left out.
+// The words and tables of a report as Markdown, for the documentation. Plots, raw data and what is for the page
+// only are left out.
 #pragma once
 
 #include <string>

@@ -57,7 +57,7 @@ Axis AxisValues::axis() const
     return scale_ == Scale::linear ? make_axis(scale_, 0, 1) : make_axis(scale_, 1, 10);
 }
 
-std::string series_class(size_t i) { return "c" + std::to_string(i % 10); }
+std::string series_class(size_t i) { return "c" + std::to_string(i % 10) + (i % 20 < 10 ? "" : " hollow"); }
 
 std::string ranged_text(const Ranged& r)
 {
@@ -126,7 +126,7 @@ void SvgFrame::marks(const std::vector<PlotMark>& marks, const Axis& axis)
         if (!fits(axis.scale, mark.value)) continue;
         const SvgPoint p = at(0, place(axis, mark.value));
         element("path", " class=\"mark\" d=\"M" + number(p.x) + "," + number(p.y) + "h" + number(plot_width) + "\"");
-        label({width - right - 4, p.y - 4}, "tick end", mark.label);
+        label({width - right - 4, p.y - 4}, "end halo", mark.label);
     }
 }
 

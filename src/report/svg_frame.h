@@ -59,7 +59,7 @@ private:
     std::string body_;
 };
 
-// The class that gives series i its colour; colours repeat after ten.
+// The classes that give series i its colour: ten, then the same ten paler.
 std::string series_class(size_t i);
 
 // "12.3 [12.0 .. 12.5]"

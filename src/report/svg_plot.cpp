@@ -81,10 +81,9 @@ void draw_points(SvgFrame& frame, const Plane& plane, const PlotSeries& series, 
 // How much of a group's width its bars take.
 constexpr double group_fill = 0.84;
 
-void draw_bar(SvgFrame& frame, const Axis& axis, const Ranged& bar, double left, double width, size_t number,
-              const std::string& tip)
+void draw_bar(SvgFrame& frame, const Axis& axis, double base, const Ranged& bar, double left, double width,
+              size_t number, const std::string& tip)
 {
-    const double base = axis.scale == Scale::linear ? place(axis, 0) : 0;
     const double end = place(axis, bar.value);
     const SvgPoint a = SvgFrame::at(left, std::max(base, end)), b = SvgFrame::at(left + width, std::min(base, end));
     frame.element("rect",
@@ -132,7 +131,7 @@ std::string to_svg(const LinePlot& plot)
 std::string to_svg(const BarPlot& plot)
 {
     AxisValues ys(plot.y_scale);
-    if (plot.y_scale == Scale::linear) ys.add(0);
+    if (fits(plot.y_scale, plot.base)) ys.add(plot.base);
     add_marks(ys, plot.marks, plot.y_scale);
     size_t left_out = 0;
     for (const BarSeries& s : plot.series) {
@@ -146,6 +145,7 @@ std::string to_svg(const BarPlot& plot)
     }
     SvgFrame frame(plot.labels, names_of(plot.series));
     const Axis axis = ys.axis();
+    const double base = fits(plot.y_scale, plot.base) ? place(axis, plot.base) : 0;
     frame.y_ticks(axis);
     frame.x_groups(plot.groups);
     const double group_width = 1.0 / static_cast<double>(std::max<size_t>(plot.groups.size(), 1));
@@ -155,7 +155,7 @@ std::string to_svg(const BarPlot& plot)
             const auto& bar = plot.series[i].bars[g];
             if (!bar || !fits(plot.y_scale, bar->value)) continue;
             const double left = (static_cast<double>(g) + (1 - group_fill) / 2) * group_width;
-            draw_bar(frame, axis, *bar, left + static_cast<double>(i) * width, width, i,
+            draw_bar(frame, axis, base, *bar, left + static_cast<double>(i) * width, width, i,
                      plot.series[i].name + ", " + plot.groups[g] + ": " + ranged_text(*bar));
         }
     }
@@ -172,33 +172,31 @@ std::string plot_style()
                                      "#ffc04d", "#ab95ea", "#c99a8f", "#aaaaaa", "#eeeeee"};
     const auto colours = [](const auto& list) {
         std::string text;
-        for (size_t i = 0; i < list.size(); ++i) {
-            const std::string name = ".plot ." + series_class(i), colour = list[i];
-            text += name + "{fill:" + colour + ";stroke:" + colour + "}";
-        }
+        for (size_t i = 0; i < list.size(); ++i) text += ".plot ." + series_class(i) + "{color:" + list[i] + "}";
         return text + "\n";
     };
     return ".plot{display:block;width:100%;max-width:860px;height:auto;font:12px system-ui,sans-serif}\n"
-           ".plot text{fill:#333;stroke:none}\n"
+           ".plot text{fill:#333}\n"
            ".plot .heading{font-size:15px;font-weight:600;text-anchor:middle}\n"
            ".plot .axis,.plot .tick.x{text-anchor:middle}\n"
-           ".plot .tick.end{text-anchor:end}\n"
-           ".plot .note{font-style:italic}\n" +
+           ".plot .end{text-anchor:end}\n"
+           ".plot .note{font-style:italic}\n"
+           ".plot .halo{paint-order:stroke;stroke:#fff;stroke-width:3px}\n"
+           ".plot .grid{stroke:#ddd}\n"
+           ".plot .mark{stroke:#333;stroke-dasharray:5 3}\n"
+           ".plot .line,.plot .whisker{fill:none;stroke:currentColor;stroke-width:1.6}\n"
+           ".plot .over{color:#222;stroke-width:1}\n"
+           ".plot .bar,.plot .sign,.plot .band{fill:currentColor}\n"
+           ".plot .band{fill-opacity:.22}\n"
+           ".plot .hollow{fill-opacity:.4;stroke:currentColor}\n" +
            colours(light) +
-           ".plot .grid{stroke:#ddd;fill:none}\n"
-           ".plot .mark{stroke:#333;fill:none;stroke-dasharray:5 3}\n"
-           ".plot .line,.plot .whisker{fill:none;stroke-width:1.6}\n"
-           ".plot .over{stroke:#222;stroke-width:1}\n"
-           ".plot .band{stroke:none;opacity:.22}\n"
-           ".plot .bar,.plot .sign{stroke:none}\n"
            "@media screen and (prefers-color-scheme:dark){\n"
-           ".plot text{fill:#ccc}\n" +
-           colours(dark) +
+           ".plot text{fill:#ccc}\n"
+           ".plot .halo{stroke:#16181b}\n"
            ".plot .grid{stroke:#3a3a3a}\n"
-           ".plot .mark,.plot .over{stroke:#ccc}\n"
-           ".plot .bar,.plot .sign,.plot .band{stroke:none}\n"
-           ".plot .line,.plot .whisker{fill:none}\n"
-           "}\n";
+           ".plot .mark{stroke:#ccc}\n"
+           ".plot .over{color:#ccc}\n" +
+           colours(dark) + "}\n";
 }
 
 }  // namespace lancer

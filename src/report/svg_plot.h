@@ -49,13 +49,13 @@ struct BarSeries {
     std::string name;
     std::vector<std::optional<Ranged>> bars;  // of each group, in their order; nothing is a gap
 };
-// Bars begin at 0, on a logarithmic axis at its low end.
 struct BarPlot {
     PlotLabels labels;
     Scale y_scale = Scale::linear;
     std::vector<std::string> groups;
     std::vector<BarSeries> series;
     std::vector<PlotMark> marks;
+    double base = 0;  // where bars begin; the low end of a logarithmic axis that has no such value
 };
 
 std::string to_svg(const LinePlot& plot);

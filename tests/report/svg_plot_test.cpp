@@ -119,6 +119,25 @@ TEST(SvgPlot, BarsReachFromZeroToTheirValue)
     EXPECT_TRUE(notes(svg).empty());  // a gap is no fault
 }
 
+TEST(SvgPlot, BarsOfALogarithmicAxisBeginAtTheirBase)
+{
+    const auto bar = [](double base) {
+        BarPlot plot{{"t", "d", "x", "y"}, Scale::logarithmic, {"p"}, {{"a", {Ranged{0.1}}}}, {}, base};
+        const auto svg = read_xml(to_svg(plot));
+        for (const XmlElement& e : svg) {
+            if (!e.has_class("bar")) continue;
+            const double top = std::atof(e.attributes.at("y").c_str());
+            return std::tuple(tick_places(svg, false), top, top + std::atof(e.attributes.at("height").c_str()));
+        }
+        throw std::runtime_error("no bar");
+    };
+    const auto [y, top, bottom] = bar(1);
+    EXPECT_NEAR(top, y.at("1"), 0.03);
+    EXPECT_NEAR(bottom, y.at("0.1"), 0.03);
+    const auto [none_y, none_top, none_bottom] = bar(0);
+    EXPECT_NEAR(none_bottom, none_y.at("0.1"), 0.03);  // the low end
+}
+
 TEST(SvgPlot, MarksStandAtTheirValue)
 {
     BarPlot plot{{"t", "d", "x", "y"}, Scale::linear, {"p"}, {{"a", {Ranged{0.5}}}}, {{1, "equal"}}};
