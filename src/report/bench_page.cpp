@@ -160,7 +160,8 @@ Section data_section(const std::vector<BenchFile>& files)
 {
     Section section{
         "Raw data",
-        {Paragraph{"Every file stands in this page as it was read, in a script element of type application/json."}}};
+        {Paragraph{"Every file stands in this page as it was read, in a script element of type application/json."}},
+        true};
     for (size_t i = 0; i < files.size(); ++i)
         section.blocks.push_back(JsonData{"data" + std::to_string(i), files[i].json});
     return section;
@@ -170,15 +171,23 @@ Section data_section(const std::vector<BenchFile>& files)
 
 std::vector<std::string> verdicts(const std::vector<BenchFile>& files)
 {
-    std::vector<std::string> reasons;
+    std::vector<std::pair<std::string, std::string>> found;  // reason, files
+    const auto add = [&](const std::string& reason, const std::string& file) {
+        const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == reason; });
+        if (same == found.end())
+            found.emplace_back(reason, file);
+        else
+            same->second += ", " + file;
+    };
     for (const BenchFile& file : files) {
-        for (const std::string& reason : unfit(file.machine)) reasons.push_back(base_name(file.name) + ": " + reason);
+        for (const std::string& reason : unfit(file.machine)) add(reason, base_name(file.name));
         MachineBlock first = files.front().machine, block = file.machine;
         first.load = block.load = 0;        // of each file by itself
         first.threads = block.threads = 1;  // what each program is told, not where it runs
-        for (const std::string& reason : not_comparable(first, block))
-            reasons.push_back(base_name(files.front().name) + " and " + base_name(file.name) + ": " + reason);
+        for (const std::string& reason : not_comparable(first, block)) add(reason, base_name(file.name));
     }
+    std::vector<std::string> reasons;
+    for (const auto& [reason, names] : found) reasons.push_back(names + ": " + reason);
     return reasons;
 }
 

@@ -98,10 +98,7 @@ std::vector<Section> scaling_sections(const std::vector<BenchFile>& files)
     if (!fits.empty()) section.blocks.emplace_back(exponent_table(fits));
     for (const std::string& mesh : distinct(points, &BenchRow::mesh))
         add_plots(where(points, &BenchRow::mesh, mesh), mesh, section.blocks);
-    Table all = table_of(points, "All sizes");
-    all.page_only = true;
-    section.blocks.emplace_back(std::move(all));
-    return {section};
+    return {section, {"Growth: every size", {table_of(points, "")}, true}};
 }
 
 }  // namespace lancer

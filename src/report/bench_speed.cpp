@@ -191,8 +191,7 @@ Table mesh_table(const BenchRows& rows, const BenchRows& all)
         "Mrays/s: median [least .. largest]; times " + robust_embree +
             ", singly; wrong answers per 1e6 rays. Misses: per 1e6 rays from inside closed meshes, the worst of them.",
         {"accelerator", "way"},
-        {},
-        true};
+        {}};
     table.head.insert(table.head.end(), kinds.begin(), kinds.end());
     table.head.emplace_back("misses random / edge / vertex");
     for (const std::string& accel : distinct(rows, &BenchRow::accel)) {
@@ -290,7 +289,8 @@ std::vector<Section> speed_sections(const std::vector<BenchFile>& files)
     std::vector<Section> sections{glance_section(rows)};
     for (const std::string& mesh : distinct(rows, &BenchRow::mesh)) {
         const BenchRows of_mesh = where(rows, &BenchRow::mesh, mesh);
-        sections.push_back({"Speed: " + mesh, {Plot{to_svg(mesh_plot(of_mesh, mesh))}, mesh_table(of_mesh, all)}});
+        sections.push_back(
+            {"Speed: " + mesh, {Plot{to_svg(mesh_plot(of_mesh, mesh))}, mesh_table(of_mesh, all)}, true});
     }
     return sections;
 }

@@ -20,7 +20,6 @@ struct Table {
     std::string caption;
     std::vector<std::string> head;
     std::vector<std::vector<Cell>> rows;  // short ones are filled up with empty cells
-    bool page_only = false;               // too long for the documentation
 };
 
 struct Paragraph {
@@ -43,6 +42,7 @@ using Block = std::variant<Paragraph, Table, Plot, JsonData>;
 struct Section {
     std::string heading;
     std::vector<Block> blocks;
+    bool page_only = false;  // too long for the documentation
 };
 
 struct Document {

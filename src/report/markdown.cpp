@@ -24,7 +24,6 @@ struct MarkdownBlock {
     std::string operator()(const Paragraph& p) const { return escaped(p.text) + "\n\n"; }
     std::string operator()(const Table& table) const
     {
-        if (table.page_only) return "";
         std::string out = table.caption.empty() ? "" : escaped(table.caption) + "\n\n";
         std::string line = "|";
         for (size_t i = 0; i < table.head.size(); ++i) {
@@ -58,8 +57,8 @@ std::string to_markdown(const Document& document, int level)
 {
     std::string out = to_markdown(document.opening);
     for (const Section& section : document.sections) {
-        const std::string text = to_markdown(section.blocks);
-        if (text.empty()) continue;  // nothing but plots and data
+        const std::string text = section.page_only ? "" : to_markdown(section.blocks);
+        if (text.empty()) continue;
         out += std::string(static_cast<size_t>(level), '#') + " " + escaped(section.heading) + "\n\n" + text;
     }
     return out;

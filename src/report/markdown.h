@@ -1,4 +1,4 @@
-// The words and tables of a report as Markdown, for the documentation. Plots, raw data and what is for the page
+// The words and tables of a report as Markdown, for the documentation. Plots, raw data and sections for the page
 // only are left out.
 #pragma once
 

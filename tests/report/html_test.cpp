@@ -93,7 +93,7 @@ TEST(Markdown, TablesAndWordsWithoutPlotsAndData)
     document.sections.push_back(
         {"Speed", {Table{"Rays", {"who", "Mrays/s"}, {{{"x_y|z"}, {"12.3", true}}, {{"b"}}}}, Plot{"<svg/>"}}});
     document.sections.push_back({"Raw", {JsonData{"data", "{}"}}});
-    document.sections.push_back({"Long", {Table{"", {"a"}, {{{"b"}}}, true}}});
+    document.sections.push_back({"Long", {Table{"", {"a"}, {{{"b"}}}}}, true});
     EXPECT_EQ(to_markdown(document, 3),
               "a\\|b \\<i>\n\n"
               "### Speed\n\n"
