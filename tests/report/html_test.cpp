@@ -57,6 +57,13 @@ TEST(Html, ShowsTheTextsAsTheyAre)
     EXPECT_EQ(cells, 4u);  // the short row is filled up
 }
 
+TEST(Html, LinesOfACellAreBroken)
+{
+    const Document document{"Title", {Table{"", {"a"}, {{{"x\n<y>"}}}}}, {}};
+    EXPECT_NE(to_html(document).find("<td>x<br/>&lt;y&gt;</td>"), std::string::npos);
+    EXPECT_NE(to_markdown(document, 3).find("| x<br>\\<y> |"), std::string::npos);
+}
+
 TEST(Html, KeepsTheData)
 {
     for (const XmlElement& e : read_xml(to_html(everything()))) {
