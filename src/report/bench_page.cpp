@@ -171,24 +171,15 @@ Section data_section(const std::vector<BenchFile>& files)
 
 std::vector<std::string> verdicts(const std::vector<BenchFile>& files)
 {
-    std::vector<std::pair<std::string, std::string>> found;  // reason, files
-    const auto add = [&](const std::string& reason, const std::string& file) {
-        const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == reason; });
-        if (same == found.end())
-            found.emplace_back(reason, file);
-        else
-            same->second += ", " + file;
-    };
+    Findings findings;
     for (const BenchFile& file : files) {
-        for (const std::string& reason : unfit(file.machine)) add(reason, base_name(file.name));
+        findings.add(base_name(file.name), unfit(file.machine));
         MachineBlock first = files.front().machine, block = file.machine;
         first.load = block.load = 0;        // of each file by itself
         first.threads = block.threads = 1;  // what each program is told, not where it runs
-        for (const std::string& reason : not_comparable(first, block)) add(reason, base_name(file.name));
+        findings.add(base_name(file.name), not_comparable(first, block));
     }
-    std::vector<std::string> reasons;
-    for (const auto& [reason, names] : found) reasons.push_back(names + ": " + reason);
-    return reasons;
+    return findings.lines();
 }
 
 Document make_bench_page(const std::vector<BenchFile>& files, const std::vector<BenchFile>& earlier)

@@ -83,15 +83,11 @@ std::vector<RepeatedRow> repeated_rows(const std::vector<BenchFile>& first, cons
 
 std::vector<std::string> comparison_reasons(const std::vector<BenchFile>& first, const std::vector<BenchFile>& second)
 {
-    std::vector<std::string> reasons;
-    for (const BenchFile& a : first) {
-        for (const BenchFile& b : second) {
-            if (program_of(a) != program_of(b)) continue;
-            for (const std::string& reason : not_comparable(a.machine, b.machine))
-                if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
-        }
-    }
-    return reasons;
+    Findings findings;
+    for (const BenchFile& a : first)
+        for (const BenchFile& b : second)
+            if (program_of(a) == program_of(b)) findings.add(program_of(a), not_comparable(a.machine, b.machine));
+    return findings.lines();
 }
 
 Section repeat_section(const std::vector<BenchFile>& first, const std::vector<BenchFile>& second)

@@ -18,7 +18,7 @@ struct RepeatedRow {
 // Rows of the same name that have a ratio in both, in the order of the first.
 std::vector<RepeatedRow> repeated_rows(const std::vector<BenchFile>& first, const std::vector<BenchFile>& second);
 
-// What not_comparable() says of files of the same program in both, each reason once.
+// What not_comparable() says of the files of each program in both.
 std::vector<std::string> comparison_reasons(const std::vector<BenchFile>& first, const std::vector<BenchFile>& second);
 
 Section repeat_section(const std::vector<BenchFile>& first, const std::vector<BenchFile>& second);

@@ -1,5 +1,7 @@
 #include "report/comparable.h"
 
+#include <algorithm>
+
 #include "report/number_text.h"
 
 namespace lancer {
@@ -59,6 +61,24 @@ std::vector<std::string> not_comparable(const MachineBlock& a, const MachineBloc
         for (const std::string& reason : unfit(*block))
             reasons.push_back(std::string(block == &a ? "the first: " : "the second: ") + reason);
     return reasons;
+}
+
+void Findings::add(const std::string& subject, const std::vector<std::string>& reasons)
+{
+    for (const std::string& reason : reasons) {
+        const auto same = std::find_if(found_.begin(), found_.end(), [&](const auto& f) { return f.first == reason; });
+        if (same == found_.end())
+            found_.emplace_back(reason, subject);
+        else
+            same->second += ", " + subject;
+    }
+}
+
+std::vector<std::string> Findings::lines() const
+{
+    std::vector<std::string> lines;
+    for (const auto& [reason, subjects] : found_) lines.push_back(subjects + ": " + reason);
+    return lines;
 }
 
 Ratio ratio(const Ratio& a, const Ratio& b) { return {a.value / b.value, a.low / b.high, a.high / b.low}; }

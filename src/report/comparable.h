@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lancer {
@@ -25,6 +26,16 @@ std::vector<std::string> unfit(const MachineBlock& block);
 
 // Why two runs are not comparable, each reason with both values; empty if they are. What either did not tell is one.
 std::vector<std::string> not_comparable(const MachineBlock& a, const MachineBlock& b);
+
+// What was found about several subjects, each reason once: "a, b: reason", in the order in which reasons turn up.
+class Findings {
+public:
+    void add(const std::string& subject, const std::vector<std::string>& reasons);
+    std::vector<std::string> lines() const;
+
+private:
+    std::vector<std::pair<std::string, std::string>> found_;  // reason, subjects
+};
 
 // A ratio of two measured times or speeds, and what it ranges over.
 struct Ratio {

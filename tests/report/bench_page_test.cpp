@@ -263,7 +263,7 @@ TEST(BenchRepeat, FindsTheRowThatDiffers)
     for (const RepeatedRow& row : repeated_rows(a, b))
         if (!row.agrees()) differing.push_back(row.name);
     EXPECT_EQ(differing, std::vector<std::string>{"accel/bunny/bvh8/shadow/single"});
-    EXPECT_EQ(comparison_reasons(a, b), std::vector<std::string>{"TBB '2021.8' against '2022'"});
+    EXPECT_EQ(comparison_reasons(a, b), std::vector<std::string>{"bench_accel: TBB '2021.8' against '2022'"});
     const Section section = repeat_section(a, b);
     EXPECT_EQ(cell({section}, {"accel"}, "not confirmed"), "1");
     EXPECT_EQ(cell({section}, {"accel"}, "farthest from 1"), "1.27");

@@ -62,6 +62,16 @@ TEST(Comparable, WhatNobodyTellsIsAReasonToo)
     EXPECT_EQ(not_comparable({}, {}).size(), 11u);
 }
 
+TEST(Comparable, FindingsHaveEachReasonOnce)
+{
+    Findings findings;
+    EXPECT_TRUE(findings.lines().empty());
+    findings.add("a", {"x", "y"});
+    findings.add("b", {"y", "z"});
+    findings.add("c", {});
+    EXPECT_EQ(findings.lines(), (std::vector<std::string>{"a: x", "a, b: y", "b: z"}));
+}
+
 TEST(Comparable, RatiosAreAsWideAsTheirRanges)
 {
     const Ratio r = ratio({12, 10, 15}, {4, 3, 5});
