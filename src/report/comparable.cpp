@@ -77,7 +77,7 @@ void Findings::add(const std::string& subject, const std::vector<std::string>& r
 std::vector<std::string> Findings::lines() const
 {
     std::vector<std::string> lines;
-    for (const auto& [reason, subjects] : found_) lines.push_back(subjects + ": " + reason);
+    for (const auto& [reason, subjects] : found_) lines.emplace_back(subjects).append(": ").append(reason);
     return lines;
 }
 

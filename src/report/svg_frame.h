@@ -45,12 +45,12 @@ public:
     // From low to high at x, with caps.
     void whisker(double x, double low, double high, const std::string& colour);
     // The sign of series i, where a point is or the legend shows it.
-    void sign(size_t i, SvgPoint at, const std::string& tip = {});
+    void sign(size_t i, SvgPoint p, const std::string& tip = {});
 
     std::string text() const;  // the whole picture
 
 private:
-    void label(SvgPoint at, const std::string& classes, const std::string& text, const std::string& attributes = {});
+    void label(SvgPoint p, const std::string& classes, const std::string& text, const std::string& attributes = {});
 
     PlotLabels labels_;
     std::vector<std::string> legend_;

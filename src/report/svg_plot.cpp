@@ -13,8 +13,8 @@ namespace {
 template <class Series>
 std::vector<std::string> names_of(const std::vector<Series>& series)
 {
-    std::vector<std::string> names;
-    for (const Series& s : series) names.push_back(s.name);
+    std::vector<std::string> names(series.size());
+    std::transform(series.begin(), series.end(), names.begin(), [](const Series& s) { return s.name; });
     return names;
 }
 
