@@ -74,6 +74,13 @@ Json rows()
                    {"misses_random", 0},
                    {"misses_edge", 0},
                    {"misses_vertex", 17}});
+    all.push_back({{"name", "watertight/sphere/embree"},
+                   {"family", "watertight"},
+                   {"mesh", "sphere"},
+                   {"accel", "embree"},
+                   {"misses_random", 0},
+                   {"misses_edge", 1.5},
+                   {"misses_vertex", 26471}});
     for (const int threads : {1, 2}) {
         Json build = timed("build", "bunny/bvh8/threads" + std::to_string(threads), 1e-5, 0.5);
         build["mesh"] = "bunny", build["accel"] = "bvh8", build["threads"] = threads, build["triangles"] = 69451;
@@ -182,7 +189,10 @@ TEST(BenchSpeed, ComparesWithBothModesOfEmbree)
     EXPECT_EQ(cell({{"fast", {sections[0].blocks.back()}}}, {"bunny", "bvh8"}, "shadow"), "×1.20 [0.982 .. 1.47]");
     EXPECT_EQ(cell(sections, {"bvh8", "batch"}, "primary"), "15.0 [12.0 .. 16.7]\n×1.50 [1.35 .. 1.65]\nwrong: 0");
     EXPECT_EQ(cell(sections, {"bvh8", "single"}, "misses random / edge / vertex"), "0 / 0 / 17");
-    EXPECT_EQ(cell(sections, {"embree", "single"}, "misses random / edge / vertex"), "");
+    const std::string of_embree = "0 / 1.50 / 26471";
+    EXPECT_EQ(cell(sections, {"embree", "batch"}, "misses random / edge / vertex"), of_embree);
+    EXPECT_EQ(cell(sections, {"embree-robust-high-avx2", "single"}, "misses random / edge / vertex"), of_embree);
+    EXPECT_EQ(cell(sections, {"embree-fast-high-avx2", "single"}, "misses random / edge / vertex"), "");
 }
 
 TEST(BenchSpeed, TellsWhatBuildingCosts)
