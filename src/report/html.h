@@ -1,0 +1,16 @@
+// A report as one HTML page that needs nothing else: styles, plots and data stand in it, no script runs, nothing is
+// loaded. It is well-formed XML as well, follows the reader's choice of light or dark, and prints.
+#pragma once
+
+#include <string>
+
+#include "report/document.h"
+
+namespace lancer {
+
+std::string to_html(const Document& document);
+
+// JSON as it may stand in a <script> of HTML and of XML: < > & only occur within strings, where they have an escape.
+std::string json_for_html(const std::string& json);
+
+}  // namespace lancer
