@@ -17,7 +17,9 @@ protected:
         Geometry g;
         g.meshes.push_back(std::move(mesh));
         const auto accel = GetParam()(g);
-        const RaysFromInside rays(g.meshes[0], balls_inside(g, 4));
+        const std::vector<Ball> balls = balls_inside(g, 4);
+        ASSERT_FALSE(balls.empty()) << name;
+        const RaysFromInside rays(g.meshes[0], balls);
         const bool visits_all = GetParam().kind == AccelKind::list || GetParam().kind == AccelKind::box;
         const uint64_t most = visits_all ? 1000000 / g.meshes[0].triangles.size() : 4000;
         for (const Aim aim : aims)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <stdexcept>
 
 #include "support/addressed.h"
 #include "support/double_tree.h"
@@ -61,9 +60,9 @@ struct Ball {
     double radius;
 };
 
-// Balls within a closed mesh, by address: `count` of them or, in a mesh with little room, fewer. A ball's centre is
-// inside if lines from it cross the surface an odd number of times; its radius is half its distance from the surface,
-// and far above the rounding of its coordinates. Throws if there is no room at all. The Geometry holds one mesh.
+// Balls within a closed mesh, by address: `count` of them or, in a mesh with little room, fewer or none. A ball's
+// centre is inside if lines from it cross the surface an odd number of times; its radius is half its distance from the
+// surface, and far above the rounding of its coordinates. The Geometry holds one mesh.
 inline std::vector<Ball> balls_inside(const Geometry& g, uint32_t count, uint64_t seed = 1)
 {
     const Mesh& mesh = g.meshes.at(0);
@@ -90,7 +89,6 @@ inline std::vector<Ball> balls_inside(const Geometry& g, uint32_t count, uint64_
             odd += tree.crossings({.org = to_float(at), .dir = to_float(random.direction())}) % 2 ? 1 : 0;
         if (odd == 5) balls.push_back({at, clear / 2});
     }
-    if (balls.empty()) throw std::runtime_error("no room inside the mesh");
     return balls;
 }
 
