@@ -12,20 +12,6 @@ namespace {
 
 constexpr Vec3d far_away{148376, 1234, -223423};
 
-// Coordinates there are multiples of 1/64: smaller meshes, of which nothing would be left, are made larger before, by a
-// power of two.
-Mesh put_far_away(Mesh mesh)
-{
-    Bounds all;
-    for (const auto& t : mesh.triangles)
-        for (const uint32_t v : t) all.grow(to_double(mesh.positions[v]));
-    float scale = 1;
-    while (all.extent() * static_cast<double>(scale) < 4) scale *= 2;
-    if (scale > 1) scale *= 4;
-    for (Vec3& p : mesh.positions) p *= scale;
-    return moved(mesh, far_away);
-}
-
 struct ClosedMesh {
     std::string name;
     std::function<Mesh()> load;
@@ -42,18 +28,27 @@ class Campaign {
 public:
     Campaign(const Options& options, Report& report) : options_(options), report_(report) {}
 
-    void mesh(const std::string& name, const std::string& where, Mesh mesh)
+    // False if there is no room inside for rays to start.
+    bool mesh(const std::string& name, const std::string& where, Mesh mesh)
     {
         Geometry g;
         g.meshes.push_back(std::move(mesh));
         const std::vector<Ball> balls = balls_inside(g, 8);
-        if (balls.empty()) return print_result(name + " " + where + ": no room inside, left out");
+        if (balls.empty()) return false;
         const RaysFromInside rays(g.meshes[0], balls);
         for (const AccelName& a : accelerators) {
             if (!options_.wants_accel(a.name.data())) continue;
             const auto accel = make_accelerator(a.kind, g, "avx2");
             for (const Asked asked : all_asked) one(name, where, g, a, *accel, rays, asked);
         }
+        return true;
+    }
+    // Coordinates there are multiples of 1/64: meshes of which nothing would be left are made larger before, by a power
+    // of two.
+    void mesh_far_away(const std::string& name, Mesh mesh)
+    {
+        while (!this->mesh(name, "far away", moved(mesh, far_away)))
+            for (Vec3& p : mesh.positions) p *= 2;
     }
     bool failed() const { return failed_; }
 
@@ -136,8 +131,10 @@ int main(int argc, char** argv)
                     print_result(closed.name + ": not closed, left out");
                     continue;
                 }
-                campaign.mesh(closed.name, "in place", mesh);
-                campaign.mesh(closed.name, "far away", put_far_away(mesh));
+                if (campaign.mesh(closed.name, "in place", mesh))
+                    campaign.mesh_far_away(closed.name, mesh);
+                else
+                    print_result(closed.name + ": no room inside, left out");
             }
             failed = campaign.failed();
         });
