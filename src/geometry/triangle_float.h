@@ -1,8 +1,10 @@
 // A ray against a triangle in float, so that no ray passes between neighbours: Woop, Benthin, Wald, "Watertight
 // Ray/Triangle Intersection", JCGT 2(1), 2013, with double where an edge function vanishes. The distance is not theirs,
-// which errs by 1e-4 on slivers, but that of the plane through differences of the corners.
+// which errs by 1e-4 on slivers, but that of the plane, and of the few triangles that get so far in double: in float a
+// needle's plane errs by more than the offset of rays that start on it, and they hit where they start.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "core/ray.h"
@@ -13,9 +15,9 @@ namespace lancer {
 struct ShearedRay {
     int kx, ky, kz;
     float sx, sy, sz;
-    Vec3 org;
+    Vec3 org, dir;
 
-    explicit ShearedRay(const Ray& r) : org(r.org)
+    explicit ShearedRay(const Ray& r) : org(r.org), dir(r.dir)
     {
         const Vec3 m = abs(r.dir);
         kz = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
@@ -32,6 +34,21 @@ bool is_inside(T u, T v, T w)
     return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
+// Where the ray's line meets the plane of the triangle, but not before nor behind all of its corners: seen almost from
+// its edge a triangle has no better place. Not NaN.
+inline float distance_to_plane(const ShearedRay& r, Vec3 v0, Vec3 v1, Vec3 v2)
+{
+    const Vec3d a = to_double(v0), b = to_double(v1), c = to_double(v2);
+    const Vec3d org = to_double(r.org), dir = to_double(r.dir);
+    const Vec3d n = cross(b - a, c - a);
+    double t = dot(n, a - org) / dot(n, dir);
+    const auto [least, most] = std::minmax({a[r.kz] - org[r.kz], b[r.kz] - org[r.kz], c[r.kz] - org[r.kz]});
+    const double z = dir[r.kz], nearest = (z < 0 ? most : least) / z, farthest = (z < 0 ? least : most) / z;
+    if (!(t >= nearest)) t = nearest;
+    if (t > farthest) t = farthest;
+    return static_cast<float>(t);
+}
+
 // Where the ray's line meets the triangle. Not NaN.
 inline std::optional<float> distance_to(const ShearedRay& r, Vec3 v0, Vec3 v1, Vec3 v2)
 {
@@ -42,14 +59,12 @@ inline std::optional<float> distance_to(const ShearedRay& r, Vec3 v0, Vec3 v1, V
     const float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     if (!is_inside(u, v, w)) return {};
     if (u == 0 || v == 0 || w == 0) {
-        const auto d = [](float x) { return static_cast<double>(x); };
-        if (!is_inside(d(cx) * d(by) - d(cy) * d(bx), d(ax) * d(cy) - d(ay) * d(cx), d(bx) * d(ay) - d(by) * d(ax)))
-            return {};
+        const auto product = [](float x, float y) { return static_cast<double>(x) * static_cast<double>(y); };
+        const double du = product(cx, by) - product(cy, bx), dv = product(ax, cy) - product(ay, cx),
+                     dw = product(bx, ay) - product(by, ax);
+        if (!is_inside(du, dv, dw) || (du == 0 && dv == 0 && dw == 0)) return {};
     }
-    const Vec3 n = cross(v1 - v0, v2 - v0);
-    const float t = (n.x * a.x + n.y * a.y + n.z * a.z) * r.sz / (n[r.kx] * r.sx + n[r.ky] * r.sy + n[r.kz]);
-    if (t != t) return {};
-    return t;
+    return distance_to_plane(r, v0, v1, v2);
 }
 
 }  // namespace lancer

@@ -1,15 +1,14 @@
-// What the tests of accelerators share: the list of them, geometry to trace, and when two answers mean the same.
+// What the tests of accelerators share: the list of them, and geometry to trace.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <numbers>
 #include <ostream>
 
 #include "geometry/accel.h"
+#include "support/hits.h"
+#include "support/meshes.h"
 #include "support/random.h"
-#include "support/scenes.h"
 
 namespace lancer {
 
@@ -28,23 +27,6 @@ inline const std::vector<AccelMaker> accel_makers = [] {
 }();
 
 inline std::string accel_name(const testing::TestParamInfo<AccelMaker>& info) { return std::string(info.param.name); }
-
-inline Mesh to_mesh(const MeshData& data, const Transform& m = {})
-{
-    Mesh mesh;
-    for (const Vec3d& p : data.positions) mesh.positions.push_back(to_float(m.point(p)));
-    mesh.positions.emplace_back();
-    mesh.triangles = data.triangles;
-    return mesh;
-}
-inline Mesh triangle_mesh(Vec3 a, Vec3 b, Vec3 c)
-{
-    Mesh mesh;
-    mesh.positions = {a, b, c, {}};
-    mesh.triangles = {{0, 1, 2}};
-    return mesh;
-}
-inline Instance make_instance(uint32_t mesh, const Transform& to_world) { return {mesh, to_world, inverse(to_world)}; }
 
 // Meshes, a soup of triangles, instances turned, stretched and mirrored, spheres in and out of each other, planes.
 inline Geometry random_geometry(uint64_t seed)
@@ -101,48 +83,6 @@ inline Ray random_ray(Random& random, const Geometry& g)
             break;
     }
     return {.org = to_float(org), .dir = to_float(dir)};
-}
-
-inline bool same_primitive(const Hit& a, const Hit& b)
-{
-    if (!a || !b) return !a && !b;
-    return a.kind == b.kind && a.instance == b.instance && a.geometry == b.geometry && a.primitive == b.primitive;
-}
-inline bool same_bits(const Hit& a, const Hit& b)
-{
-    return same_primitive(a, b) && std::bit_cast<uint32_t>(a.t) == std::bit_cast<uint32_t>(b.t) &&
-           std::bit_cast<uint32_t>(a.uv.x) == std::bit_cast<uint32_t>(b.uv.x) &&
-           std::bit_cast<uint32_t>(a.uv.y) == std::bit_cast<uint32_t>(b.uv.y);
-}
-
-// Distance of a ray's line to the nearest edge of a triangle, over the size of the coordinates involved, in ulps of
-// float: an accelerator that computes in float may decide either way within a few.
-inline double ulps_from_edge(const Geometry& g, const Ray& ray, const Hit& hit)
-{
-    Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
-    if (hit.instance != Hit::no_instance) {
-        const Transform& m = g.instances[hit.instance].to_mesh;
-        org = m.point(org), dir = m.vector(dir);
-    }
-    const Mesh& mesh = g.meshes[hit.geometry];
-    double least = INFINITY, size = length(org);
-    for (size_t k = 0; k < 3; ++k) {
-        const auto& t = mesh.triangles[hit.primitive];
-        const Vec3d a = to_double(mesh.positions[t[k]]), b = to_double(mesh.positions[t[(k + 1) % 3]]);
-        const Vec3d across = cross(b - a, dir);
-        least = std::min(least, std::abs(dot(across, a - org)) / length(across));
-        size = std::max(size, length(a));
-    }
-    return least / (size * 0x1p-24);
-}
-
-// Two answers to one ray that name different primitives are both right where the primitives are equally far, or where
-// the ray passes the nearer one's edge by less than float can tell.
-inline bool explainable(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b)
-{
-    if (a && b && std::abs(a.t - b.t) <= 16 * 0x1p-24f * std::max(length(ray.org), std::max(a.t, b.t))) return true;
-    const Hit& nearer = !b || (a && a.t < b.t) ? a : b;
-    return nearer.kind == Kind::triangle && ulps_from_edge(g, ray, nearer) < 32;
 }
 
 }  // namespace lancer

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "geometry/accelerators.h"
 
 namespace lancer {
@@ -37,57 +35,6 @@ TEST(Triangle, MatchesTheClosedFormInLongDouble)
         inside += h->inside;
     }
     EXPECT_GT(inside, 1000);
-}
-
-class Watertight : public testing::TestWithParam<AccelMaker> {
-protected:
-    Geometry g = [] {
-        Geometry x;
-        x.meshes.push_back(to_mesh(*make_uv_sphere(20, 40)));
-        return x;
-    }();
-    std::vector<Vec3d> points, middles;
-
-    void SetUp() override
-    {
-        const Mesh& m = g.meshes[0];
-        for (size_t i = 0; i + 1 < m.positions.size(); ++i) points.push_back(to_double(m.positions[i]));
-        std::set<std::pair<uint32_t, uint32_t>> edges;
-        for (const auto& t : m.triangles)
-            for (size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
-        ASSERT_EQ(edges.size(), m.triangles.size() * 3 / 2);  // closed
-        for (const auto& [a, b] : edges) middles.push_back((points[a] + points[b]) * 0.5);
-    }
-    // Of rays from inside towards each target, from several places.
-    static int misses(const Accelerator& accel, const std::vector<Vec3d>& targets, int rounds)
-    {
-        Random random(2);
-        int n = 0;
-        for (int round = 0; round < rounds; ++round)
-            for (const Vec3d& at : targets) {
-                const Vec3d org = round == 0 ? Vec3d{} : random.point(-0.5, 0.5);
-                const Ray ray{.org = to_float(org), .dir = to_float(normalize(at - org))};
-                n += accel.closest(ray) ? 0 : 1;
-            }
-        return n;
-    }
-};
-INSTANTIATE_TEST_SUITE_P(Every, Watertight, testing::ValuesIn(accel_makers), accel_name);
-
-TEST_P(Watertight, NoRayLeavesAClosedMesh)
-{
-    const auto accel = GetParam()(g);
-    const bool is_list = GetParam().kind == AccelKind::list;
-    Random random(3);
-    std::vector<Vec3d> anywhere;
-    for (int i = 0; i < 10000; ++i) anywhere.push_back(random.direction());
-    EXPECT_EQ(misses(*accel, anywhere, is_list ? 1 : 50), 0);
-    EXPECT_EQ(misses(*accel, middles, is_list ? 4 : 40), 0);
-    const int rounds = is_list ? 10 : 40, through = misses(*accel, points, rounds);
-    RecordProperty("vertex_rays", std::to_string(rounds * static_cast<int>(points.size())));
-    RecordProperty("vertex_misses", std::to_string(through));
-    // Embree's robust mode does not promise vertices (its issue 181); a few per cent of rays aimed at one pass.
-    EXPECT_LE(through, is_list ? 0 : rounds * static_cast<int>(points.size()) / 10);
 }
 
 // Each of a million incoherent rays, alone and in packets of eight: packets may decide otherwise only on an edge.

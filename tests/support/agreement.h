@@ -1,0 +1,87 @@
+// How an accelerator's answers compare with those of a reference in double, counted.
+#pragma once
+
+#include "support/hits.h"
+
+namespace lancer {
+
+// The distance in double; of two hits that name the same primitive the same.
+inline double exact_distance(const Geometry& g, const Ray& ray, const Hit& hit)
+{
+    if (hit.kind == Kind::sphere) {
+        const auto c = crossing(g.spheres[hit.primitive], ray);
+        return c ? (hit.exit ? c->exit : c->enter) : hit.t;
+    }
+    if (hit.kind == Kind::plane) return intersect(g.planes[hit.primitive], ray).value_or(hit.t);
+    Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
+    if (hit.instance != Hit::no_instance) {
+        const Transform& m = g.instances[hit.instance].to_mesh;
+        org = m.point(org), dir = m.vector(dir);
+    }
+    const auto h = intersect_plane_of(g.meshes[hit.geometry], hit.primitive, org, dir);
+    return h ? h->t : hit.t;
+}
+
+struct Agreement {
+    uint64_t rays = 0;
+    uint64_t same = 0;                  // the same primitive, and all bits of the hit
+    uint64_t ties = 0;                  // another one, exactly as far
+    uint64_t explained = 0;             // another one, no farther or no farther from an edge than float can tell
+    uint64_t wrong = 0;                 // all others
+    uint64_t first_wrong = UINT64_MAX;  // number of the ray
+
+    void operator+=(const Agreement& a)
+    {
+        rays += a.rays, same += a.same, ties += a.ties, explained += a.explained, wrong += a.wrong;
+        first_wrong = std::min(first_wrong, a.first_wrong);
+    }
+    // What was found first, against the reference's answer.
+    void count(const Geometry& g, const Ray& ray, uint64_t number, const Hit& reference, const Hit& found)
+    {
+        ++rays;
+        if (same_primitive(reference, found)) {
+            if (same_bits(reference, found) && reference.exit == found.exit)
+                ++same;
+            else
+                disagree(number);
+        } else if (reference && found && exact_distance(g, ray, reference) == exact_distance(g, ray, found)) {
+            ++ties;
+        } else if (by_rounding(g, ray, reference, found)) {
+            ++explained;
+        } else {
+            disagree(number);
+        }
+    }
+    // Whether anything was found in [t_min, t_max], against the first that the reference finds there; closest: what
+    // the accelerator itself says is first.
+    void count_any(const Geometry& g, const Ray& ray, uint64_t number, const Hit& reference, bool found,
+                   const Hit& closest)
+    {
+        ++rays;
+        const Hit& hit = reference ? reference : closest;
+        if (static_cast<bool>(reference) == found)
+            ++same;
+        else if (hit && by_rounding(g, ray, hit, {}))
+            ++explained;
+        else
+            disagree(number);
+    }
+
+private:
+    static bool by_rounding(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b)
+    {
+        if (explainable(g, ray, a, b)) return true;
+        if (a && b) return false;
+        // Only one was found: at an end of the interval?
+        const Hit& hit = a ? a : b;
+        const float few_ulps = 16 * 0x1p-24f * std::max(length(ray.org), hit.t);
+        return std::abs(hit.t - ray.t_max) <= few_ulps || std::abs(hit.t - ray.t_min) <= few_ulps;
+    }
+    void disagree(uint64_t number)
+    {
+        ++wrong;
+        first_wrong = std::min(first_wrong, number);
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,54 @@
+// When two answers to one ray mean the same, and when a difference is no more than float's rounding.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "geometry/geometry.h"
+
+namespace lancer {
+
+inline bool same_primitive(const Hit& a, const Hit& b)
+{
+    if (!a || !b) return !a && !b;
+    return a.kind == b.kind && a.instance == b.instance && a.geometry == b.geometry && a.primitive == b.primitive;
+}
+inline bool same_bits(const Hit& a, const Hit& b)
+{
+    return same_primitive(a, b) && std::bit_cast<uint32_t>(a.t) == std::bit_cast<uint32_t>(b.t) &&
+           std::bit_cast<uint32_t>(a.uv.x) == std::bit_cast<uint32_t>(b.uv.x) &&
+           std::bit_cast<uint32_t>(a.uv.y) == std::bit_cast<uint32_t>(b.uv.y);
+}
+
+// Distance of a ray's line to the nearest edge of a triangle, over the size of the coordinates involved, in ulps of
+// float: an accelerator that computes in float may decide either way within a few.
+inline double ulps_from_edge(const Geometry& g, const Ray& ray, const Hit& hit)
+{
+    Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
+    if (hit.instance != Hit::no_instance) {
+        const Transform& m = g.instances[hit.instance].to_mesh;
+        org = m.point(org), dir = m.vector(dir);
+    }
+    const Mesh& mesh = g.meshes[hit.geometry];
+    double least = INFINITY, size = length(org);
+    for (size_t k = 0; k < 3; ++k) {
+        const auto& t = mesh.triangles[hit.primitive];
+        const Vec3d a = to_double(mesh.positions[t[k]]), b = to_double(mesh.positions[t[(k + 1) % 3]]);
+        const Vec3d across = cross(b - a, dir);
+        least = std::min(least, std::abs(dot(across, a - org)) / length(across));
+        size = std::max(size, length(a));
+    }
+    return least / (size * 0x1p-24);
+}
+
+// Two answers to one ray that name different primitives are both right where the primitives are equally far, or where
+// the ray passes the nearer one's edge by less than float can tell.
+inline bool explainable(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b)
+{
+    if (a && b && std::abs(a.t - b.t) <= 16 * 0x1p-24f * std::max(length(ray.org), std::max(a.t, b.t))) return true;
+    const Hit& nearer = !b || (a && a.t < b.t) ? a : b;
+    return nearer.kind == Kind::triangle && ulps_from_edge(g, ray, nearer) < 32;
+}
+
+}  // namespace lancer
