@@ -47,7 +47,8 @@ inline std::optional<float> distance_to(const ShearedRay& r, Vec3 v0, Vec3 v1, V
             return {};
     }
     const Vec3 n = cross(v1 - v0, v2 - v0);
-    const float t = (n.x * a.x + n.y * a.y + n.z * a.z) * r.sz / (n[r.kx] * r.sx + n[r.ky] * r.sy + n[r.kz]);
+    const float t = (n[r.kx] * a[r.kx] + n[r.ky] * a[r.ky] + n[r.kz] * a[r.kz]) * r.sz /
+                    (n[r.kx] * r.sx + n[r.ky] * r.sy + n[r.kz]);
     if (t != t) return {};
     return t;
 }

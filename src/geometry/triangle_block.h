@@ -1,0 +1,78 @@
+// Four triangles side by side, as a leaf holds them, and a ray against all four at once: the operations of
+// triangle_float.h in the same order, and so its bits.
+#pragma once
+
+#include <immintrin.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/triangle_float.h"
+
+namespace lancer {
+
+struct alignas(32) TriangleBlock {
+    static constexpr uint32_t size = 4;
+
+    float corner[3][3][size];  // corner, axis, triangle
+    uint32_t number[size];
+
+    // Unused places are NaN, which no ray meets.
+    TriangleBlock()
+    {
+        for (auto& c : corner)
+            for (auto& axis : c) std::fill(std::begin(axis), std::end(axis), std::numeric_limits<float>::quiet_NaN());
+        std::fill(std::begin(number), std::end(number), UINT32_MAX);
+    }
+    void set(uint32_t i, const std::array<Vec3, 3>& corners, uint32_t its_number)
+    {
+        for (uint32_t k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis) corner[k][axis][i] = corners[k][axis];
+        number[i] = its_number;
+    }
+    Vec3 at(uint32_t k, uint32_t i) const { return {corner[k][0][i], corner[k][1][i], corner[k][2][i]}; }
+};
+
+// Which triangles the ray meets in [t_min, t_max], a bit each, and at which t.
+inline uint32_t meets(const TriangleBlock& b, const ShearedRay& r, float t_min, float t_max, float (&t)[4])
+{
+    const int axis[3] = {r.kx, r.ky, r.kz};
+    const __m128 sx = _mm_set1_ps(r.sx), sy = _mm_set1_ps(r.sy), zero = _mm_setzero_ps();
+    __m128 x[3], y[3], z[3];  // of the corners as seen from the ray, before the shear
+    for (int k = 0; k < 3; ++k) {
+        x[k] = _mm_load_ps(b.corner[k][r.kx]) - _mm_set1_ps(r.org[r.kx]);
+        y[k] = _mm_load_ps(b.corner[k][r.ky]) - _mm_set1_ps(r.org[r.ky]);
+        z[k] = _mm_load_ps(b.corner[k][r.kz]) - _mm_set1_ps(r.org[r.kz]);
+    }
+    const __m128 ax = x[0] - sx * z[0], ay = y[0] - sy * z[0];
+    const __m128 bx = x[1] - sx * z[1], by = y[1] - sy * z[1];
+    const __m128 cx = x[2] - sx * z[2], cy = y[2] - sy * z[2];
+    const __m128 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+    const __m128 least = _mm_min_ps(_mm_min_ps(u, v), w), most = _mm_max_ps(_mm_max_ps(u, v), w);
+    const __m128 inside = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
+    auto met = static_cast<uint32_t>(_mm_movemask_ps(inside));
+    if (met == 0) return 0;
+
+    __m128 e[3], f[3];  // the edges from the first corner
+    for (int k = 0; k < 3; ++k) {
+        const __m128 first = _mm_load_ps(b.corner[0][axis[k]]);
+        e[k] = _mm_load_ps(b.corner[1][axis[k]]) - first;
+        f[k] = _mm_load_ps(b.corner[2][axis[k]]) - first;
+    }
+    const __m128 nx = e[1] * f[2] - e[2] * f[1], ny = e[2] * f[0] - e[0] * f[2], nz = e[0] * f[1] - e[1] * f[0];
+    const __m128 distance = (nx * x[0] + ny * y[0] + nz * z[0]) * _mm_set1_ps(r.sz) / (nx * sx + ny * sy + nz);
+    _mm_storeu_ps(t, distance);
+    const __m128 within =
+        _mm_and_ps(_mm_cmpge_ps(distance, _mm_set1_ps(t_min)), _mm_cmple_ps(distance, _mm_set1_ps(t_max)));
+    met &= static_cast<uint32_t>(_mm_movemask_ps(within));
+
+    const __m128 edge = _mm_or_ps(_mm_cmpeq_ps(least, zero), _mm_cmpeq_ps(most, zero));
+    for (uint32_t left = met & static_cast<uint32_t>(_mm_movemask_ps(edge)); left != 0; left &= left - 1) {
+        const auto i = static_cast<uint32_t>(std::countr_zero(left));
+        if (!distance_to(r, b.at(0, i), b.at(1, i), b.at(2, i))) met &= ~(1u << i);
+    }
+    return met;
+}
+
+}  // namespace lancer
