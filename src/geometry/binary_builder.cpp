@@ -63,7 +63,6 @@ Part over_chunks(const Range& r, const F& f)
 
 class MedianCuts {
 public:
-    static constexpr uint32_t leaf_size = 4;
     static std::optional<Cut> choose(const BoxedPrimitive*, const Range& r, bool)
     {
         const __m128 d = r.bounds.box.upper - r.bounds.box.lower;
@@ -72,10 +71,8 @@ public:
     }
 };
 
-template <uint32_t leaf_size_>
 class SahCuts {
 public:
-    static constexpr uint32_t leaf_size = leaf_size_;
     static std::optional<Cut> choose(const BoxedPrimitive* all, const Range& r, bool parallel)
     {
         const uint32_t used = std::min(bins, 4 + r.size() / 2);
@@ -159,14 +156,17 @@ private:
     // NaN and infinity, of huge boxes, never are the least.
     static float cost(const BoxLanes& box, uint32_t count)
     {
-        return count == 0 ? 0 : box.half_area() * static_cast<float>((count + leaf_size - 1) / leaf_size);
+        return count == 0 ? 0 : box.half_area() * static_cast<float>(count);
     }
 };
 
 template <class Cuts>
 class Builder {
 public:
-    explicit Builder(std::vector<BoxedPrimitive> primitives) : items_(std::move(primitives)) {}
+    Builder(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
+        : items_(std::move(primitives)), leaf_size_(leaf_size)
+    {
+    }
 
     BuiltTree build()
     {
@@ -209,7 +209,7 @@ private:
     }
     Child cut_small(const Range& r, std::vector<Pair>& pairs)
     {
-        if (r.size() <= Cuts::leaf_size) return {r.begin, r.size()};
+        if (r.size() <= leaf_size_) return {r.begin, r.size()};
         return inner(r, pairs, false, [&](const Range& part) { return cut_small(part, pairs); });
     }
     template <class Below>
@@ -325,20 +325,19 @@ private:
 
     std::vector<BoxedPrimitive> items_, scratch_;
     std::vector<Range> tasks_;
-    uint32_t task_size_ = 0;
+    uint32_t leaf_size_, task_size_ = 0;
 };
 
 }  // namespace
 
-BuiltTree build_median(std::vector<BoxedPrimitive> primitives)
+BuiltTree build_median(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
 {
-    return Builder<MedianCuts>(std::move(primitives)).build();
+    return Builder<MedianCuts>(std::move(primitives), leaf_size).build();
 }
 
 BuiltTree build_sah(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
 {
-    return leaf_size == 1 ? Builder<SahCuts<1>>(std::move(primitives)).build()
-                          : Builder<SahCuts<4>>(std::move(primitives)).build();
+    return Builder<SahCuts>(std::move(primitives), leaf_size).build();
 }
 
 }  // namespace lancer

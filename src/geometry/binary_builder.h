@@ -18,9 +18,9 @@ struct BuiltTree {
     std::vector<uint32_t> order;  // numbers of the primitives
 };
 
-// Leaves hold at most leaf_size primitives, 1 or 4, which the heuristic takes for as costly together as one. Boxes may
-// be infinite, not NaN. Not from inside a parallel loop.
-BuiltTree build_median(std::vector<BoxedPrimitive> primitives);
+// Nodes of at most leaf_size primitives (at least 1) become leaves: they are tested together, at about the cost of one
+// more node. Boxes may be infinite, not NaN. Not from inside a parallel loop.
+BuiltTree build_median(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size);
 BuiltTree build_sah(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size);
 
 }  // namespace lancer

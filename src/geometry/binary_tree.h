@@ -66,7 +66,8 @@ private:
             for (int k = 0; k < 3; ++k) {
                 org_[k] = _mm_set1_ps(r.org[k]);
                 inverse_[k] = _mm_setr_ps(r.inverse[k], r.inverse[k], -r.far_inverse[k], -r.far_inverse[k]);
-                order_[k] = std::signbit(r.inverse[k]) ? _mm_setr_epi32(2, 3, 0, 1) : _mm_setr_epi32(0, 1, 2, 3);
+                order_[k] =
+                    _mm_xor_si128(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(std::signbit(r.inverse[k]) ? 2 : 0));
             }
         }
         // Bit k: child k is met; near: where each is entered. As in meets(), NaN decides nothing: the maximum keeps its
@@ -140,7 +141,7 @@ bool BinaryTree::any(const Ray& ray, const Leaf& leaf) const
 {
     if (empty()) return false;
     const PairRay r{SlabRay(ray)};
-    Child stack[max_depth];
+    Child stack[max_depth + 1];
     uint32_t size = 0;
     const float end = reach(ray.t_max);
     for (Child at = root_;;) {
@@ -149,8 +150,9 @@ bool BinaryTree::any(const Ray& ray, const Leaf& leaf) const
             __m128 near;
             const uint32_t met = r.meets(p, end, near);
             if (met != 0) {
-                if (met == 3) stack[size++] = p.child[1];
-                at = p.child[met >> 1 & ~met & 1];
+                stack[size] = p.child[1];
+                size += met == 3 ? 1 : 0;
+                at = p.child[met == 2 ? 1 : 0];
                 continue;
             }
         } else if (leaf(at.first, at.count)) {

@@ -15,7 +15,7 @@ public:
     template <class Found>
     void closest(const Ray& ray, float& t_max, const Found& found) const
     {
-        const ShearedRay r(ray);
+        const BlockRay r(ray);
         tree_.closest(ray, t_max, [&](uint32_t block, uint32_t, float) {
             const TriangleBlock& b = blocks_[block];
             float t[TriangleBlock::size];
@@ -29,7 +29,7 @@ public:
     template <class Found>
     bool any(const Ray& ray, const Found& found) const
     {
-        const ShearedRay r(ray);
+        const BlockRay r(ray);
         return tree_.any(ray, [&](uint32_t block, uint32_t) {
             const TriangleBlock& b = blocks_[block];
             float t[TriangleBlock::size];

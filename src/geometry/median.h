@@ -7,7 +7,10 @@ namespace lancer {
 
 class Median : public BinaryTriangles {
 public:
-    explicit Median(const TriangleSet& triangles) : BinaryTriangles(triangles, build_median(boxes_of(triangles))) {}
+    explicit Median(const TriangleSet& triangles)
+        : BinaryTriangles(triangles, build_median(boxes_of(triangles), TriangleBlock::size))
+    {
+    }
 };
 
 }  // namespace lancer

@@ -34,16 +34,28 @@ struct alignas(32) TriangleBlock {
     Vec3 at(uint32_t k, uint32_t i) const { return {corner[k][0][i], corner[k][1][i], corner[k][2][i]}; }
 };
 
+// What of a ray all its blocks share; axes in the order kx, ky, kz of the sheared ray.
+struct BlockRay {
+    ShearedRay sheared;
+    int axis[3];
+    float org[3];
+
+    explicit BlockRay(const Ray& ray) : sheared(ray), axis{sheared.kx, sheared.ky, sheared.kz}
+    {
+        for (int k = 0; k < 3; ++k) org[k] = ray.org[axis[k]];
+    }
+};
+
 // Which triangles the ray meets in [t_min, t_max], a bit each, and at which t.
-inline uint32_t meets(const TriangleBlock& b, const ShearedRay& r, float t_min, float t_max, float (&t)[4])
+inline uint32_t meets(const TriangleBlock& b, const BlockRay& r, float t_min, float t_max, float (&t)[4])
 {
-    const int axis[3] = {r.kx, r.ky, r.kz};
-    const __m128 sx = _mm_set1_ps(r.sx), sy = _mm_set1_ps(r.sy), zero = _mm_setzero_ps();
+    const __m128 sx = _mm_set1_ps(r.sheared.sx), sy = _mm_set1_ps(r.sheared.sy), zero = _mm_setzero_ps();
+    const __m128 ox = _mm_set1_ps(r.org[0]), oy = _mm_set1_ps(r.org[1]), oz = _mm_set1_ps(r.org[2]);
     __m128 x[3], y[3], z[3];  // of the corners as seen from the ray, before the shear
     for (int k = 0; k < 3; ++k) {
-        x[k] = _mm_load_ps(b.corner[k][r.kx]) - _mm_set1_ps(r.org[r.kx]);
-        y[k] = _mm_load_ps(b.corner[k][r.ky]) - _mm_set1_ps(r.org[r.ky]);
-        z[k] = _mm_load_ps(b.corner[k][r.kz]) - _mm_set1_ps(r.org[r.kz]);
+        x[k] = _mm_load_ps(b.corner[k][r.axis[0]]) - ox;
+        y[k] = _mm_load_ps(b.corner[k][r.axis[1]]) - oy;
+        z[k] = _mm_load_ps(b.corner[k][r.axis[2]]) - oz;
     }
     const __m128 ax = x[0] - sx * z[0], ay = y[0] - sy * z[0];
     const __m128 bx = x[1] - sx * z[1], by = y[1] - sy * z[1];
@@ -56,12 +68,12 @@ inline uint32_t meets(const TriangleBlock& b, const ShearedRay& r, float t_min, 
 
     __m128 e[3], f[3];  // the edges from the first corner
     for (int k = 0; k < 3; ++k) {
-        const __m128 first = _mm_load_ps(b.corner[0][axis[k]]);
-        e[k] = _mm_load_ps(b.corner[1][axis[k]]) - first;
-        f[k] = _mm_load_ps(b.corner[2][axis[k]]) - first;
+        const __m128 first = _mm_load_ps(b.corner[0][r.axis[k]]);
+        e[k] = _mm_load_ps(b.corner[1][r.axis[k]]) - first;
+        f[k] = _mm_load_ps(b.corner[2][r.axis[k]]) - first;
     }
     const __m128 nx = e[1] * f[2] - e[2] * f[1], ny = e[2] * f[0] - e[0] * f[2], nz = e[0] * f[1] - e[1] * f[0];
-    const __m128 distance = (nx * x[0] + ny * y[0] + nz * z[0]) * _mm_set1_ps(r.sz) / (nx * sx + ny * sy + nz);
+    const __m128 distance = (nx * x[0] + ny * y[0] + nz * z[0]) * _mm_set1_ps(r.sheared.sz) / (nx * sx + ny * sy + nz);
     _mm_storeu_ps(t, distance);
     const __m128 within =
         _mm_and_ps(_mm_cmpge_ps(distance, _mm_set1_ps(t_min)), _mm_cmple_ps(distance, _mm_set1_ps(t_max)));
@@ -70,7 +82,7 @@ inline uint32_t meets(const TriangleBlock& b, const ShearedRay& r, float t_min, 
     const __m128 edge = _mm_or_ps(_mm_cmpeq_ps(least, zero), _mm_cmpeq_ps(most, zero));
     for (uint32_t left = met & static_cast<uint32_t>(_mm_movemask_ps(edge)); left != 0; left &= left - 1) {
         const auto i = static_cast<uint32_t>(std::countr_zero(left));
-        if (!distance_to(r, b.at(0, i), b.at(1, i), b.at(2, i))) met &= ~(1u << i);
+        if (!distance_to(r.sheared, b.at(0, i), b.at(1, i), b.at(2, i))) met &= ~(1u << i);
     }
     return met;
 }
