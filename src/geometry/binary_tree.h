@@ -6,6 +6,7 @@
 #include <immintrin.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/slab.h"
@@ -35,6 +36,8 @@ public:
 
     bool empty() const { return box_.empty(); }
     const FloatBox& box() const { return box_; }
+    Child root() const { return root_; }
+    std::span<const Pair> pairs() const { return pairs_; }
     uint64_t bytes() const { return pairs_.size() * sizeof(Pair); }
     // Edges from the root to the deepest leaf.
     uint32_t depth() const;
