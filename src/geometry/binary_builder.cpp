@@ -75,7 +75,7 @@ class SahCuts {
 public:
     static std::optional<Cut> choose(const BoxedPrimitive* all, const Range& r, bool parallel)
     {
-        const uint32_t used = std::min(bins, 4 + r.size() / 2);
+        const uint32_t used = std::min(bins, 4 + r.size() / 2);  // few suffice for few
         const __m128 extent = r.bounds.centers.upper - r.bounds.centers.lower, zero = _mm_setzero_ps();
         // A little less than `used`, so that rounding makes no bin behind the last one.
         const __m128 scale =
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    static constexpr uint32_t bins = 16;
+    static constexpr uint32_t bins = 32;
 
     struct Bins {
         BoxLanes box[3][bins];

@@ -1,5 +1,5 @@
 // Makes binary trees. `build_median` is the textbook's first tree: the longest axis, cut in the middle. `build_sah`
-// takes the cut of least expected cost by the surface area heuristic, out of 16 bins along each axis: Wald, "On fast
+// takes the cut of least expected cost by the surface area heuristic, out of 32 bins along each axis: Wald, "On fast
 // Construction of SAH-based Bounding Volume Hierarchies", IEEE RT 2007. Both give the same tree for any number of
 // threads, and both keep to BinaryTree::max_depth: where a cut would leave too many primitives for the levels that
 // remain, a node is halved by count instead.
