@@ -1,8 +1,10 @@
 #include "geometry/accel.h"
 
 #include "geometry/box.h"
+#include "geometry/bvh2.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
+#include "geometry/median.h"
 #include "geometry/tree_accelerator.h"
 
 namespace lancer {
@@ -14,6 +16,10 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
             return std::make_unique<List>(geometry);
         case AccelKind::box:
             return std::make_unique<TreeAccelerator<Box>>(geometry);
+        case AccelKind::median:
+            return std::make_unique<TreeAccelerator<Median>>(geometry);
+        case AccelKind::bvh2:
+            return std::make_unique<TreeAccelerator<Bvh2>>(geometry);
         case AccelKind::embree:
             break;
     }

@@ -48,7 +48,7 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-enum class AccelKind { embree, list, box };
+enum class AccelKind { embree, list, box, median, bvh2 };
 
 // All of them, the default first.
 struct AccelName {
@@ -56,9 +56,8 @@ struct AccelName {
     AccelKind kind;
 };
 inline constexpr std::array accelerators{
-    AccelName{"embree", AccelKind::embree},
-    AccelName{"list", AccelKind::list},
-    AccelName{"box", AccelKind::box},
+    AccelName{"embree", AccelKind::embree}, AccelName{"list", AccelKind::list}, AccelName{"box", AccelKind::box},
+    AccelName{"median", AccelKind::median}, AccelName{"bvh2", AccelKind::bvh2},
 };
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.

@@ -1,13 +1,15 @@
 // The accelerator around a hand-written tree of triangles: instances of meshes, spheres, planes, holes, and which of
 // two equal hits wins. One tree holds the triangles of all meshes that are drawn as they are; each instanced mesh has
-// one in its own space.
+// one in its own space; a binary tree holds the boxes of instances and spheres. Planes have none and are a list.
 #pragma once
 
 #include <chrono>
 #include <optional>
+#include <tuple>
 
 #include "geometry/accel.h"
-#include "geometry/triangle_set.h"
+#include "geometry/binary_builder.h"
+#include "geometry/object_boxes.h"
 
 namespace lancer {
 
@@ -27,6 +29,7 @@ public:
                 plain.push_back(i);
         }
         if (!plain.empty()) plain_.emplace(g_, std::move(plain));
+        build_objects();
         build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
@@ -35,37 +38,51 @@ public:
         Hit best;
         if (!is_traceable(ray)) return best;
         Ray rest = ray;
-        shapes<Kind::sphere>(g_.spheres.size(), rest, best);
-        shapes<Kind::plane>(g_.planes.size(), rest, best);
+        const auto is_nearer = [&](const Hit& hit) {
+            return !best || hit.t < best.t || (hit.t == best.t && precedes(hit, best));
+        };
+        const auto shape = [&](const Hit& hit) {
+            if (!hit || !is_nearer(hit)) return;
+            best = hit;
+            rest.t_max = hit.t;
+        };
         const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
             s.tree.closest(local, rest.t_max, [&](uint32_t number, float t) {
                 const TriangleSet::Id id = s.triangles.id(number);
                 const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
-                if (best && !(t < best.t) && !(t == best.t && precedes(hit, best))) return false;
-                if (lets_pass(ray, hit)) return false;
+                if (!is_nearer(hit) || lets_pass(ray, hit)) return false;
                 best = hit;
                 return true;
             });
         };
-        each_space(ray, [&](const Space& s, const Ray& local, uint32_t instance) {
-            space(s, local, instance);
-            return false;
+        for (uint32_t i = 0; i < g_.planes.size(); ++i) shape(first_stop<Kind::plane>(g_, i, rest));
+        if (plain_) space(*plain_, ray, Hit::no_instance);
+        objects_.closest(ray, rest.t_max, [&](uint32_t object, uint32_t, float) {
+            if (is_sphere(object))
+                shape(first_stop<Kind::sphere>(g_, sphere(object), rest));
+            else if (Ray local = into_mesh(ray, object); is_traceable(local))
+                space(*placed_[g_.instances[object].mesh], local, object);
+            return rest.t_max;
         });
         return refine(g_, ray, best);
     }
     bool any(const Ray& ray) const override
     {
         if (!is_traceable(ray)) return false;
-        Hit best;
-        Ray rest = ray;
-        shapes<Kind::sphere>(g_.spheres.size(), rest, best);
-        if (!best) shapes<Kind::plane>(g_.planes.size(), rest, best);
-        return best || each_space(ray, [&](const Space& s, const Ray& local, uint32_t instance) {
-                   return s.tree.any(local, [&](uint32_t number, float t) {
-                       const TriangleSet::Id id = s.triangles.id(number);
-                       return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
-                   });
-               });
+        const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
+            return s.tree.any(local, [&](uint32_t number, float t) {
+                const TriangleSet::Id id = s.triangles.id(number);
+                return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
+            });
+        };
+        for (uint32_t i = 0; i < g_.planes.size(); ++i)
+            if (first_stop<Kind::plane>(g_, i, ray)) return true;
+        if (plain_ && space(*plain_, ray, Hit::no_instance)) return true;
+        return objects_.any(ray, [&](uint32_t object, uint32_t) {
+            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
+            const Ray local = into_mesh(ray, object);
+            return is_traceable(local) && space(*placed_[g_.instances[object].mesh], local, object);
+        });
     }
     void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const override
     {
@@ -77,7 +94,7 @@ public:
     }
     AccelStats stats() const override
     {
-        AccelStats s{build_seconds_, 0};
+        AccelStats s{build_seconds_, objects_.bytes()};
         if (plain_) s.bytes += plain_->tree.bytes(), s.sah_cost = plain_->tree.sah_cost();
         for (const auto& p : placed_)
             if (p) s.bytes += p->tree.bytes();
@@ -103,35 +120,38 @@ private:
         return g_.holes.meshes[hit.geometry][hit.primitive] &&
                g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit));
     }
-    // f(space, ray in it, instance) until it says true; whether it did.
-    template <class F>
-    bool each_space(const Ray& ray, F&& f) const
+    // Objects are numbered: first the instances, then the spheres.
+    bool is_sphere(uint32_t object) const { return object >= g_.instances.size(); }
+    uint32_t sphere(uint32_t object) const { return object - static_cast<uint32_t>(g_.instances.size()); }
+    void build_objects()
     {
-        if (plain_ && f(*plain_, ray, Hit::no_instance)) return true;
-        for (uint32_t i = 0; i < g_.instances.size(); ++i) {
-            const auto& space = placed_[g_.instances[i].mesh];
-            if (!space) continue;
-            const Transform& m = g_.instances[i].to_mesh;
-            Ray local = ray;
-            local.org = to_float(m.point(to_double(ray.org))), local.dir = to_float(m.vector(to_double(ray.dir)));
-            if (is_traceable(local) && f(*space, local, i)) return true;
+        std::vector<FloatBox> meshes(g_.meshes.size());
+        for (size_t i = 0; i < placed_.size(); ++i)
+            if (placed_[i]) meshes[i] = box_of(placed_[i]->triangles);
+        std::vector<BoxedPrimitive> boxes;
+        uint32_t object = 0;
+        for (const Instance& i : g_.instances) {
+            if (!meshes[i.mesh].empty()) boxes.emplace_back(box_of(meshes[i.mesh], i.to_world), object);
+            ++object;
         }
-        return false;
+        for (const Sphere& s : g_.spheres) boxes.emplace_back(box_of(s), object++);
+        BuiltTree built = build_sah(std::move(boxes), 1);
+        built.tree.relabel_leaves([&](uint32_t first, uint32_t) { return built.order[first]; });
+        objects_ = std::move(built.tree);
     }
-    template <Kind kind>
-    void shapes(size_t count, Ray& rest, Hit& best) const
+    Ray into_mesh(const Ray& ray, uint32_t instance) const
     {
-        for (uint32_t i = 0; i < count; ++i) {
-            const Hit hit = first_stop<kind>(g_, i, rest);
-            if (!hit || (best && hit.t == best.t)) continue;
-            best = hit;
-            rest.t_max = hit.t;
-        }
+        const Transform& m = g_.instances[instance].to_mesh;
+        Ray local = ray;
+        local.org = to_float(m.point(to_double(ray.org)));
+        local.dir = to_float(m.vector(to_double(ray.dir)));
+        return local;
     }
 
     const Geometry& g_;
     std::optional<Space> plain_;
     std::vector<std::optional<Space>> placed_;  // of each mesh
+    BinaryTree objects_;                        // `first` of a leaf: the object
     double build_seconds_ = 0;
 };
 

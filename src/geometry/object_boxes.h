@@ -1,0 +1,54 @@
+// Boxes of what an accelerator keeps a tree over besides triangles: spheres and instances of meshes. In float, and wide
+// enough for what rounding does to a ray and to its hit.
+#pragma once
+
+#include "core/transform.h"
+#include "geometry/shapes.h"
+#include "geometry/slab.h"
+#include "geometry/triangle_set.h"
+
+namespace lancer {
+
+// From below and from above.
+inline FloatBox rounded_outwards(Vec3d lower, Vec3d upper)
+{
+    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -FloatBox::inf); };
+    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), FloatBox::inf); };
+    return {{down(lower.x), down(lower.y), down(lower.z)}, {up(upper.x), up(upper.y), up(upper.z)}};
+}
+
+// Of a sphere, whose hits are computed in double from the float ray: near its silhouette half of double's digits count.
+inline FloatBox box_of(const Sphere& s)
+{
+    const double r = s.radius * (1 + 0x1p-20);
+    const Vec3d reach{r, r, r};
+    return rounded_outwards(s.center - reach, s.center + reach);
+}
+
+// Of what is finite of them.
+inline FloatBox box_of(const TriangleSet& triangles)
+{
+    FloatBox box;
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        if (!triangles.is_finite(i)) continue;
+        const auto [a, b, c] = triangles.corners(i);
+        box.grow(box_of(a, b, c));
+    }
+    return box;
+}
+
+// Of a box of a mesh, not empty, that is placed in the scene. In the mesh's space the ray is rounded to float, so that
+// it passes by a few ulps of the coordinates there from where it should.
+inline FloatBox box_of(const FloatBox& in_mesh, const Transform& to_world)
+{
+    constexpr double ulps = gamma(8);
+    const Vec3d lower = to_double(in_mesh.lower), upper = to_double(in_mesh.upper);
+    if (!is_finite(lower) || !is_finite(upper)) return {-Vec3{1, 1, 1} * FloatBox::inf, Vec3{1, 1, 1} * FloatBox::inf};
+    const Vec3d center = to_world.point((lower + upper) * 0.5), a = abs(lower), b = abs(upper);
+    const Vec3d half = (upper - lower) * 0.5 + Vec3d{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} * ulps;
+    const Vec3d placed = abs(to_world.x) * half.x + abs(to_world.y) * half.y + abs(to_world.z) * half.z;
+    const Vec3d reach = placed + (abs(center) + placed) * ulps;
+    return rounded_outwards(center - reach, center + reach);
+}
+
+}  // namespace lancer
