@@ -1,6 +1,7 @@
 #include "geometry/accel.h"
 
 #include "geometry/box.h"
+#include "geometry/bvh8.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
 #include "geometry/tree_accelerator.h"
@@ -14,6 +15,8 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
             return std::make_unique<List>(geometry);
         case AccelKind::box:
             return std::make_unique<TreeAccelerator<Box>>(geometry);
+        case AccelKind::bvh8:
+            return std::make_unique<TreeAccelerator<Bvh8>>(geometry);
         case AccelKind::embree:
             break;
     }

@@ -48,7 +48,7 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-enum class AccelKind { embree, list, box };
+enum class AccelKind { embree, list, box, bvh8 };
 
 // All of them, the default first.
 struct AccelName {
@@ -59,6 +59,7 @@ inline constexpr std::array accelerators{
     AccelName{"embree", AccelKind::embree},
     AccelName{"list", AccelKind::list},
     AccelName{"box", AccelKind::box},
+    AccelName{"bvh8", AccelKind::bvh8},
 };
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.

@@ -1,0 +1,83 @@
+// Eight triangles and a ray's test of them all at once: distance_to() of triangle_float.h in eight lanes.
+#pragma once
+
+#include <array>
+
+#include "geometry/lanes8.h"
+#include "geometry/triangle_float.h"
+
+namespace lancer {
+
+// Numbers ascend. Corners that are NaN stand for triangles that there are not.
+struct alignas(32) Bvh8Leaf {
+    std::array<std::array<std::array<float, 8>, 3>, 3> corners;  // of a corner x, then y, then z
+    std::array<uint32_t, 8> numbers;
+};
+
+// What of a ray all leaves share.
+class LeafRay {
+public:
+    explicit LeafRay(const Ray& ray)
+        : r_(ray),
+          org_{r_.org[r_.kx], r_.org[r_.ky], r_.org[r_.kz]},
+          axes_{static_cast<size_t>(r_.kx), static_cast<size_t>(r_.ky), static_cast<size_t>(r_.kz)},
+          t_min_(ray.t_min)
+    {
+    }
+
+    // Bit i: triangle i is met in [t_min, t_max], at distance t[i].
+    uint32_t meets(const Bvh8Leaf& leaf, float t_max, Float8& t) const
+    {
+        const auto corner = [&](size_t k) {
+            const auto& c = leaf.corners[k];
+            return Point{load8(c[axes_[0]].data()) - all_lanes(org_[0]), load8(c[axes_[1]].data()) - all_lanes(org_[1]),
+                         load8(c[axes_[2]].data()) - all_lanes(org_[2])};
+        };
+        const Point a = corner(0), b = corner(1), c = corner(2);
+        const Float8 sx = all_lanes(r_.sx), sy = all_lanes(r_.sy), sz = all_lanes(r_.sz);
+        const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
+        const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
+        const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
+        // Not fused: so the edge between two triangles is the same number with the other sign, and its sign is right
+        // or it is 0.
+        const Float8 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+        const Float8 least = min(u, min(v, w)), most = max(u, max(v, w)), zero{};
+        uint32_t inside = bits_le(zero, least) | bits_le(most, zero);
+        if (!inside) return 0;
+        if (const uint32_t on_edge = inside & (bits_eq(least, zero) | bits_eq(most, zero)))
+            inside &= ~on_edge | confirm(on_edge, {ax, ay, bx, by, cx, cy});
+        // No farther and no nearer than its corners: so it is a number also where the ray all but misses its side.
+        const Float8 t0 = a.z * sz, t1 = b.z * sz, t2 = c.z * sz;
+        t = max(min(distance(leaf, a, sx, sy, sz), max(t0, max(t1, t2))), min(t0, min(t1, t2)));
+        return inside & bits_le(all_lanes(t_min_), t) & bits_le(t, all_lanes(t_max));
+    }
+
+private:
+    struct Point {
+        Float8 x, y, z;  // along the sheared axes
+    };
+    struct Sheared {
+        Float8 ax, ay, bx, by, cx, cy;
+    };
+    // Those of the lanes whose triangles contain the origin by the signs in double.
+    static uint32_t confirm(uint32_t lanes, const Sheared& s);
+
+    // To the plane, by differences of the corners, which are almost exact.
+    Float8 distance(const Bvh8Leaf& leaf, const Point& a, Float8 sx, Float8 sy, Float8 sz) const
+    {
+        const auto side = [&](size_t to, size_t axis) {
+            return load8(leaf.corners[to][axes_[axis]].data()) - load8(leaf.corners[0][axes_[axis]].data());
+        };
+        const Float8 ex = side(1, 0), ey = side(1, 1), ez = side(1, 2);
+        const Float8 gx = side(2, 0), gy = side(2, 1), gz = side(2, 2);
+        const Float8 nx = ey * gz - ez * gy, ny = ez * gx - ex * gz, nz = ex * gy - ey * gx;
+        return (nx * a.x + ny * a.y + nz * a.z) * sz / (nx * sx + ny * sy + nz);
+    }
+
+    ShearedRay r_;
+    std::array<float, 3> org_;  // along the sheared axes
+    std::array<size_t, 3> axes_;
+    float t_min_;
+};
+
+}  // namespace lancer
