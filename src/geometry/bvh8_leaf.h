@@ -17,12 +17,17 @@ struct alignas(32) Bvh8Leaf {
 // What of a ray all leaves share.
 class LeafRay {
 public:
-    explicit LeafRay(const Ray& ray)
-        : r_(ray),
-          org_{r_.org[r_.kx], r_.org[r_.ky], r_.org[r_.kz]},
-          axes_{static_cast<size_t>(r_.kx), static_cast<size_t>(r_.ky), static_cast<size_t>(r_.kz)},
-          t_min_(ray.t_min)
+    explicit LeafRay(const Ray& ray) : t_min_(ray.t_min)
     {
+        // As ShearedRay, without branches: nobody can predict the largest axis of a ray.
+        const std::array org{ray.org.x, ray.org.y, ray.org.z}, dir{ray.dir.x, ray.dir.y, ray.dir.z};
+        const Vec3 m = abs(ray.dir);
+        const size_t z = m.z > std::max(m.x, m.y) ? 2 : m.y > m.x;
+        constexpr std::array<size_t, 5> around{0, 1, 2, 0, 1};
+        axes_ = {around[z + 1], around[z + 2], z};
+        sz_ = 1 / dir[z];
+        sx_ = dir[axes_[0]] * sz_, sy_ = dir[axes_[1]] * sz_;
+        org_ = {org[axes_[0]], org[axes_[1]], org[z]};
     }
 
     // Bit i: triangle i is met in [t_min, t_max], at distance t[i].
@@ -34,7 +39,7 @@ public:
                          load8(c[axes_[2]].data()) - all_lanes(org_[2])};
         };
         const Point a = corner(0), b = corner(1), c = corner(2);
-        const Float8 sx = all_lanes(r_.sx), sy = all_lanes(r_.sy), sz = all_lanes(r_.sz);
+        const Float8 sx = all_lanes(sx_), sy = all_lanes(sy_), sz = all_lanes(sz_);
         const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
         const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
         const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
@@ -74,10 +79,9 @@ private:
         return (nx * a.x + ny * a.y + nz * a.z) * sz / (nx * sx + ny * sy + nz);
     }
 
-    ShearedRay r_;
-    std::array<float, 3> org_;  // along the sheared axes
-    std::array<size_t, 3> axes_;
-    float t_min_;
+    std::array<size_t, 3> axes_;  // the last is that along which the ray goes most
+    std::array<float, 3> org_;    // along those
+    float sx_, sy_, sz_, t_min_;
 };
 
 }  // namespace lancer

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 
 #include "geometry/lanes8.h"
 #include "geometry/slab.h"
@@ -51,7 +52,7 @@ public:
             org_[k] = all_lanes(r.org[axis]);
             inverse_[k] = all_lanes(r.inverse[axis]);
             far_inverse_[k] = all_lanes(r.far_inverse[axis]);
-            near_[k] = 2 * k + (std::signbit(r.inverse[axis]) ? 1 : 0);
+            near_[k] = 2 * k + (std::bit_cast<uint32_t>(r.inverse[axis]) >> 31);
         }
         t_min_ = all_lanes(r.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
     }

@@ -69,9 +69,9 @@ private:
     using Entry = uint64_t;
     static void order(Entry& a, Entry& b)
     {
-        const Entry larger = std::max(a, b);
-        b = std::min(a, b);
+        const Entry larger = a < b ? b : a, smaller = a < b ? a : b;
         a = larger;
+        b = smaller;
     }
     static size_t first(uint32_t lanes) { return static_cast<size_t>(std::countr_zero(lanes)) & 7; }
 

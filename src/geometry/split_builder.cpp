@@ -11,8 +11,9 @@
 namespace lancer {
 namespace {
 
-constexpr double duplicates = 0.6;        // references that spatial splits may add, for each triangle
-constexpr float least_overlap = 1e-4f;    // of the boxes of an object split, over the root's area, to try a spatial one
+constexpr double duplicates = 0.4;  // references that spatial splits may add, for each triangle
+// To try a spatial split: what area the boxes of the object split have in common, of the root's and of the node's own.
+constexpr float least_overlap = 1e-4f, least_own_overlap = 0.1f;
 constexpr float least_gain = 0.99f;       // a spatial split costs no more than this, over the object split
 constexpr size_t chunk = 1 << 14;         // references that one thread looks at at a time
 constexpr size_t subtree_size = 1 << 12;  // references that one thread goes on with alone
@@ -84,7 +85,8 @@ private:
         const ObjectBins bins = gather(r, ObjectBins(s, r.size()), [](auto& b, const Reference& x) { b.add(x); });
         const Division by_object = bins.best();
         if (!by_object) return halve(r);
-        if (r.room() > 0 && overlap(by_object.below, by_object.above).half_area() > least_overlap_)
+        if (r.room() > 0 && overlap(by_object.below, by_object.above).half_area() >
+                                std::max(least_overlap_, least_own_overlap * s.box.half_area()))
             if (const auto h = divide_space(r, s.box, by_object.cost * least_gain)) return *h;
         Reference* begin = references_.get() + r.begin;
         const Reference* middle =
