@@ -7,7 +7,8 @@
 namespace lancer {
 namespace {
 
-// Of a node and of a block of triangles, for a ray that meets it. Measured: blocks at 1 or at 0.5 are slower.
+// Of a node and of a block of triangles, for a ray that meets it. Speeds measured with blocks at 0.5 to 1 differ by no
+// more than noise.
 constexpr float node_cost = 1, block_cost = 0.7f;
 constexpr uint32_t many = 255, all_places = (1u << 21) - 1;
 
