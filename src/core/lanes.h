@@ -26,6 +26,10 @@ inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 inline void store(float* to, Double4 x) { _mm_storeu_ps(to, _mm256_cvtpd_ps(x)); }
 
+// from, to: 32-byte aligned.
+inline Float8 load8(const float* from) { return _mm256_load_ps(from); }
+inline void store8(float* to, Float8 x) { _mm256_store_ps(to, x); }
+
 // As it is after being stored in float.
 inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
 
@@ -61,6 +65,12 @@ T larger(T a, T b)
     return select(a < b, b, a);
 }
 
+// b where a is NaN.
+inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
+inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
+// c - a * b, rounded once.
+inline Float8 minus_product(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }
+
 // To the nearest whole number, to the even one of two.
 inline float nearest(float x) { return std::nearbyint(x); }
 inline Float8 nearest(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC); }
@@ -77,6 +87,9 @@ inline bool is_odd(uint32_t x) { return x & 1; }
 inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
 // Bit i: lane i.
+inline uint32_t bits(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
+inline uint32_t bits_le(Float8 a, Float8 b) { return bits(a <= b); }
+inline uint32_t bits_eq(Float8 a, Float8 b) { return bits(a == b); }
 inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
 
 }  // namespace lancer

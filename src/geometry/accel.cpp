@@ -2,6 +2,7 @@
 
 #include "geometry/box.h"
 #include "geometry/bvh2.h"
+#include "geometry/bvh8.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
 #include "geometry/median.h"
@@ -20,6 +21,8 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
             return std::make_unique<TreeAccelerator<Median>>(geometry);
         case AccelKind::bvh2:
             return std::make_unique<TreeAccelerator<Bvh2>>(geometry);
+        case AccelKind::bvh8:
+            return std::make_unique<TreeAccelerator<Bvh8>>(geometry);
         case AccelKind::embree:
             break;
     }

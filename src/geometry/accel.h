@@ -48,7 +48,7 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-enum class AccelKind { embree, list, box, median, bvh2 };
+enum class AccelKind { embree, list, box, median, bvh2, bvh8 };
 
 // All of them, the default first.
 struct AccelName {
@@ -57,7 +57,7 @@ struct AccelName {
 };
 inline constexpr std::array accelerators{
     AccelName{"embree", AccelKind::embree}, AccelName{"list", AccelKind::list}, AccelName{"box", AccelKind::box},
-    AccelName{"median", AccelKind::median}, AccelName{"bvh2", AccelKind::bvh2},
+    AccelName{"median", AccelKind::median}, AccelName{"bvh2", AccelKind::bvh2}, AccelName{"bvh8", AccelKind::bvh8},
 };
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.

@@ -31,18 +31,21 @@ struct FloatBox {
     }
 };
 
-// A triangle's box, wider by what the test of the triangle in float may err: the edge functions by a part of the
-// triangle's own extent, the corners by a part of their coordinates.
+// The box of a triangle or of a part of it, wider by what the test of the triangle in float may err: the edge functions
+// by a part of the triangle's own extent, the corners by a part of their coordinates.
+// extent: longest side of the box of the whole triangle.
+inline FloatBox widened(FloatBox box, float extent)
+{
+    const float own = gamma(16) * extent;
+    const auto margin = [&](Vec3 p) { return abs(p) * gamma(2) + Vec3{own, own, own}; };
+    return {box.lower - margin(box.lower), box.upper + margin(box.upper)};
+}
+
 inline FloatBox box_of(Vec3 a, Vec3 b, Vec3 c)
 {
-    FloatBox box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-                 {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
-    const Vec3 extent = box.upper - box.lower;
-    const float own = gamma(16) * std::max({extent.x, extent.y, extent.z});
-    const auto margin = [&](Vec3 p) { return abs(p) * gamma(2) + Vec3{own, own, own}; };
-    box.lower = box.lower - margin(box.lower);
-    box.upper = box.upper + margin(box.upper);
-    return box;
+    const FloatBox box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                       {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+    return widened(box, max_component(box.upper - box.lower));
 }
 
 // What of a ray all its boxes share.

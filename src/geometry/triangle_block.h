@@ -72,7 +72,7 @@ inline uint32_t meets(const TriangleBlock& b, const BlockRay& r, float t_min, fl
     for (uint32_t left = met; left != 0; left &= left - 1) {
         const auto i = static_cast<uint32_t>(std::countr_zero(left));
         const Vec3 v0 = b.at(0, i), v1 = b.at(1, i), v2 = b.at(2, i);
-        t[i] = distance_to_plane(r.sheared, v0, v1, v2);
+        t[i] = distance_to_plane(r.sheared.org, r.sheared.dir, r.sheared.kz, v0, v1, v2);
         const bool in_reach = t[i] >= t_min && t[i] <= t_max;
         if (!in_reach || (on_edge >> i & 1 && !distance_to(r.sheared, v0, v1, v2))) met &= ~(1u << i);
     }

@@ -14,7 +14,7 @@ namespace lancer {
 // A ray as the axis kz of a sheared space.
 struct ShearedRay {
     int kx, ky, kz;
-    float sx, sy, sz;
+    float sx, sy;
     Vec3 org, dir;
 
     explicit ShearedRay(const Ray& r) : org(r.org), dir(r.dir)
@@ -22,7 +22,7 @@ struct ShearedRay {
         const Vec3 m = abs(r.dir);
         kz = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
         kx = (kz + 1) % 3, ky = (kz + 2) % 3;
-        sz = 1 / r.dir[kz];
+        const float sz = 1 / r.dir[kz];
         sx = r.dir[kx] * sz, sy = r.dir[ky] * sz;
     }
 };
@@ -36,14 +36,15 @@ bool is_inside(T u, T v, T w)
 
 // Where the ray's line meets the plane of the triangle, but not before nor behind all of its corners: seen almost from
 // its edge a triangle has no better place. Not NaN.
-inline float distance_to_plane(const ShearedRay& r, Vec3 v0, Vec3 v1, Vec3 v2)
+// kz: the axis along which the ray goes most.
+inline float distance_to_plane(Vec3 ray_org, Vec3 ray_dir, int kz, Vec3 v0, Vec3 v1, Vec3 v2)
 {
     const Vec3d a = to_double(v0), b = to_double(v1), c = to_double(v2);
-    const Vec3d org = to_double(r.org), dir = to_double(r.dir);
+    const Vec3d org = to_double(ray_org), dir = to_double(ray_dir);
     const Vec3d n = cross(b - a, c - a);
     double t = dot(n, a - org) / dot(n, dir);
-    const auto [least, most] = std::minmax({a[r.kz] - org[r.kz], b[r.kz] - org[r.kz], c[r.kz] - org[r.kz]});
-    const double z = dir[r.kz], nearest = (z < 0 ? most : least) / z, farthest = (z < 0 ? least : most) / z;
+    const auto [least, most] = std::minmax({a[kz] - org[kz], b[kz] - org[kz], c[kz] - org[kz]});
+    const double z = dir[kz], nearest = (z < 0 ? most : least) / z, farthest = (z < 0 ? least : most) / z;
     if (!(t >= nearest)) t = nearest;
     if (t > farthest) t = farthest;
     return static_cast<float>(t);
@@ -64,7 +65,7 @@ inline std::optional<float> distance_to(const ShearedRay& r, Vec3 v0, Vec3 v1, V
                      dw = product(bx, ay) - product(by, ax);
         if (!is_inside(du, dv, dw) || (du == 0 && dv == 0 && dw == 0)) return {};
     }
-    return distance_to_plane(r, v0, v1, v2);
+    return distance_to_plane(r.org, r.dir, r.kz, v0, v1, v2);
 }
 
 }  // namespace lancer

@@ -27,7 +27,7 @@ uint32_t batch_of(const KernelSettings& settings)
 
 // So many surfaces and random numbers are computed before the first of them is put to use: no one waits for another, so
 // the processor works on several at once.
-inline constexpr size_t looked_ahead = 16;
+inline constexpr size_t looked_ahead = 32;
 
 template <class Integrator>
 struct AheadOf {

@@ -1,0 +1,23 @@
+// Puts the nodes and leaves of an eight-wide tree into one piece of memory: the root first, the leaves of a node right
+// behind it, what lies below its other children after that.
+#pragma once
+
+#include "geometry/bvh8_leaf.h"
+#include "geometry/bvh8_node.h"
+#include "geometry/collapse.h"
+#include "geometry/raw_array.h"
+
+namespace lancer {
+
+struct Bvh8Layout {
+    RawArray<std::byte> memory;
+    uint64_t bytes = 0;
+    double sah_cost = 0;  // as of TriangleTree
+    int depth = 0;        // nodes from the root to the deepest one
+};
+
+// Throws Error (failed) where the memory would be more than a Bvh8Child can tell.
+// Of no triangles: a root without children.
+Bvh8Layout lay_out(const SplitTree& tree);
+
+}  // namespace lancer
