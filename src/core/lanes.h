@@ -16,7 +16,7 @@ using Float8 = float __attribute__((vector_size(32)));
 using Mask8 = int32_t __attribute__((vector_size(32)));
 using UInt8 = uint32_t __attribute__((vector_size(32)));
 
-inline constexpr uint32_t lanes = 4, all_bits = 15;  // of Double4; all_bits: bits() of a mask of all lanes
+inline constexpr uint32_t double_lanes = 4, all_bits = 15;  // all_bits: bits() of a mask of all lanes
 inline constexpr uint32_t float_lanes = 8;
 
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }

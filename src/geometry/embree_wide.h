@@ -36,7 +36,7 @@ inline void closest_wide(const Geometry& g, const WideShapes& wide, RTCRayHit8& 
     const bool any_sphere = !wide.spheres.empty();
     const auto first_of =
         any_sphere ? probably_first(g.spheres, wide.spheres, r.ray) : std::array<uint32_t, float_lanes>{};
-    for (uint32_t first = 0; first < packet; first += lanes) {
+    for (uint32_t first = 0; first < packet; first += double_lanes) {
         const RayLanes rays(r.ray, first);
         NearestWide best{.t = rays.t_max};
         Mask4 tried{};
@@ -66,7 +66,7 @@ inline void closest_wide(const Geometry& g, const WideShapes& wide, RTCRayHit8& 
 inline uint32_t any_wide(const Geometry& g, const WideShapes& wide, const RTCRay8& r)
 {
     uint32_t occluded = 0;
-    for (uint32_t first = 0; first < packet; first += lanes) {
+    for (uint32_t first = 0; first < packet; first += double_lanes) {
         const RayLanes rays(r, first);
         Mask4 found{};
         const auto take = [&](const StopLanes& s) { found |= s.ok & (s.t <= rays.t_max); };
