@@ -1,7 +1,7 @@
 // What integrators may compute of several vertices at once, before it is known what happens there. An integrator that
 // does has
 //   struct Ahead;                                             what it then knows of eight vertices
-//   Ahead ahead(const View&, const Vertices&) const;
+//   void ahead(const View&, const Vertices&, Ahead&) const;
 //   void hit(View, State, Surface, Sampler, const Ahead&, uint32_t lane, Steps&) const;   in place of hit() without
 // Only the numbers of a vertex itself may go into its lane.
 #pragma once
@@ -31,10 +31,9 @@ concept LooksAhead = requires
 template <class F>
 inline Vec3T<Float8> gather(const Vertices& vertices, F&& f)
 {
-    alignas(32) std::array<std::array<float, float_lanes>, 3> of{};
+    alignas(32) std::array<std::array<float, float_lanes>, 3> of;
     for (uint32_t i = 0; i < float_lanes; ++i) {
-        if (!vertices[i].state) continue;
-        const Vec3 v = f(vertices[i]);
+        const Vec3 v = vertices[i].state ? f(vertices[i]) : Vec3{};
         of[0][i] = v.x, of[1][i] = v.y, of[2][i] = v.z;
     }
     return {_mm256_load_ps(of[0].data()), _mm256_load_ps(of[1].data()), _mm256_load_ps(of[2].data())};

@@ -50,9 +50,8 @@ struct LegacyPath {
         }
     };
     template <class V>
-    Ahead ahead(const V& view, const Vertices& vertices) const
+    void ahead(const V& view, const Vertices& vertices, Ahead& a) const
     {
-        Ahead a;
         const auto n = gather(vertices, [](const VertexAhead& v) { return v.surface->ns_front; });
         const auto u = gather(vertices, Dim::bsdf);
         a.wi = FrameT<Float8>(n).to_world(square_to_cosine_hemisphere(u.x, u.y));
@@ -61,7 +60,6 @@ struct LegacyPath {
             const auto on_light = gather(vertices, Dim::light);
             a.to_light = to_its_half(*only, p, n, on_light.x, on_light.y);
         }
-        return a;
     }
 
     // State::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees lights.
@@ -132,7 +130,8 @@ private:
     }
 
     template <class V>
-    void send(const V& view, const Vertex& v, Vec3 org, Vec3 wi, Color weight, bool sees_lights, Steps& steps) const
+    void send(const V& view, const Vertex& v, const Vec3& org, const Vec3& wi, const Color& weight, bool sees_lights,
+              Steps& steps) const
     {
         if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
         steps.next_from(v.s, [&](State& next) {
@@ -173,7 +172,7 @@ private:
     }
 
     template <class V>
-    void diffuse(const V& view, const Vertex& v, Color albedo, Steps& steps) const
+    void diffuse(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
     {
         light(view, v, albedo, steps);
         if (!indirect) return;
@@ -183,7 +182,7 @@ private:
     // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
     // they do without legacy.
     template <class V>
-    void light(const V& view, const Vertex& v, Color albedo, Steps& steps) const
+    void light(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
     {
         const Scene& scene = view.scene;
         if (const Sphere* only = only_sphere(scene); only && soft_shadows)
@@ -209,8 +208,8 @@ private:
         steps.shadow(ray, radiance);
     }
     template <class V>
-    static void shadow(const V& view, const Vertex& v, Color albedo, const Sphere& sphere, const ToSphere<float>& to,
-                       Steps& steps)
+    static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere,
+                       const ToSphere<float>& to, Steps& steps)
     {
         if (!(to.geometry > 0)) return;
         const Scene& scene = view.scene;

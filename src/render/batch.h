@@ -104,7 +104,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                 Vertices vertices;
                 for (size_t k = group * float_lanes, i = first + k; k < (group + 1) * float_lanes && i < end; ++k, ++i)
                     if (w.hits[i]) vertices[k % float_lanes] = {&w.states[i], &*surfaces[k], &*samplers[k]};
-                aheads[group] = integrator.ahead(view, vertices);
+                integrator.ahead(view, vertices, aheads[group]);
             }
     };
     const bool has_media = !view.scene.media.empty();
