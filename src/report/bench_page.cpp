@@ -132,10 +132,39 @@ BarPlot pictures_plot(const BenchRows& rows)
     return plot;
 }
 
+// Of families with a row for each mesh and kind of ray: what is summed over them.
+std::vector<std::string> summed_fields(const std::string& family)
+{
+    if (family == "agreement") return {"rays_traced", "same", "ties", "explained", "wrong", "wrong_any"};
+    if (family == "watertight")
+        return {"rays_random", "lost_random", "rays_edge", "lost_edge",
+                "rays_vertex", "lost_vertex", "rays_axis", "lost_axis"};
+    return {};
+}
+
+Table totals(const BenchRows& rows, const std::vector<std::string>& fields)
+{
+    Table table{"All rows of an accelerator together", {"accelerator"}, {}};
+    table.head.insert(table.head.end(), fields.begin(), fields.end());
+    for (const std::string& accel : distinct(rows, &BenchRow::accel)) {
+        std::vector<Cell> cells{text_cell(accel)};
+        for (const std::string& field : fields) {
+            double sum = 0;
+            for (const BenchRow* row : where(rows, &BenchRow::accel, accel)) sum += row->number(field).value_or(0);
+            cells.push_back(count_cell(sum));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
 std::vector<Section> plain_section(const std::vector<BenchFile>& files, const Plain& plain)
 {
     const BenchRows rows = rows_of(files, plain.family);
     if (rows.empty()) return {};
+    if (const auto fields = summed_fields(plain.family); !fields.empty())
+        return {{plain.heading, {Paragraph{plain.words}, totals(rows, fields)}},
+                {std::string(plain.heading) + ": every mesh", {table_of(rows, "")}, true}};
     Section section{plain.heading, {Paragraph{plain.words}}};
     if (plain.family == std::string("limit")) section.blocks.emplace_back(Plot{to_svg(share_plot(rows))});
     if (plain.family == std::string("render")) section.blocks.emplace_back(Plot{to_svg(pictures_plot(rows))});

@@ -227,14 +227,37 @@ TEST(BenchPage, ShowsEveryFamilyAndKeepsTheData)
         EXPECT_EQ(Json::parse(e.text), Json::parse(file.json));
     }
     EXPECT_EQ(data, 1u);
-    EXPECT_EQ(headings, (std::vector<std::string>{"Speed at a glance", "Speed: bunny", "Building", "Growth",
-                                                  "Growth: every size", "The limit of a render", "Whole pictures",
-                                                  "Watertightness", "unheard", "Raw data"}));
+    EXPECT_EQ(headings,
+              (std::vector<std::string>{"Speed at a glance", "Speed: bunny", "Building", "Growth", "Growth: every size",
+                                        "The limit of a render", "Whole pictures", "Watertightness",
+                                        "Watertightness: every mesh", "unheard", "Raw data"}));
     const auto sections = make_bench_page({file}, {}).sections;
     EXPECT_EQ(cell(sections, {"of"}, "a figure"), "77.5");
     EXPECT_EQ(cell(sections, {"of"}, "of"), "<what>");
     EXPECT_EQ(cell(sections, {"cornell/bvh8"}, "same bits"), "yes");
     EXPECT_NE(to_markdown(make_bench_page({file}, {}), 3).find("| bunny | bvh8 | ×1.50"), std::string::npos);
+}
+
+// The documentation has the sums over meshes and kinds of rays, the page every row.
+TEST(BenchPage, SumsUpWhatHasARowForEachMesh)
+{
+    Json all = Json::array();
+    for (const char* mesh : {"bunny", "sponza"})
+        for (const char* accel : {"embree", "bvh8"})
+            all.push_back({{"name", std::string("agreement/") + mesh + "/" + accel},
+                           {"family", "agreement"},
+                           {"mesh", mesh},
+                           {"accel", accel},
+                           {"rays_traced", 20000},
+                           {"ties", accel[0] == 'e' ? 100 + mesh[0] : 0},
+                           {"wrong", 0}});
+    const BenchFile file = read_bench("run.json", Json{{"context", context()}, {"benchmarks", all}}.dump());
+    const Document page = make_bench_page({file}, {});
+    const std::string text = to_markdown(page, 3);
+    EXPECT_NE(text.find("| embree | 40000 | 0 | 413 | 0 | 0 | 0 |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| bvh8 | 40000 | 0 | 0 | 0 | 0 | 0 |"), std::string::npos);
+    EXPECT_EQ(text.find("sponza"), std::string::npos);
+    EXPECT_NE(to_html(page).find("sponza"), std::string::npos);
 }
 
 TEST(BenchPage, SaysWhatIsNotComparable)
