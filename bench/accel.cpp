@@ -1,9 +1,12 @@
 // bench_accel: every accelerator of the product beside bare Embree, on the same rays of real renders: building, speed
 // for each kind of ray, singly and in batches, and how often they are wrong.
 #include <algorithm>
+#include <optional>
 
 #include "app/console.h"
 #include "core/parallel.h"
+#include "geometry/bvh2.h"
+#include "geometry/bvh8.h"
 #include "harness/agreement.h"
 #include "harness/bare_embree.h"
 #include "harness/meshes.h"
@@ -45,13 +48,56 @@ std::vector<BareMode> built_modes(bool full)
     return {product_mode, {.robust = true, .high = false}, {.robust = false, .high = true}};
 }
 
+// A tree of ours alone, as BareEmbree is Embree alone.
+template <TriangleTree Tree>
+struct BareTree {
+    TriangleSet triangles;
+    Tree tree;
+
+    explicit BareTree(const Geometry& g) : triangles(g, drawn(g)), tree(triangles) {}
+
+    static std::vector<uint32_t> drawn(const Geometry& g)
+    {
+        std::vector<uint32_t> meshes;
+        for (uint32_t i = 0; i < g.meshes.size(); ++i)
+            if (!g.meshes[i].instanced && !g.meshes[i].triangles.empty()) meshes.push_back(i);
+        return meshes;
+    }
+    Hit closest(const Ray& ray) const
+    {
+        uint32_t nearest = UINT32_MAX;
+        float t_max = ray.t_max;
+        tree.closest(ray, t_max, [&](uint32_t number, float) {
+            nearest = number;
+            return true;
+        });
+        if (nearest == UINT32_MAX) return {};
+        const TriangleSet::Id id = triangles.id(nearest);
+        return {t_max, Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
+    }
+    bool any(const Ray& ray) const
+    {
+        return tree.any(ray, [](uint32_t, float) { return true; });
+    }
+};
+
+// Only meshes that are drawn as they are: what stands around them is not the tree's.
+bool is_plain(const Geometry& g)
+{
+    return g.instances.empty() && g.spheres.empty() && g.planes.empty() && !g.holes.let_pass;
+}
+
 // All that is built over one mesh.
 struct Subjects {
+    std::optional<BareTree<Bvh2>> bvh2;
+    std::optional<BareTree<Bvh8>> bvh8;
     std::vector<std::pair<std::string, std::unique_ptr<Accelerator>>> accels;
     std::vector<std::pair<BareMode, std::unique_ptr<BareEmbree>>> bare;
 
     Subjects(const Geometry& g, const Options& options)
     {
+        if (is_plain(g) && options.wants_accel("bvh2")) bvh2.emplace(g);
+        if (is_plain(g) && options.wants_accel("bvh8")) bvh8.emplace(g);
         for (const AccelName& a : accelerators)
             if (options.wants_accel(std::string(a.name)))
                 accels.emplace_back(a.name, make_accelerator(a.kind, g, product_mode.isa));
@@ -91,6 +137,19 @@ std::vector<Entry> entries_of(const Subjects& s, const Geometry& g)
                        },
                        {}});
     }
+    const auto bare_tree = [&](const char* name, const auto& tree) {
+        if (!tree) return;
+        all.push_back({name, "single",
+                       [&tree](auto rays, auto hits, Coherence) {
+                           for (size_t i = 0; i < rays.size(); ++i) hits[i] = tree->closest(rays[i]);
+                       },
+                       [&tree](auto rays, auto out, Coherence) {
+                           for (size_t i = 0; i < rays.size(); ++i) out[i] = tree->any(rays[i]);
+                       },
+                       false});
+    };
+    bare_tree("bvh2-tree", s.bvh2);
+    bare_tree("bvh8-tree", s.bvh8);
     for (const auto& [name, owner] : s.accels) {
         const Accelerator* accel = owner.get();
         all.push_back({name, "single",

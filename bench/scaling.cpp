@@ -16,6 +16,8 @@
 namespace lancer::bench {
 namespace {
 
+constexpr size_t batch = 256;  // as the kernel asks
+
 constexpr uint64_t most_by_loop = 1000;  // triangles: what tries all of them is not asked about more
 
 bool tries_all(AccelKind kind) { return kind == AccelKind::list || kind == AccelKind::box; }
@@ -92,11 +94,15 @@ private:
         for (const auto& [accel, owner] : accels) {
             const Accelerator* a = owner.get();
             contestants.push_back({accel, static_cast<double>(set.rays.size()), [&, a] {
-                                       for (size_t i = 0; i < set.rays.size(); ++i)
+                                       const std::span<const Ray> rays = set.rays;
+                                       for (size_t i = 0; i < rays.size(); i += batch) {
+                                           const size_t n = std::min(batch, rays.size() - i);
                                            if (set.occlusion)
-                                               occluded[i] = a->any(set.rays[i]);
+                                               a->any(rays.subspan(i, n), std::span(occluded).subspan(i, n));
                                            else
-                                               hits[i] = a->closest(set.rays[i]);
+                                               a->closest(rays.subspan(i, n), std::span(hits).subspan(i, n),
+                                                          set.coherence);
+                                       }
                                    }});
         }
         const std::vector<Timing> timings = take_turns(contestants, options_.repetitions, 1);
