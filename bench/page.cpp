@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/console.h"
+#include "app/exit_code.h"
 #include "app/option_parser.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -81,22 +82,6 @@ void run(const PageOptions& options)
     if (!options.page.empty()) write_text(options.page, to_html(page));
     if (!options.markdown.empty()) write_text(options.markdown, to_markdown(page, 3));
     print_verdicts(files, earlier);
-    flush_results();
-}
-
-int exit_code_of(ErrorKind kind)
-{
-    switch (kind) {
-        case ErrorKind::usage:
-            return 2;
-        case ErrorKind::invalid_input:
-            return 65;
-        case ErrorKind::missing_input:
-            return 66;
-        case ErrorKind::failed:
-            break;
-    }
-    return 1;
 }
 
 }  // namespace
@@ -105,15 +90,9 @@ int exit_code_of(ErrorKind kind)
 int main(int argc, char** argv)
 {
     using namespace lancer;
-    try {
+    return guarded([&] {
         PageOptions options;
         if (parse(argc, argv, options)) run(options);
-        return 0;
-    } catch (const Error& e) {
-        print_problem(e.what());
-        return exit_code_of(e.kind());
-    } catch (const std::exception& e) {
-        print_problem(std::string("error: ") + e.what());
-    }
-    return 1;
+        return exit_done;
+    });
 }

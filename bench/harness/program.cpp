@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/console.h"
+#include "app/exit_code.h"
 #include "app/option_parser.h"
 #include "app/option_values.h"
 #include "app/settings.h"
@@ -40,21 +41,6 @@ bool parse(int argc, char** argv, const std::string& name, const std::string& de
     return true;
 }
 
-int exit_code_of(ErrorKind kind)
-{
-    switch (kind) {
-        case ErrorKind::usage:
-            return 2;
-        case ErrorKind::invalid_input:
-            return 65;
-        case ErrorKind::missing_input:
-            return 66;
-        case ErrorKind::failed:
-            break;
-    }
-    return 1;
-}
-
 bool has(const std::vector<std::string>& names, const std::string& name)
 {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
@@ -85,22 +71,16 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
                 const std::function<void(const Options&, Report&)>& body)
 {
     set_flush_denormals();
-    try {
+    return guarded([&] {
         Options options;
-        if (!parse(argc, argv, name, description, options)) return flush_results(), 0;
+        if (!parse(argc, argv, name, description, options)) return exit_done;
         Report report(machine_context(argv[0], options.threads));
         with_threads(std::max(options.threads, available_threads()), [&] { body(options, report); });
         if (report.empty()) throw Error(ErrorKind::usage, {}, "--only: nothing of that name to measure");
         if (!options.output.empty()) report.write(options.output);
-        flush_results();
-        return 0;
-    } catch (const Error& e) {
-        print_problem(e.what());
-        return exit_code_of(e.kind());
-    } catch (const std::exception& e) {
-        print_problem(std::string("error: ") + e.what());
-    }
-    return 1;
+        if (!report.failure().empty()) throw Error(ErrorKind::failed, {}, report.failure());
+        return exit_done;
+    });
 }
 
 }  // namespace lancer::bench

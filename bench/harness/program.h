@@ -24,7 +24,8 @@ struct Options {
 };
 
 // name: "bench_accel". description: what its help begins with. body adds rows to the report; a program that measured
-// nothing has failed; it may use all CPUs, and what is measured sets its own limit. Returns the exit code.
+// nothing has failed, and one whose report tells of a failure, when that is written; it may use all CPUs, and what is
+// measured sets its own limit. Returns the exit code.
 int run_program(int argc, char** argv, const std::string& name, const std::string& description,
                 const std::function<void(const Options&, Report&)>& body);
 

@@ -27,9 +27,14 @@ public:
     void write(const std::string& path) const;
     bool empty() const { return rows_.empty(); }
 
+    // That what was measured is not as it must be: the rows are written, and the program then fails with this.
+    void fail(std::string why) { failure_ = std::move(why); }
+    const std::string& failure() const { return failure_; }
+
 private:
     Json context_;
     std::vector<Json> rows_;
+    std::string failure_;
 };
 
 // "a/b/c"

@@ -1,11 +1,10 @@
-// The program: finds the command, catches what it throws, turns that into an exit code.
+// The program: finds the command, and lets nothing that is thrown get out.
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <new>
 #include <string>
 #include <string_view>
 
@@ -69,21 +68,6 @@ int dispatch(int argc, char** argv)
     return run_render(argc, argv);
 }
 
-int exit_code(ErrorKind kind)
-{
-    switch (kind) {
-        case ErrorKind::failed:
-            return exit_failed;
-        case ErrorKind::usage:
-            return exit_usage;
-        case ErrorKind::invalid_input:
-            return exit_invalid;
-        case ErrorKind::missing_input:
-            return exit_missing;
-    }
-    return exit_failed;
-}
-
 // TBB and Embree throw where nobody can catch it, above all if the system grants no more threads.
 [[noreturn]] void end_with_message()
 {
@@ -113,19 +97,7 @@ int run(int argc, char** argv)
     set_flush_denormals();
     std::set_terminate(end_with_message);
     take_signals_of_writing_as_errors();
-    try {
-        const int code = dispatch(argc, argv);
-        flush_results();
-        return code;
-    } catch (const Error& e) {
-        print_problem(e.what());
-        return exit_code(e.kind());
-    } catch (const std::bad_alloc&) {
-        print_problem("error: out of memory");
-    } catch (const std::exception& e) {
-        print_problem(std::string("error: ") + e.what());
-    }
-    return exit_failed;
+    return guarded([&] { return dispatch(argc, argv); });
 }
 
 }  // namespace lancer
