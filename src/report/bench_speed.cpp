@@ -5,6 +5,7 @@
 
 #include "report/bench_cells.h"
 #include "report/number_text.h"
+#include "report/statistics.h"
 
 namespace lancer {
 namespace {
@@ -23,13 +24,6 @@ std::vector<std::string> plotted(const BenchRows& rows)
         return is_bare_embree(name) && (name.find("-medium-") != std::string::npos || name.ends_with("+refine"));
     });
     return names;
-}
-
-double geometric_mean(const std::vector<double>& values)
-{
-    double sum = 0;
-    for (const double x : values) sum += std::log(x);
-    return std::exp(sum / static_cast<double>(values.size()));
 }
 
 std::optional<Ratio> ratio_to(const BenchRows& rows, const RowKey& key, const std::string& base)
@@ -53,7 +47,7 @@ double mean_ratio(const BenchRows& rows, const std::string& mesh, const std::str
 
 std::vector<std::string> own_accelerators(const BenchRows& rows)
 {
-    std::vector<std::string> names = distinct(where(rows, &BenchRow::way, "batch"), &BenchRow::accel);
+    std::vector<std::string> names = distinct(where(rows, &BenchRow::way, "single"), &BenchRow::accel);
     std::erase_if(names, is_bare_embree);
     return names;
 }

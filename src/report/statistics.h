@@ -18,7 +18,7 @@ struct Spread {
 // values: not empty, no NaN.
 Spread spread_of(std::span<const double> values);
 
-// Of positive values: the mean of ratios that treats r and 1/r alike. Not empty.
+// Of positive values: the mean of ratios that treats r and 1/r alike; NaN of none.
 double geometric_mean(std::span<const double> values);
 
 struct Interval {
