@@ -22,13 +22,11 @@ inline constexpr uint32_t float_lanes = 8;
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
 inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
-// From four floats, and to four.
+// From four floats.
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
-inline void store(float* to, Double4 x) { _mm_storeu_ps(to, _mm256_cvtpd_ps(x)); }
 
-// from, to: 32-byte aligned.
+// from: 32-byte aligned.
 inline Float8 load8(const float* from) { return _mm256_load_ps(from); }
-inline void store8(float* to, Float8 x) { _mm256_store_ps(to, x); }
 
 // As it is after being stored in float.
 inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/embree_query.h"
+#include "geometry/slab.h"
 #include "geometry/wide_shapes.h"
 
 namespace lancer::embree {
@@ -41,16 +42,11 @@ const std::vector<uint32_t>& numbers_of(const WideShapes& wide)
     return kind == Kind::sphere ? wide.spheres : wide.planes;
 }
 
-// A box in float that holds one in double; Embree leaves out what has an empty one.
+// Embree leaves out what has an empty one.
 inline RTCBounds outwards(const Bounds& b)
 {
-    const auto down = [](double x) {
-        return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
-    };
-    const auto up = [](double x) {
-        return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-    };
-    return {down(b.lower.x), down(b.lower.y), down(b.lower.z), 0, up(b.upper.x), up(b.upper.y), up(b.upper.z), 0};
+    const FloatBox f = rounded_outwards(b.lower, b.upper);
+    return {f.lower.x, f.lower.y, f.lower.z, 0, f.upper.x, f.upper.y, f.upper.z, 0};
 }
 
 // As far as it still goes. Spheres and planes are in no instance, so this is the original but for t_max.

@@ -9,14 +9,6 @@
 
 namespace lancer {
 
-// From below and from above.
-inline FloatBox rounded_outwards(Vec3d lower, Vec3d upper)
-{
-    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -FloatBox::inf); };
-    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), FloatBox::inf); };
-    return {{down(lower.x), down(lower.y), down(lower.z)}, {up(upper.x), up(upper.y), up(upper.z)}};
-}
-
 // Of a sphere, whose hits are computed in double from the float ray: near its silhouette half of double's digits count.
 inline FloatBox box_of(const Sphere& s)
 {

@@ -31,6 +31,14 @@ struct FloatBox {
     }
 };
 
+// The smallest box in float that is larger than one in double; empty if that is.
+inline FloatBox rounded_outwards(Vec3d lower, Vec3d upper)
+{
+    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -FloatBox::inf); };
+    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), FloatBox::inf); };
+    return {{down(lower.x), down(lower.y), down(lower.z)}, {up(upper.x), up(upper.y), up(upper.z)}};
+}
+
 // The box of a triangle or of a part of it, wider by what the test of the triangle in float may err: the edge functions
 // by a part of the triangle's own extent, the corners by a part of their coordinates.
 // extent: longest side of the box of the whole triangle.
