@@ -201,11 +201,8 @@ private:
         const auto sample = sample_light(scene, v.surface, u, on_light);
         if (!sample) return;
         const float cos = std::max(0.0f, dot(v.n(), sample->wi));
-        const Color radiance = v.s.throughput * albedo * (sample->radiance * (cos / (pi * sample->pdf)));
-        if (is_black(radiance)) return;
-        Ray ray = shadow_ray(v.surface, *sample);
-        ray.key = view.ray_key(v.sampler, v.s.depth, Dim::shadow_hole);
-        steps.shadow(ray, radiance);
+        send_shadow(view, v, albedo, sample->radiance * (cos / (pi * sample->pdf)), steps,
+                    [&](Ray& ray) { ray = shadow_ray(v.surface, *sample); });
     }
     template <class V>
     static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere,
@@ -216,11 +213,19 @@ private:
         const Emission& e = scene.emission[scene.sphere_material[&sphere - scene.geometry.spheres.data()]];
         ShadingPoint place{.textures = scene.textures.data()};
         if (e.radiance.texture != no_texture) place.uv = sphere_uv(to.from_center);
-        const Color radiance = v.s.throughput * albedo * (e.towards(true, place) * to.geometry);
+        send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, steps,
+                    [&](Ray& ray) { ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach; });
+    }
+    // aim(ray) says where it goes.
+    template <class V, class Aim>
+    static void send_shadow(const V& view, const Vertex& v, const Color& albedo, const Color& arriving, Steps& steps,
+                            const Aim& aim)
+    {
+        const Color radiance = v.s.throughput * albedo * arriving;
         if (is_black(radiance)) return;
         steps.shadow_from(
             [&](Ray& ray) {
-                ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach;
+                aim(ray);
                 ray.key = view.ray_key(v.sampler, v.s.depth, Dim::shadow_hole);
             },
             radiance);

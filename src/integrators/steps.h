@@ -65,9 +65,7 @@ public:
     void add(Color radiance) { queue_.radiance[slot_] += radiance; }
     void shadow(const Ray& ray, Color radiance_if_unoccluded)
     {
-        if (!is_traceable(ray)) return spoil();
-        queue_.shadow_rays.push_back(ray);
-        queue_.shadows.push_back({radiance_if_unoccluded, slot_});
+        shadow_from([&](Ray& r) { r = ray; }, radiance_if_unoccluded);
     }
     // The same with a ray that is still to be written: f(ray) changes what a new one holds.
     template <class F>
