@@ -4,6 +4,7 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,7 @@ namespace lancer {
 
 using Double4 = double __attribute__((vector_size(32)));
 using Mask4 = int64_t __attribute__((vector_size(32)));  // of each lane all bits or none
+using Float4 = float __attribute__((vector_size(16)));
 using Float8 = float __attribute__((vector_size(32)));
 using Mask8 = int32_t __attribute__((vector_size(32)));
 using UInt8 = uint32_t __attribute__((vector_size(32)));
@@ -22,7 +24,8 @@ inline constexpr uint32_t float_lanes = 8;
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
 inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
-// From four floats.
+// From four floats, as they are and in double.
+inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
 // from: 32-byte aligned.
@@ -66,6 +69,8 @@ T larger(T a, T b)
 // b where a is NaN.
 inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
+inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
+inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline Float8 abs(Float8 x) { return _mm256_andnot_ps(all_lanes(-0.0f), x); }
 // c - a * b, rounded once.
 inline Float8 minus_product(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }
@@ -89,6 +94,13 @@ inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 inline uint32_t bits(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
 inline uint32_t bits_le(Float8 a, Float8 b) { return bits(a <= b); }
 inline uint32_t bits_eq(Float8 a, Float8 b) { return bits(a == b); }
+// a: 32-byte aligned.
+inline uint32_t bits_eq(const std::array<uint32_t, 8>& a, uint32_t b)
+{
+    const __m256i same = _mm256_cmpeq_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(a.data())),
+                                            _mm256_set1_epi32(static_cast<int>(b)));
+    return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
+}
 inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
 
 }  // namespace lancer

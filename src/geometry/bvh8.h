@@ -24,6 +24,7 @@ public:
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
         Bvh8NearStack stack;
+        uint32_t nearest_yet = UINT32_MAX;
         float reach = t_max * beyond;
         Float8 reach8 = all_lanes(reach);
         Bvh8Child next;
@@ -37,7 +38,7 @@ public:
                 else if (!stack.pop(reach, next))
                     return;
             }
-            if (!closest_in(leaf(next), leaf_ray, t_max, found)) continue;
+            if (!closest_in(leaf(next), leaf_ray, t_max, nearest_yet, found)) continue;
             reach = t_max * beyond;
             reach8 = all_lanes(reach);
         } while (stack.pop(reach, next));
@@ -84,14 +85,15 @@ private:
         return {reinterpret_cast<const Bvh8Leaf*>(tree_.memory.get() + c.leaf_offset() * Bvh8Child::unit), c.blocks()};
     }
 
-    // Whether t_max has become less.
+    // Whether t_max has become less, and then by which triangle.
     template <class Found>
-    static bool closest_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, float& t_max, const Found& found)
+    static bool closest_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, float& t_max, uint32_t& nearest_yet,
+                           const Found& found)
     {
         bool is_nearer = false;
         for (const Bvh8Leaf& block : leaf) {
             std::array<float, 8> distances;
-            uint32_t met = ray.meets(block, t_max, distances);
+            uint32_t met = ray.meets(block, t_max, nearest_yet, distances);
             // Once found() says true, no other lane is nearer.
             for (bool is_found = false; met && !is_found;) {
                 auto nearest = static_cast<size_t>(std::countr_zero(met));
@@ -103,6 +105,7 @@ private:
                 is_found = found(block.numbers[nearest], distances[nearest]);
                 if (!is_found) continue;
                 t_max = distances[nearest];
+                nearest_yet = block.numbers[nearest];
                 is_nearer = true;
             }
         }
@@ -113,7 +116,7 @@ private:
     {
         for (const Bvh8Leaf& block : leaf) {
             std::array<float, 8> t;
-            for (uint32_t met = ray.meets(block, t_max, t); met; met &= met - 1) {
+            for (uint32_t met = ray.meets(block, t_max, UINT32_MAX, t); met; met &= met - 1) {
                 const auto i = static_cast<size_t>(std::countr_zero(met));
                 if (found(block.numbers[i], t[i])) return true;
             }

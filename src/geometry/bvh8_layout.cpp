@@ -23,7 +23,7 @@ struct Numbers {
     uint32_t blocks() const { return (count + Collapse::width - 1) / Collapse::width; }
 };
 
-// A node of eight as it will be: the largest child first.
+// A node of eight as it will be, its children in the order of traversal for any hit.
 struct Plan {
     struct Child {
         uint32_t node;
@@ -106,7 +106,8 @@ private:
     {
         Collapse::Children all = collapse_.children(node);
         const auto first = all.nodes.begin(), last = first + all.count;
-        std::sort(first, last, [&](uint32_t a, uint32_t b) { return std::pair(area(b), a) < std::pair(area(a), b); });
+        const auto merit = [&](uint32_t child) { return collapse_.any_hit(child).merit(); };
+        std::sort(first, last, [&](uint32_t a, uint32_t b) { return std::pair(merit(b), a) < std::pair(merit(a), b); });
         Plan p;
         for (auto i = first; i != last; ++i) {
             Plan::Child& c = p.children[p.count++];

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-#include "core/lanes.h"
+#include "geometry/ray_lanes.h"
 #include "geometry/triangle_float.h"
 
 namespace lancer {
@@ -21,26 +21,29 @@ public:
     explicit LeafRay(const Ray& ray) : ray_(ray)
     {
         // As ShearedRay, without branches: nobody can predict the largest axis of a ray.
-        const std::array org{ray.org.x, ray.org.y, ray.org.z}, dir{ray.dir.x, ray.dir.y, ray.dir.z};
         const Vec3 m = abs(ray.dir);
-        const size_t z = m.z > std::max(m.x, m.y) ? 2 : m.y > m.x;
-        constexpr std::array<size_t, 5> around{0, 1, 2, 0, 1};
-        axes_ = {around[z + 1], around[z + 2], z};
-        sz_ = 1 / dir[z];
-        sx_ = dir[axes_[0]] * sz_, sy_ = dir[axes_[1]] * sz_;
-        org_ = {org[axes_[0]], org[axes_[1]], org[z]};
+        const auto y = static_cast<size_t>(m.y > m.x), z = static_cast<size_t>(m.z > std::max(m.x, m.y));
+        static constexpr std::array<Axes, 4> of{{{{1, 2, 0, 3}}, {{2, 0, 1, 3}}, {{0, 1, 2, 3}}, {{0, 1, 2, 3}}}};
+        axes_ = &of[y | z << 1];
+        const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(axes_));
+        const Float4 org = _mm_permutevar_ps(org_and_t_min(ray), order);
+        const Float4 dir = _mm_permutevar_ps(dir_and_t_max(ray), order);
+        _mm_store_ps(org_.data(), org);
+        _mm_store_ps(dir_.data(), dir);
+        sz_ = 1 / dir[2];
+        _mm_store_ps(slope_.data(), dir * sz_);
     }
 
     // Bit i: triangle i is met in [t_min, t_max], at distance t[i].
-    uint32_t meets(const Bvh8Leaf& leaf, float t_max, std::array<float, 8>& t) const
+    // known: the number of a triangle met at t_max, which may be left out; or none of the leaf's.
+    uint32_t meets(const Bvh8Leaf& leaf, float t_max, uint32_t known, std::array<float, 8>& t) const
     {
         const auto corner = [&](size_t k) {
-            const auto& c = leaf.corners[k];
-            return Point{load8(c[axes_[0]].data()) - all_lanes(org_[0]), load8(c[axes_[1]].data()) - all_lanes(org_[1]),
-                         load8(c[axes_[2]].data()) - all_lanes(org_[2])};
+            const auto along = [&](size_t axis) { return coordinate(leaf, k, axis) - all_lanes(org_[axis]); };
+            return Point{along(0), along(1), along(2)};
         };
         const Point a = corner(0), b = corner(1), c = corner(2);
-        const Float8 sx = all_lanes(sx_), sy = all_lanes(sy_);
+        const Float8 sx = all_lanes(slope_[0]), sy = all_lanes(slope_[1]);
         const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
         const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
         const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
@@ -52,10 +55,13 @@ public:
         if (!inside) return 0;
         if (const uint32_t on_edge = inside & (bits_eq(least, zero) | bits_eq(most, zero)))
             inside &= ~on_edge | confirm(on_edge, {ax, ay, bx, by, cx, cy});
-        return within(leaf, a, inside, t_max, t);
+        return within(leaf, a, inside, t_max, known, t);
     }
 
 private:
+    struct alignas(16) Axes {
+        std::array<uint32_t, 4> k;  // the third is that along which the ray goes most
+    };
     struct Point {
         Float8 x, y, z;  // along the sheared axes
     };
@@ -68,14 +74,15 @@ private:
     // Of the lanes those that meet their planes in [t_min, t_max]. In float by differences of the corners, which are
     // almost exact; where its own bound of the error is too wide for that, or the place too close to where the ray
     // starts (the plane of a needle errs by more than rays start off it), in double.
-    uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, float t_max, std::array<float, 8>& t) const
+    uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, float t_max, uint32_t known,
+                    std::array<float, 8>& t) const
     {
         const auto side = [&](size_t to, size_t axis) {
-            return load8(leaf.corners[to][axes_[axis]].data()) - load8(leaf.corners[0][axes_[axis]].data());
+            return coordinate(leaf, to, axis) - coordinate(leaf, 0, axis);
         };
         const Float8 ex = side(1, 0), ey = side(1, 1), ez = side(1, 2);
         const Float8 gx = side(2, 0), gy = side(2, 1), gz = side(2, 2);
-        const Float8 sx = all_lanes(sx_), sy = all_lanes(sy_);
+        const Float8 sx = all_lanes(slope_[0]), sy = all_lanes(slope_[1]);
         const Float8 n[3] = {ey * gz - ez * gy, ez * gx - ex * gz, ex * gy - ey * gx};
         const Float8 m[3] = {abs(ey * gz) + abs(ez * gy), abs(ez * gx) + abs(ex * gz), abs(ex * gy) + abs(ey * gx)};
         const Float8 scale = all_lanes(sz_) / (n[0] * sx + n[1] * sy + n[2]);
@@ -83,26 +90,28 @@ private:
         const Float8 of_place = m[0] * abs(a.x) + m[1] * abs(a.y) + m[2] * abs(a.z);
         const Float8 of_slope = m[0] * abs(sx) + m[1] * abs(sy) + m[2];
         const Float8 error =
-            gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * all_lanes(std::abs(1 / sz_)));
+            gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * all_lanes(std::abs(dir_[2])));
         const Float8 low = distance - error, high = distance + error, reach = all_lanes(t_max);
         lanes &= ~(bits(high < all_lanes(ray_.t_min)) | bits(low > reach));
         _mm256_storeu_ps(t.data(), distance);
         uint32_t met = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_.t_min)) & (high < reach));
-        for (uint32_t unsure = lanes & ~met; unsure; unsure &= unsure - 1) {
-            const auto i = static_cast<size_t>(std::countr_zero(unsure));
-            const auto at = [&](size_t k) {
-                const auto& p = leaf.corners[k];
-                return Vec3{p[0][i], p[1][i], p[2][i]};
-            };
-            t[i] = distance_to_plane(ray_.org, ray_.dir, static_cast<int>(axes_[2]), at(0), at(1), at(2));
-            met |= uint32_t{t[i] >= ray_.t_min && t[i] <= t_max} << i;
+        if (uint32_t unsure = lanes & ~met) {
+            unsure &= ~bits_eq(leaf.numbers, known);  // of a triangle with parts in several leaves
+            met |= decide(leaf, unsure, t_max, t);
         }
         return met;
     }
+    // Those of the lanes that meet their planes in [t_min, t_max] in double, with t.
+    uint32_t decide(const Bvh8Leaf& leaf, uint32_t lanes, float t_max, std::array<float, 8>& t) const;
 
-    std::array<size_t, 3> axes_;  // the last is that along which the ray goes most
-    std::array<float, 3> org_;    // along those
-    float sx_, sy_, sz_;
+    Float8 coordinate(const Bvh8Leaf& leaf, size_t corner, size_t axis) const
+    {
+        return load8(leaf.corners[corner][axes_->k[axis]].data());
+    }
+
+    const Axes* axes_;
+    alignas(16) std::array<float, 4> org_, dir_, slope_;  // along those; slope: dir as dir along the third is 1
+    float sz_;                                            // 1 / dir along the third
     const Ray& ray_;
 };
 

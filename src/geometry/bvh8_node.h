@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-#include "core/lanes.h"
+#include "geometry/ray_lanes.h"
 #include "geometry/slab.h"
 
 namespace lancer {
@@ -35,7 +35,7 @@ private:
     uint32_t bits_ = 0;
 };
 
-// The children come first that are largest; those that there are not have empty boxes.
+// The children come in the order of any_hit_order.h; those that there are not, last, have empty boxes.
 struct alignas(32) Bvh8Node {
     std::array<std::array<float, 8>, 6> planes;  // lower and upper x, then y, then z
     std::array<uint32_t, 8> children;            // bits of Bvh8Child
@@ -46,15 +46,16 @@ class NodeRay {
 public:
     explicit NodeRay(const Ray& ray)
     {
-        const SlabRay r(ray);
+        const Float4 org = org_and_t_min(ray), inverse = 1.0f / dir_and_t_max(ray);
+        const Float4 far_inverse = inverse * (1 + gamma(10));
+        const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
         for (size_t k = 0; k < 3; ++k) {
-            const int axis = static_cast<int>(k);
-            org_[k] = all_lanes(r.org[axis]);
-            inverse_[k] = all_lanes(r.inverse[axis]);
-            far_inverse_[k] = all_lanes(r.far_inverse[axis]);
-            near_[k] = 2 * k + (std::bit_cast<uint32_t>(r.inverse[axis]) >> 31);
+            org_[k] = all_lanes(org[k]);
+            inverse_[k] = all_lanes(inverse[k]);
+            far_inverse_[k] = all_lanes(far_inverse[k]);
+            near_[k] = 2 * k + (back >> k & 1);
         }
-        t_min_ = all_lanes(r.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
+        t_min_ = all_lanes(ray.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
     }
 
     // Bit i: child i is met in [t_min, t_max]; near: where it begins, at least +0.

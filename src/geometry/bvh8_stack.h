@@ -29,7 +29,7 @@ public:
         };
         // Up to four, the nearest last, by a network without branches; 0, which is none, goes behind.
         const auto next = [&] {
-            const Entry e = rest ? entry(rest) : 0;
+            const Entry e = entry(rest) & -Entry{rest != 0};
             rest &= rest - 1;
             return e;
         };
@@ -47,9 +47,8 @@ public:
             }
             return Bvh8Child(static_cast<uint32_t>(*--top_));
         }
-        const int n = std::popcount(met);
-        top_ += n - 1;
-        return Bvh8Child(static_cast<uint32_t>(n == 2 ? b : n == 3 ? c : d));
+        top_ += std::popcount(met) - 1;
+        return Bvh8Child(static_cast<uint32_t>(*top_));
     }
     // The next child that begins within t_max; false: there is none.
     bool pop(float t_max, Bvh8Child& child)
@@ -79,7 +78,7 @@ private:
     Entry* top_ = entries_.data();
 };
 
-// For any hit: the largest children first, since they are the likeliest to be in the way.
+// For any hit: the children in the order in which the node has them.
 class Bvh8AnyStack {
 public:
     // The first of the children in `met`, of which there is at least one; the others stay, the first of them on top.

@@ -2,6 +2,7 @@
 // Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017, section 3.
 #pragma once
 
+#include "geometry/any_hit_order.h"
 #include "geometry/split_builder.h"
 
 namespace lancer {
@@ -17,6 +18,7 @@ public:
 
     // Whether all triangles below the node are one leaf.
     bool is_leaf(uint32_t node) const { return choices_[node].leaf; }
+    const AnyHit& any_hit(uint32_t node) const { return any_hits_[node]; }
     struct Children {
         std::array<uint32_t, width> nodes;
         size_t count = 0;
@@ -40,6 +42,7 @@ private:
 
     const SplitTree& tree_;
     RawArray<Choice> choices_;
+    RawArray<AnyHit> any_hits_;
 };
 
 }  // namespace lancer

@@ -2,21 +2,16 @@
 // box. A triangle that crosses a plane of division has a reference on either side of it.
 #pragma once
 
-#include <immintrin.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
 
+#include "core/lanes.h"
 #include "geometry/slab.h"
 
 namespace lancer {
 
 using Corners = std::array<Vec3, 3>;
-using Float4 = float __attribute__((vector_size(16)));
-
-inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
-inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 
 // A FloatBox in two registers; builders grow boxes by the million. The fourth lanes mean nothing. Starts empty.
 struct Box4 {

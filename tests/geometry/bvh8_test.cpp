@@ -1,5 +1,5 @@
-// What only the eight-wide tree promises: no ray leaves a closed mesh, wherever it is aimed at; each part of a triangle
-// is where rays look for it; the same bits for any number of threads; bounded depth.
+// What only the eight-wide tree promises: no ray leaves a closed mesh, wherever it is aimed at; the same bits for any
+// number of threads; bounded depth.
 #include "geometry/bvh8.h"
 
 #include <gtest/gtest.h>
@@ -10,17 +10,10 @@
 #include "core/parallel.h"
 #include "geometry/accelerators.h"
 #include "geometry/box.h"
+#include "geometry/trees.h"
 
 namespace lancer {
 namespace {
-
-Geometry of_mesh(Mesh mesh)
-{
-    Geometry g;
-    g.meshes.push_back(std::move(mesh));
-    return g;
-}
-TriangleSet all_of(const Geometry& g) { return TriangleSet(g, {0}); }
 
 struct Found {
     uint32_t number = UINT32_MAX;
@@ -42,21 +35,6 @@ template <class Tree>
 bool any(const Tree& tree, const Ray& ray)
 {
     return tree.any(ray, [](uint32_t, float) { return true; });
-}
-
-// Triangles of all sizes and shapes that overlap a lot: what spatial splits are for.
-Mesh tangle(uint64_t seed, uint32_t count)
-{
-    Random random(seed);
-    Mesh mesh;
-    for (uint32_t i = 0; i < count; ++i) {
-        const Vec3d at = random.point(-1, 1);
-        const double size = std::abs(random.log_uniform(-3, 0));
-        for (uint32_t k = 0; k < 3; ++k) mesh.positions.push_back(to_float(at + random.point(-size, size)));
-        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-    }
-    mesh.positions.emplace_back();
-    return mesh;
 }
 
 TEST(Bvh8, FindsWhatALoopFinds)
@@ -81,63 +59,6 @@ TEST(Bvh8, FindsWhatALoopFinds)
     }
     EXPECT_GT(hits, 1000);
     EXPECT_LT(hits, 1900);
-}
-
-// Of every point of every triangle there is a way from the root through boxes that hold it.
-bool leads_to(const SplitTree& tree, uint32_t node, uint32_t triangle, Vec3 p)
-{
-    const SplitNode& n = tree.nodes[node];
-    for (int k = 0; k < 3; ++k)
-        if (p[k] < n.box.lower[k] || p[k] > n.box.upper[k]) return false;
-    if (n.is_leaf()) return n.triangle == triangle;
-    return leads_to(tree, n.child, triangle, p) || leads_to(tree, n.child + 1, triangle, p);
-}
-uint32_t count_leaves(const SplitTree& tree, uint32_t node)
-{
-    const SplitNode& n = tree.nodes[node];
-    return n.is_leaf() ? 1 : count_leaves(tree, n.child) + count_leaves(tree, n.child + 1);
-}
-
-TEST(SplitBuilder, EachPartOfATriangleIsWhereItIsLookedFor)
-{
-    const Geometry g = of_mesh(tangle(3, 6000));
-    const TriangleSet triangles = all_of(g);
-    const SplitTree tree = build_split_tree(triangles);
-    EXPECT_GT(count_leaves(tree, 0), triangles.size() * 11 / 10) << "nothing was split";
-    Random random(4);
-    for (uint32_t i = 0; i < triangles.size(); ++i) {
-        const auto [a, b, c] = triangles.corners(i);
-        for (int k = 0; k < 8; ++k) {
-            float u = random.unit(), v = random.unit();
-            if (u + v > 1) u = 1 - u, v = 1 - v;
-            if (k < 3) u = k == 1, v = k == 2;
-            ASSERT_TRUE(leads_to(tree, 0, i, a + (b - a) * u + (c - a) * v)) << i << " " << k;
-        }
-    }
-}
-
-TEST(SplitBuilder, SpatialSplitsMakeLongTrianglesCheaper)
-{
-    // Rods across a cloud of small triangles: no division of whole triangles parts them.
-    Mesh mesh;
-    Random random(5);
-    const auto add = [&](Vec3d a, Vec3d b, Vec3d c) {
-        const auto n = static_cast<uint32_t>(mesh.positions.size());
-        for (const Vec3d& p : {a, b, c}) mesh.positions.push_back(to_float(p));
-        mesh.triangles.push_back({n, n + 1, n + 2});
-    };
-    for (int i = 0; i < 4000; ++i) {
-        const Vec3d at = random.point(-1, 1);
-        const Vec3d side = random.point(-0.01, 0.01);
-        add(at, at + side, at + random.point(-0.01, 0.01));
-    }
-    for (int i = 0; i < 100; ++i) {
-        const Vec3d from = random.point(-1, 1), to = random.point(-1, 1);
-        add(from, to, to + random.point(-0.01, 0.01));
-    }
-    mesh.positions.emplace_back();
-    const Geometry g = of_mesh(std::move(mesh));
-    EXPECT_LT(Bvh8(all_of(g)).sah_cost(), 50);  // 37, and 74 without spatial splits
 }
 
 TEST(Bvh8, IsTheSameForAnyNumberOfThreads)
