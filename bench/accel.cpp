@@ -7,8 +7,10 @@
 #include "core/parallel.h"
 #include "geometry/bvh2.h"
 #include "geometry/bvh8.h"
+#include "geometry/refine_all.h"
 #include "harness/agreement.h"
 #include "harness/bare_embree.h"
+#include "harness/bare_tree.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
 #include "report/statistics.h"
@@ -47,39 +49,6 @@ std::vector<BareMode> built_modes(bool full)
     if (full) return bare_modes(full);
     return {product_mode, {.robust = true, .high = false}, {.robust = false, .high = true}};
 }
-
-// A tree of ours alone, as BareEmbree is Embree alone.
-template <TriangleTree Tree>
-struct BareTree {
-    TriangleSet triangles;
-    Tree tree;
-
-    explicit BareTree(const Geometry& g) : triangles(g, drawn(g)), tree(triangles) {}
-
-    static std::vector<uint32_t> drawn(const Geometry& g)
-    {
-        std::vector<uint32_t> meshes;
-        for (uint32_t i = 0; i < g.meshes.size(); ++i)
-            if (!g.meshes[i].instanced && !g.meshes[i].triangles.empty()) meshes.push_back(i);
-        return meshes;
-    }
-    Hit closest(const Ray& ray) const
-    {
-        uint32_t nearest = UINT32_MAX;
-        float t_max = ray.t_max;
-        tree.closest(ray, t_max, [&](uint32_t number, float) {
-            nearest = number;
-            return true;
-        });
-        if (nearest == UINT32_MAX) return {};
-        const TriangleSet::Id id = triangles.id(nearest);
-        return {t_max, Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
-    }
-    bool any(const Ray& ray) const
-    {
-        return tree.any(ray, [](uint32_t, float) { return true; });
-    }
-};
 
 // Only meshes that are drawn as they are: what stands around them is not the tree's.
 bool is_plain(const Geometry& g)
@@ -311,10 +280,6 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
     std::vector<Hit> hits(rays.size()), found(rays.size());
     std::vector<uint8_t> occluded(rays.size());
     const auto count = static_cast<double>(rays.size());
-    const auto refine_all = [&](std::span<const Ray> some, std::span<Hit> out) {
-        for (size_t i = 0; i < some.size(); ++i)
-            if (out[i]) out[i] = refine(g, some[i], out[i]);
-    };
     std::vector<Contestant> contestants;
     if (set.occlusion) {
         contestants = {{"direct", count,
@@ -331,7 +296,7 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
                         [&] {
                             in_batches(rays, std::span(hits), [&](auto some, auto out) {
                                 bare.closest(some, out, Way::packet8, set.coherence);
-                                refine_all(some, out);
+                                refine_all(g, some, out);
                             });
                         }},
                        {"class", count,
@@ -341,7 +306,7 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
                         }},
                        {"refine", count, [&] {
                             hits = found;
-                            refine_all(rays, hits);
+                            in_batches(rays, std::span(hits), [&](auto some, auto out) { refine_all(g, some, out); });
                             keep(hits);
                         }}};
     }

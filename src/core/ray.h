@@ -20,10 +20,13 @@ struct Ray {
     uint32_t key = 0;  // address of the random numbers that decide whether half-transparent surfaces stop it
 };
 
-// What accelerators accept: all finite but t_max, and below the magnitude that Embree takes for infinite.
+// Of coordinates: below the magnitude that Embree takes for infinite.
+inline constexpr float largest_traceable = 1.8e18f;
+
+// What accelerators accept: all finite but t_max.
 inline bool is_traceable(const Ray& r)
 {
-    constexpr float limit = 1.8e18f;
+    constexpr float limit = largest_traceable;
     const auto ok = [](Vec3 v) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; };
     return ok(r.org) && ok(r.dir) && (r.dir.x != 0 || r.dir.y != 0 || r.dir.z != 0) && r.t_min >= 0 &&
            r.t_min < std::numeric_limits<float>::infinity() && r.t_max >= r.t_min;

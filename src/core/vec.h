@@ -104,4 +104,12 @@ constexpr Vec3 to_float(Vec3d a) { return {static_cast<float>(a.x), static_cast<
 inline constexpr float pi = 3.14159265358979323846f;
 inline constexpr double pi_d = 3.14159265358979323846;
 
+// The axis along which a direction goes most.
+template <class T>
+int largest_axis(const Vec3T<T>& dir)
+{
+    const Vec3T<T> m = abs(dir);
+    return m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
+}
+
 }  // namespace lancer

@@ -18,16 +18,9 @@ struct alignas(32) Bvh8Leaf {
 // What of a ray all leaves share.
 class LeafRay {
 public:
-    explicit LeafRay(const Ray& ray) : ray_(ray)
+    explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(ray)
     {
-        // As ShearedRay, without branches: nobody can predict the largest axis of a ray.
-        const Vec3 m = abs(ray.dir);
-        const auto y = static_cast<size_t>(m.y > m.x), z = static_cast<size_t>(m.z > std::max(m.x, m.y));
-        static constexpr std::array<Axes, 4> of{{{{1, 2, 0, 3}}, {{2, 0, 1, 3}}, {{0, 1, 2, 3}}, {{0, 1, 2, 3}}}};
-        axes_ = &of[y | z << 1];
-        const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(axes_));
-        const Float4 org = _mm_permutevar_ps(org_and_t_min(ray), order);
-        const Float4 dir = _mm_permutevar_ps(dir_and_t_max(ray), order);
+        const Float4 org = (*order_)(org_and_t_min(ray)), dir = (*order_)(dir_and_t_max(ray));
         _mm_store_ps(org_.data(), org);
         _mm_store_ps(dir_.data(), dir);
         sz_ = 1 / dir[2];
@@ -59,9 +52,6 @@ public:
     }
 
 private:
-    struct alignas(16) Axes {
-        std::array<uint32_t, 4> k;  // the third is that along which the ray goes most
-    };
     struct Point {
         Float8 x, y, z;  // along the sheared axes
     };
@@ -106,10 +96,10 @@ private:
 
     Float8 coordinate(const Bvh8Leaf& leaf, size_t corner, size_t axis) const
     {
-        return load8(leaf.corners[corner][axes_->k[axis]].data());
+        return load8(leaf.corners[corner][order_->axes[axis]].data());
     }
 
-    const Axes* axes_;
+    const AxisOrder* order_;
     alignas(16) std::array<float, 4> org_, dir_, slope_;  // along those; slope: dir as dir along the third is 1
     float sz_;                                            // 1 / dir along the third
     const Ray& ray_;

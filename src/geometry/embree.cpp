@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "geometry/embree_callbacks.h"
 #include "geometry/embree_wide.h"
+#include "geometry/refine_all.h"
 
 namespace lancer {
 namespace {
@@ -87,9 +88,10 @@ public:
             closest_wide(g_, data_.wide, r);
             if (attached_) query.closest(scene_, r);
             for (size_t i = 0; i < n; ++i)
-                hits[first + i] = to_hit(rays[first + i], r.hit.geomID[i], r.hit.primID[i], r.hit.instID[0][i],
-                                         r.ray.tfar[i], r.hit.u[i]);
+                hits[first + i] =
+                    to_hit(r.hit.geomID[i], r.hit.primID[i], r.hit.instID[0][i], r.ray.tfar[i], r.hit.u[i]);
         }
+        refine_all(g_, rays, hits);
     }
     void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
     {
@@ -179,12 +181,13 @@ private:
         }
     }
 
-    Hit to_hit(const Ray& ray, uint32_t geometry, uint32_t primitive, uint32_t instance, float t, float u) const
+    // Triangles not refined.
+    Hit to_hit(uint32_t geometry, uint32_t primitive, uint32_t instance, float t, float u) const
     {
         if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
         if (geometry == sphere_id(g_)) return {t, Hit::no_instance, 0, primitive, {}, Kind::sphere, u != 0};
         if (geometry == plane_id(g_)) return {t, Hit::no_instance, 0, primitive, {}, Kind::plane};
-        return refine(g_, ray, {t, instance_of(g_, instance), geometry, primitive, {}, Kind::triangle});
+        return {t, instance_of(g_, instance), geometry, primitive, {}, Kind::triangle};
     }
 
     const Geometry& g_;

@@ -9,8 +9,10 @@
 #endif
 
 #include <array>
+#include <cstring>
 
 #include "geometry/accel.h"
+#include "geometry/ray_lanes.h"
 
 static_assert(RTC_VERSION >= 31300, "Embree 3.13 or newer is required");
 
@@ -59,7 +61,9 @@ public:
     void load(std::span<const Ray> rays, RTCRayHit8& r)
     {
         load(rays, r.ray);
-        for (uint32_t i = 0; i < packet; ++i) r.hit.geomID[i] = r.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+        static_assert(RTC_INVALID_GEOMETRY_ID == UINT32_MAX);
+        std::memset(r.hit.geomID, 0xff, sizeof r.hit.geomID);
+        std::memset(r.hit.instID[0], 0xff, sizeof r.hit.instID[0]);
     }
     void load(std::span<const Ray> rays, RTCRay8& r)
     {
@@ -77,35 +81,38 @@ public:
     // Bit i of the answer: lane i is occluded. known: of which lanes this is known before.
     uint32_t any(RTCScene scene, RTCRay8& r, uint32_t known)
     {
-        uint32_t wanted = 0;
-        for (uint32_t i = 0; i < packet; ++i) {
-            if (known >> i & 1) valid_[i] = 0;
-            wanted |= static_cast<uint32_t>(valid_[i] & 1) << i;
-        }
+        const Mask8 bit{1, 2, 4, 8, 16, 32, 64, 128};
+        Mask8 valid;
+        std::memcpy(&valid, valid_.data(), sizeof valid);
+        valid &= (bit & static_cast<int>(known)) == 0;
+        const uint32_t wanted = bits(valid);
         if (wanted == 0) return known;
+        std::memcpy(valid_.data(), &valid, sizeof valid);
 #if RTC_VERSION_MAJOR >= 4
         rtcOccluded8(valid_.data(), scene, &r, &occluded_);
 #else
         rtcOccluded8(valid_.data(), scene, &context_, &r);
 #endif
-        for (uint32_t i = 0; i < packet; ++i)
-            if (wanted >> i & 1 && r.tfar[i] < 0) known |= 1u << i;
-        return known;
+        return known | (wanted & bits(load8(r.tfar) < Float8{}));
     }
 
 private:
     // Debian's Embree has its assertions on: one NaN lane would end the process, so such lanes are masked out.
+    // In whole registers, as Embree reads it.
     void fill(RTCRay8& r, std::span<const Ray> rays)
     {
-        constexpr Ray idle{{0, 0, 0}, 1, {0, 0, 1}, 0};  // meets nothing whoever looks
-        for (uint32_t i = 0; i < packet; ++i) {
-            const bool ok = i < rays.size() && is_traceable(rays[i]);
-            const Ray& ray = ok ? rays[i] : idle;
-            valid_[i] = ok ? -1 : 0;
-            r.org_x[i] = ray.org.x, r.org_y[i] = ray.org.y, r.org_z[i] = ray.org.z, r.tnear[i] = ray.t_min;
-            r.dir_x[i] = ray.dir.x, r.dir_y[i] = ray.dir.y, r.dir_z[i] = ray.dir.z, r.tfar[i] = ray.t_max;
-            r.time[i] = 0, r.mask[i] = 0xFFFFFFFFu, r.id[i] = i, r.flags[i] = 0;
-        }
+        const RayOctet l(rays);
+        const Mask8 lanes = Mask8{0, 1, 2, 3, 4, 5, 6, 7};
+        const Mask8 ok = is_traceable(l) & (lanes < static_cast<int>(rays.size()));
+        const Float8 zero{}, one = all_lanes(1.0f);
+        const auto put = [&](float* to, Float8 x, Float8 idle) { _mm256_store_ps(to, select(ok, x, idle)); };
+        // Idle lanes meet nothing whoever looks.
+        put(r.org_x, l.org.x, zero), put(r.org_y, l.org.y, zero), put(r.org_z, l.org.z, zero);
+        put(r.dir_x, l.dir.x, zero), put(r.dir_y, l.dir.y, zero), put(r.dir_z, l.dir.z, one);
+        put(r.tnear, l.t_min, one), put(r.tfar, l.t_max, zero);
+        const auto put_all = [](auto* to, Mask8 x) { std::memcpy(to, &x, sizeof x); };
+        put_all(valid_.data(), ok);
+        put_all(r.time, Mask8{}), put_all(r.mask, ~Mask8{}), put_all(r.id, lanes), put_all(r.flags, Mask8{});
     }
 
     Context context_;

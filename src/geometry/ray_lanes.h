@@ -1,7 +1,11 @@
-// A ray in registers, with its numbers as they lie in memory: the fourth lanes hold what comes behind.
+// Rays in registers: one, with its numbers as they lie in memory, the fourth lanes holding what comes behind; or eight.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
+#include <span>
 
 #include "core/lanes.h"
 #include "core/ray.h"
@@ -12,5 +16,60 @@ static_assert(offsetof(Ray, t_min) == offsetof(Ray, org) + 12 && offsetof(Ray, t
 
 inline Float4 org_and_t_min(const Ray& r) { return load4(&r.org.x); }
 inline Float4 dir_and_t_max(const Ray& r) { return load4(&r.dir.x); }
+
+// Eight rays, a number of each to a register.
+struct RayOctet {
+    Vec3T<Float8> org, dir;
+    Float8 t_min, t_max;
+
+    // One to eight of them; the last one fills the lanes that are left.
+    explicit RayOctet(std::span<const Ray> rays)
+    {
+        const auto ray = [&](size_t i) -> const Ray& { return rays[std::min(i, rays.size() - 1)]; };
+        const auto rows = [&](size_t i, auto of) {
+            return _mm256_insertf128_ps(_mm256_castps128_ps256(of(ray(i))), of(ray(i + 4)), 1);
+        };
+        const auto turn = [&](auto of, Vec3T<Float8>& v, Float8& behind) {
+            const __m256 a = rows(0, of), b = rows(1, of), c = rows(2, of), d = rows(3, of);
+            const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
+            const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
+            v.x = _mm256_shuffle_ps(xy0, xy2, 0x44), v.y = _mm256_shuffle_ps(xy0, xy2, 0xee);
+            v.z = _mm256_shuffle_ps(zw0, zw2, 0x44), behind = _mm256_shuffle_ps(zw0, zw2, 0xee);
+        };
+        turn([](const Ray& r) { return org_and_t_min(r); }, org, t_min);
+        turn([](const Ray& r) { return dir_and_t_max(r); }, dir, t_max);
+    }
+};
+
+// Of each ray whether accelerators accept it: is_traceable() of a single one.
+inline Mask8 is_traceable(const RayOctet& r)
+{
+    const auto limited = [](const Vec3T<Float8>& v) {
+        const Float8 limit = all_lanes(largest_traceable);
+        return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
+    };
+    const Float8 zero{};
+    return limited(r.org) & limited(r.dir) & ((r.dir.x != zero) | (r.dir.y != zero) | (r.dir.z != zero)) &
+           (r.t_min >= zero) & (r.t_min < all_lanes(std::numeric_limits<float>::infinity())) & (r.t_max >= r.t_min);
+}
+
+// The axes of a space in which a ray goes along the third one most; in the order of the hand.
+struct alignas(16) AxisOrder {
+    std::array<uint32_t, 4> axes;
+
+    Float4 operator()(Float4 v) const
+    {
+        return _mm_permutevar_ps(v, _mm_load_si128(reinterpret_cast<const __m128i*>(axes.data())));
+    }
+};
+
+// By largest_axis(), without branches: nobody can predict the largest axis of a ray.
+inline const AxisOrder& axis_order(Vec3 dir)
+{
+    static constexpr std::array<AxisOrder, 4> of{{{{1, 2, 0, 3}}, {{2, 0, 1, 3}}, {{0, 1, 2, 3}}, {{0, 1, 2, 3}}}};
+    const Vec3 m = abs(dir);
+    const auto y = static_cast<size_t>(!(m.x > m.y)), z = static_cast<size_t>(!(std::max(m.x, m.y) > m.z));
+    return of[y | z << 1];
+}
 
 }  // namespace lancer

@@ -110,26 +110,40 @@ struct TriangleHit {
     bool inside;     // else t, u, v speak of the triangle's plane
 };
 
-// The triangle's edge functions in the space where the ray is the z axis; neighbours compute the same number for their
+// Edge functions of a triangle in the space where the ray is the z axis; neighbours compute the same number for their
 // common edge, so no ray passes between them. Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
-// 2013, in double throughout. Nothing for a triangle seen exactly from its edge.
+// 2013, in double throughout. T: double or several of them.
+template <class T>
+struct PlaneHit {
+    T w0, w1, w2, det;
+    T t, u, v;  // u, v: weights of the second and third corner; meaningless where det is 0
+
+    // All in coordinates of which the third is that along which the ray goes most.
+    PlaneHit(const Vec3T<T>& v0, const Vec3T<T>& v1, const Vec3T<T>& v2, const Vec3T<T>& org, const Vec3T<T>& dir)
+    {
+        const T sz = 1.0 / dir.z, sx = dir.x * sz, sy = dir.y * sz;
+        const Vec3T<T> a = v0 - org, b = v1 - org, c = v2 - org;
+        const T ax = a.x - sx * a.z, ay = a.y - sy * a.z;
+        const T bx = b.x - sx * b.z, by = b.y - sy * b.z;
+        const T cx = c.x - sx * c.z, cy = c.y - sy * c.z;
+        w0 = cx * by - cy * bx, w1 = ax * cy - ay * cx, w2 = bx * ay - by * ax;
+        det = w0 + w1 + w2;
+        const T r = 1.0 / det;
+        t = (w0 * a.z + w1 * b.z + w2 * c.z) * sz * r;
+        u = w1 * r;
+        v = w2 * r;
+    }
+};
+
+// Nothing for a triangle seen exactly from its edge.
 inline std::optional<TriangleHit> intersect_plane_of(Vec3d v0, Vec3d v1, Vec3d v2, Vec3d org, Vec3d dir)
 {
-    const Vec3d magnitude = abs(dir);
-    const int kz =
-        magnitude.x > magnitude.y ? (magnitude.x > magnitude.z ? 0 : 2) : (magnitude.y > magnitude.z ? 1 : 2);
-    const int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
-    const double sz = 1 / dir[kz], sx = dir[kx] * sz, sy = dir[ky] * sz;
-    const Vec3d a = v0 - org, b = v1 - org, c = v2 - org;
-    const double ax = a[kx] - sx * a[kz], ay = a[ky] - sy * a[kz];
-    const double bx = b[kx] - sx * b[kz], by = b[ky] - sy * b[kz];
-    const double cx = c[kx] - sx * c[kz], cy = c[ky] - sy * c[kz];
-    const double w0 = cx * by - cy * bx, w1 = ax * cy - ay * cx, w2 = bx * ay - by * ax;
-    const double det = w0 + w1 + w2;
-    if (det == 0) return {};
-    const bool inside = (w0 >= 0 && w1 >= 0 && w2 >= 0) || (w0 <= 0 && w1 <= 0 && w2 <= 0);
-    const double r = 1 / det;
-    return TriangleHit{(w0 * a[kz] + w1 * b[kz] + w2 * c[kz]) * sz * r, w1 * r, w2 * r, inside};
+    const int kz = largest_axis(dir), kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+    const auto turned = [&](const Vec3d& v) { return Vec3d{v[kx], v[ky], v[kz]}; };
+    const PlaneHit<double> h(turned(v0), turned(v1), turned(v2), turned(org), turned(dir));
+    if (h.det == 0) return {};
+    const bool inside = (h.w0 >= 0 && h.w1 >= 0 && h.w2 >= 0) || (h.w0 <= 0 && h.w1 <= 0 && h.w2 <= 0);
+    return TriangleHit{h.t, h.u, h.v, inside};
 }
 
 inline std::optional<TriangleHit> intersect_plane_of(const Mesh& mesh, uint32_t primitive, Vec3d org, Vec3d dir)

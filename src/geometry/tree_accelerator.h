@@ -10,6 +10,7 @@
 #include "geometry/accel.h"
 #include "geometry/binary_builder.h"
 #include "geometry/object_boxes.h"
+#include "geometry/refine_all.h"
 
 namespace lancer {
 
@@ -33,7 +34,52 @@ public:
         build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    Hit closest(const Ray& ray) const override
+    Hit closest(const Ray& ray) const override { return refine(g_, ray, find(ray)); }
+    bool any(const Ray& ray) const override
+    {
+        if (!is_traceable(ray)) return false;
+        const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
+            return s.tree.any(local, [&](uint32_t number, float t) {
+                const TriangleSet::Id id = s.triangles.id(number);
+                return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
+            });
+        };
+        for (uint32_t i = 0; i < g_.planes.size(); ++i)
+            if (first_stop<Kind::plane>(g_, i, ray)) return true;
+        if (plain_ && space(*plain_, ray, Hit::no_instance)) return true;
+        return objects_.any(ray, [&](uint32_t object, uint32_t) {
+            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
+            const Ray local = into_mesh(ray, object);
+            return is_traceable(local) && space(*placed_[g_.instances[object].mesh], local, object);
+        });
+    }
+    void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const override
+    {
+        for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
+        refine_all(g_, rays, hits);
+    }
+    void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
+    {
+        for (size_t i = 0; i < rays.size(); ++i) occluded[i] = TreeAccelerator::any(rays[i]);
+    }
+    AccelStats stats() const override
+    {
+        AccelStats s{build_seconds_, objects_.bytes()};
+        if (plain_) s.bytes += plain_->tree.bytes(), s.sah_cost = plain_->tree.sah_cost();
+        for (const auto& p : placed_)
+            if (p) s.bytes += p->tree.bytes();
+        return s;
+    }
+
+private:
+    struct Space {
+        TriangleSet triangles;
+        Tree tree;
+        Space(const Geometry& g, std::vector<uint32_t> meshes) : triangles(g, std::move(meshes)), tree(triangles) {}
+    };
+
+    // What closest() finds, not refined.
+    Hit find(const Ray& ray) const
     {
         Hit best;
         if (!is_traceable(ray)) return best;
@@ -64,49 +110,8 @@ public:
                 space(*placed_[g_.instances[object].mesh], local, object);
             return rest.t_max;
         });
-        return refine(g_, ray, best);
+        return best;
     }
-    bool any(const Ray& ray) const override
-    {
-        if (!is_traceable(ray)) return false;
-        const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
-            return s.tree.any(local, [&](uint32_t number, float t) {
-                const TriangleSet::Id id = s.triangles.id(number);
-                return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
-            });
-        };
-        for (uint32_t i = 0; i < g_.planes.size(); ++i)
-            if (first_stop<Kind::plane>(g_, i, ray)) return true;
-        if (plain_ && space(*plain_, ray, Hit::no_instance)) return true;
-        return objects_.any(ray, [&](uint32_t object, uint32_t) {
-            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
-            const Ray local = into_mesh(ray, object);
-            return is_traceable(local) && space(*placed_[g_.instances[object].mesh], local, object);
-        });
-    }
-    void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const override
-    {
-        for (size_t i = 0; i < rays.size(); ++i) hits[i] = TreeAccelerator::closest(rays[i]);
-    }
-    void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
-    {
-        for (size_t i = 0; i < rays.size(); ++i) occluded[i] = TreeAccelerator::any(rays[i]);
-    }
-    AccelStats stats() const override
-    {
-        AccelStats s{build_seconds_, objects_.bytes()};
-        if (plain_) s.bytes += plain_->tree.bytes(), s.sah_cost = plain_->tree.sah_cost();
-        for (const auto& p : placed_)
-            if (p) s.bytes += p->tree.bytes();
-        return s;
-    }
-
-private:
-    struct Space {
-        TriangleSet triangles;
-        Tree tree;
-        Space(const Geometry& g, std::vector<uint32_t> meshes) : triangles(g, std::move(meshes)), tree(triangles) {}
-    };
 
     // Of equally far hits the one that a loop over everything would come by first wins.
     static bool precedes(const Hit& a, const Hit& b)

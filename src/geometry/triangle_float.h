@@ -19,8 +19,7 @@ struct ShearedRay {
 
     explicit ShearedRay(const Ray& r) : org(r.org), dir(r.dir)
     {
-        const Vec3 m = abs(r.dir);
-        kz = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
+        kz = largest_axis(r.dir);
         kx = (kz + 1) % 3, ky = (kz + 2) % 3;
         const float sz = 1 / r.dir[kz];
         sx = r.dir[kx] * sz, sy = r.dir[ky] * sz;
