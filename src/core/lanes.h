@@ -71,6 +71,7 @@ inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
 inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
+inline Float4 abs(Float4 x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
 inline Float8 abs(Float8 x) { return _mm256_andnot_ps(all_lanes(-0.0f), x); }
 // c - a * b, rounded once.
 inline Float8 minus_product(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }

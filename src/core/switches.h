@@ -15,14 +15,15 @@ enum class Switch {
     emitters,      // what emits is seen by the camera, also in mirrors and through glass
     fresnel,       // smooth boundaries reflect and refract by the Fresnel equations; off: glass only refracts
     soft_shadows,  // spheres of light cast shadows as large as they are; off: as from their centres
+    always_nee,    // also where sampling the BSDF finds the same light with the same density
     stop,          // end a pixel whose mean is known well enough
     multiscatter,  // rough metal loses no light between its facets
     terminator,    // softer edges of shadow on smoothed meshes
     legacy,        // the ways of the two programs that this one grew from, their faults included
 };
-inline constexpr std::array<std::string_view, 11> switch_names{"nee",          "mis",        "direct",       "indirect",
-                                                               "emitters",     "fresnel",    "soft_shadows", "stop",
-                                                               "multiscatter", "terminator", "legacy"};
+inline constexpr std::array<std::string_view, 12> switch_names{"nee",      "mis",          "direct",       "indirect",
+                                                               "emitters", "fresnel",      "soft_shadows", "always_nee",
+                                                               "stop",     "multiscatter", "terminator",   "legacy"};
 
 // What somebody said of them.
 using SaidSwitches = std::array<std::optional<bool>, switch_names.size()>;
@@ -31,7 +32,8 @@ class Switches {
 public:
     static constexpr bool default_of(Switch s)
     {
-        return s != Switch::stop && s != Switch::multiscatter && s != Switch::terminator && s != Switch::legacy;
+        return s != Switch::always_nee && s != Switch::stop && s != Switch::multiscatter && s != Switch::terminator &&
+               s != Switch::legacy;
     }
     Switches()
     {

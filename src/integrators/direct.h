@@ -18,7 +18,7 @@ struct Direct {
     void take(const IntegratorSettings& settings)
     {
         max_depth = settings.max_depth;
-        direct = {settings.switches[Switch::nee], settings.switches[Switch::mis]};
+        direct = DirectLight::of(settings.switches);
         parts = LightParts(settings.switches);
     }
     template <class V>

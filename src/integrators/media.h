@@ -18,6 +18,7 @@ inline State passed(const State& s, const Surface& surface, const MediumStack& b
     n.ray.org = ray_origin(surface, s.ray.dir);
     n.cone.width += s.cone.spread * surface.t;
     n.specular = true;
+    n.light_sampled = false;
     n.media = beyond;
     return n;
 }

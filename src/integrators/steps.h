@@ -22,18 +22,19 @@ enum class Leg : uint8_t {
 // One ray under way.
 struct State {
     Ray ray;
-    Color throughput{1, 1, 1};  // what the path so far does to light that comes along the ray
-    float pdf = 0;              // with which the BSDF chose the ray, per solid angle
-    Vec3 normal;                // shading normal where it started
-    RayCone cone;               // of the light that the ray stands for
-    MediumStack media;          // what the ray is in; only kept in scenes that have media
-    float eta_scale = 1;        // product of eta^2 over refractions: throughput times it speaks of energy
-    uint32_t slot = 0;          // the sample that it adds to
-    uint32_t branch = 0;        // part of the address of its random numbers; siblings differ
-    uint32_t depth = 0;         // surface vertices before this ray
-    bool specular = true;       // chosen by a delta lobe or by the camera: no light sampling could have found it
-    Leg leg = Leg::view;        // part of the path that the ray belongs to
-    bool last = false;          // only emission counts where it ends
+    Color throughput{1, 1, 1};   // what the path so far does to light that comes along the ray
+    float pdf = 0;               // with which the BSDF chose the ray, per solid angle
+    Vec3 normal;                 // shading normal where it started
+    RayCone cone;                // of the light that the ray stands for
+    MediumStack media;           // what the ray is in; only kept in scenes that have media
+    float eta_scale = 1;         // product of eta^2 over refractions: throughput times it speaks of energy
+    uint32_t slot = 0;           // the sample that it adds to
+    uint32_t branch = 0;         // part of the address of its random numbers; siblings differ
+    uint32_t depth = 0;          // surface vertices before this ray
+    bool specular = true;        // chosen by a delta lobe or by the camera
+    bool light_sampled = false;  // where it started a light was sampled that might have been what it meets
+    Leg leg = Leg::view;         // part of the path that the ray belongs to
+    bool last = false;           // only emission counts where it ends
 };
 
 // What steps collect, for a whole batch. Reused from batch to batch, so that no ray allocates.

@@ -15,8 +15,11 @@ namespace lancer {
 // Which of two techniques find direct light. Both off-combinations stay unbiased but for emitters that one alone
 // cannot find: nee alone misses none that it lists; BSDF sampling alone misses point lights.
 struct DirectLight {
-    bool nee = true;  // next-event estimation: a shadow ray to a sampled light at each vertex
-    bool mis = true;  // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
+    bool nee = true;      // next-event estimation: a shadow ray to a sampled light at each vertex
+    bool mis = true;      // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
+    bool always = false;  // nee also where BSDF sampling has the same density: a second ray that finds nothing new
+
+    static DirectLight of(const Switches& s) { return {s[Switch::nee], s[Switch::mis], s[Switch::always_nee]}; }
 };
 
 // Which parts of the light there are in the picture; see Switch. They add up: with any path the whole is what is seen
@@ -45,7 +48,7 @@ inline float power_heuristic(float a, float b)
 // Weight of light found by following a ray, against a light sample's density there (0: none could find it).
 inline float weight_of_found(const State& s, DirectLight how, float pdf_light)
 {
-    if (s.specular || !how.nee || pdf_light == 0) return 1;
+    if (!s.light_sampled || pdf_light == 0) return 1;
     return how.mis ? power_heuristic(s.pdf, pdf_light) : 0;
 }
 
@@ -56,7 +59,7 @@ void add_emission(const V& view, const State& s, const Surface& surface, DirectL
     if (!parts.has(s.leg)) return;
     const Color e = view.emission(surface);
     if (is_black(e)) return;
-    const float pdf = s.specular || !how.nee ? 0 : view.pdf_light(s.ray.org, s.ray.dir, surface);
+    const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.ray.dir, surface) : 0;
     steps.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
@@ -66,7 +69,7 @@ void add_environment(const V& view, const State& s, DirectLight how, LightParts 
     if (!parts.has(s.leg)) return;
     const Color e = s.specular ? view.background(s.ray, s.cone) : view.environment(s.ray.dir);
     if (is_black(e)) return;
-    const float pdf = s.specular || !how.nee ? 0 : view.pdf_environment(s.normal, s.ray.dir);
+    const float pdf = s.light_sampled ? view.pdf_environment(s.normal, s.ray.dir) : 0;
     steps.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
@@ -91,12 +94,22 @@ inline bool sides_agree(const Surface& surface, Vec3 wi, Vec3 wi_local)
     return (dot(wi, surface.side) < 0) == (wi_local.z < 0);
 }
 
+// Whether a light is sampled at a vertex. Under a constant sky alone, whose directions are drawn by the cosine, a BSDF
+// that draws by it too finds all light with the same density: a second ray as dear as the first would bring no more
+// than any other sample does.
+template <class V, class B>
+bool samples_light(const V& view, const B& bsdf, DirectLight how)
+{
+    if (!how.nee || bsdf.only_delta()) return false;
+    if constexpr (requires { B::samples_cosine; }) return how.always || !view.lit_by_constant_sky();
+    return true;
+}
+
 // Next-event estimation at a vertex.
 template <class V, class B>
 void sample_direct(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
                    const Sampler& sampler, DirectLight how, Steps& steps)
 {
-    if (bsdf.only_delta() || !how.nee) return;
     const auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits());
     if (!light) return;
     const Vec3 wi = frame.to_local(light->wi);
@@ -175,10 +188,13 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
     view.with_bsdf(surface, sampler, s.depth, [&](const auto& bsdf) {
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
-        if (parts.has(leg_after(s.leg, false))) sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
+        const bool samples = samples_light(view, bsdf, how);
+        if (samples && parts.has(leg_after(s.leg, false)))
+            sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
         steps.next_from(s, [&](State& n) {
             if (!scatter(view, s, n, surface, frame, wo, bsdf, sampler)) return false;
             if (!survives_roulette(n, sampler, roulette_depth)) return false;
+            n.light_sampled = samples && !n.specular;
             n.last = is_last(n) || (n.leg == Leg::direct && !parts.indirect);
             return true;
         });

@@ -16,6 +16,10 @@ struct View {
     {
         return lancer::surface_at(scene, ray, hit, cone);
     }
+    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place) const
+    {
+        return lancer::surface_at(scene, ray, hit, cone, place);
+    }
 
     // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
     // the material is a mix, a number of the sampler decides which part it is.
@@ -48,6 +52,11 @@ struct View {
         if (scene.lights.pick.empty()) return {};
         const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;
         return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light), through);
+    }
+    // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
+    bool lit_by_constant_sky() const
+    {
+        return scene.lights.lights.size() == 1 && scene.environment_light != Scene::none && !scene.environment_table;
     }
     // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
     // choice.

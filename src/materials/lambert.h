@@ -13,6 +13,7 @@ struct LambertBsdf {
 
     static constexpr bool only_delta() { return false; }
     static constexpr bool transmits() { return false; }
+    static constexpr bool samples_cosine = true;  // sample() has the density of pdf_cosine_hemisphere()
     Color reflectance() const { return albedo; }
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {

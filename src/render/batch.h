@@ -88,15 +88,18 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
     counters.camera_rays += w.slots.size();
 
     std::array<std::optional<Surface>, looked_ahead> surfaces;
+    std::array<TrianglePlace, looked_ahead> places;
     std::array<typename AheadOf<Integrator>::type, looked_ahead / float_lanes> aheads;
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
         AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
+        triangle_places(view.scene, std::span(w.hits).subspan(first, end - first), places);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const State& s = w.states[i];
             asked.add(samplers[i - first].emplace(sampler(s.slot, s.branch)), s.depth);
-            surfaces[i - first].emplace(Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone); }});
+            surfaces[i - first].emplace(
+                Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
         }
         asked.prepare();
         if constexpr (LooksAhead<Integrator>)

@@ -8,17 +8,6 @@
 namespace lancer {
 namespace {
 
-Vec3 scaled(Vec3 v, float s) { return v * s; }
-
-// |M| v: how far an error per axis can reach through a linear map.
-Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
-
-struct Placed {
-    Vec3 p, p_error, n, ns;  // n, ns on the front side
-    float area;              // of the whole triangle
-    Vec2 uv{};
-};
-
 // Corners of a triangle in texture space; nothing where the mesh keeps none.
 std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32_t triangle)
 {
@@ -55,52 +44,6 @@ float uv_per_length(const std::array<Vec2, 3>& t, float area)
 {
     const Vec2 a = t[1] - t[0], b = t[2] - t[0];
     return area > 0 ? std::sqrt(0.5f * std::abs(a.x * b.y - a.y * b.x) / area) : 0;
-}
-
-Placed place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
-{
-    const Mesh& mesh = scene.geometry.meshes[mesh_index];
-    const auto& t = mesh.triangles[triangle];
-    const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-    // In double: the rounding of 1 - u - v is relative to 1, not to w, and a corner may be far away.
-    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
-    const Vec3 wa = a * w, wb = b * uv.x, wc = c * uv.y;
-    Placed s;
-    // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
-    s.p = wa + wb + wc;
-    const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
-    s.p_error = scaled(abs(wa) + abs(wb) + abs(wc), gamma(7)) + rounding_in_double(reach);
-
-    const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
-    Vec3d n = cross(e1, e2), ns;
-    bool smooth = false;
-    const MeshShading& shading = scene.shading[mesh_index];
-    if (!shading.normals.empty())
-        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
-            ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
-            smooth = true;
-        }
-    s.uv = texture_uv(shading, triangle, uv);
-    if (instance != Hit::no_instance) {
-        const Instance& placing = scene.geometry.instances[instance];
-        const Transform& m = placing.to_world;
-        const Vec3d p = to_double(s.p);
-        s.p = to_float(m.point(p));
-        // Embree takes the ray into the mesh's space in float: its rounding there, seen from here, comes on top.
-        const Vec3d there = spread(placing.to_mesh, abs(to_double(s.p))) + abs(placing.to_mesh.translation);
-        const Vec3d here = spread(m, abs(p)) + abs(m.translation) + spread(m, there);
-        s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));
-        n = placing.to_mesh.normal_by_inverse(n);
-        ns = placing.to_mesh.normal_by_inverse(ns);
-        s.area = static_cast<float>(0.5 * length(cross(m.vector(e1), m.vector(e2))));
-    }
-    const double ln = length(n);
-    if (instance == Hit::no_instance) s.area = static_cast<float>(0.5 * ln);
-    s.n = s.ns = ln > 0 ? to_float(n * (1 / ln)) : Vec3{0, 0, 1};
-    if (!smooth) return s;
-    if (const double lns = length(ns); lns > 0) s.ns = to_float(ns * (1 / lns));
-    if (dot(s.n, s.ns) < 0) s.n = -s.n;  // the normals of the file say which side is the front
-    return s;
 }
 
 uint32_t light_of(const Scene& scene, const Hit& hit)
@@ -190,8 +133,8 @@ Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
-    const Placed s = place(scene, instance, mesh, triangle, uv);
-    return {s.p, s.p_error, s.n, s.area, s.uv};
+    const TrianglePlace s = triangle_place(scene, instance, mesh, triangle, uv);
+    return {s.p, s.p_error, s.n, s.area, texture_uv(scene.shading[mesh], triangle, uv)};
 }
 
 Vec2 sphere_uv(Vec3 n)
@@ -202,6 +145,12 @@ Vec2 sphere_uv(Vec3 n)
 }
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
+{
+    if (hit.kind != Kind::triangle) return surface_at(scene, ray, hit, cone, {});
+    return surface_at(scene, ray, hit, cone, triangle_place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv));
+}
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& placed)
 {
     Surface s;
     s.t = hit.t;
@@ -227,7 +176,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             const Plane& plane = scene.geometry.planes[hit.primitive];
             const Vec3d there = along(), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
             s.p = to_float(p);
-            s.p_error = scaled(abs(s.p), gamma(4));
+            s.p_error = abs(s.p) * gamma(4);
             s.n = s.ns = to_float(plane.normal);
             s.material = scene.plane_material[hit.primitive];
             if (reads_uv())
@@ -236,13 +185,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             break;
         }
         default: {
-            const Placed placed = place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
             s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
             s.light = light_of(scene, hit);
             if (!scene.shading[hit.geometry].colors.empty()) s.vertex_color = vertex_color(scene, hit);
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
-                s.uv = placed.uv;
+                s.uv = texture_uv(scene.shading[hit.geometry], hit.primitive, hit.uv);
                 s.uv_width = width * uv_per_length(*uvs, placed.area);
                 if (scene.traits[s.material].tilts()) tangents = triangle_tangents(scene, hit, *uvs);
             }

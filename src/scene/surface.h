@@ -4,6 +4,7 @@
 #include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
+#include "scene/triangle_place.h"
 
 namespace lancer {
 
@@ -45,6 +46,8 @@ struct RayCone {
 };
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone = {});
+// The same where it is known where on its triangle the hit is; of other hits `place` is not looked at.
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place);
 
 // Where a ray in direction w starts, off the surface by its rounding.
 inline Vec3 ray_origin(const Surface& s, Vec3 w)

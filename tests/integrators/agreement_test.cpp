@@ -24,21 +24,26 @@ void expect_agreement(const std::vector<std::vector<stats::Tally>>& ways, const 
         }
 }
 
-void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, uint32_t spp)
+// Light sampling also where it is in vain, beside the ways that there always are.
+constexpr DirectLight always{.always = true};
+
+void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, uint32_t spp,
+                           std::vector<DirectLight> ways = {{true, true}, {true, false}, {false, false}})
 {
     std::vector<std::vector<stats::Tally>> tiles;
     std::vector<std::string> names;
     uint64_t seed = 0;
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent})
-        for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}}) {
+        for (const DirectLight how : ways) {
             Shot shot{.integrator = Path{.max_depth = 6, .roulette_depth = 3, .direct = how},
                       .spp = how.nee ? spp : 2 * spp,
                       .sampler = sampler};
             shot.seed = ++seed;
             tiles.push_back(tiles_over_seeds(d, shot, 16));
-            names.push_back(std::string(!how.nee  ? "bsdf"
-                                        : how.mis ? "nee and mis"
-                                                  : "nee") +
+            names.push_back(std::string(!how.nee     ? "bsdf"
+                                        : how.always ? "nee always"
+                                        : how.mis    ? "nee and mis"
+                                                     : "nee") +
                             (sampler == SamplerKind::sobol ? ", sobol" : ", independent"));
         }
     // With roulette the paths of more than six vertices are the same too.
@@ -56,6 +61,44 @@ void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, 
 }
 
 TEST(Agreement, Cornell) { expect_all_ways_agree(cornell_scene(), "cornell", 16); }
+
+// Diffuse surfaces under a sky of one colour: nothing asks for it.
+SceneDescription open_scene()
+{
+    SceneDescription d = lights_scene();
+    d.meshes.pop_back();  // the panel
+    d.lights = {sky_of({0.5f, 0.7f, 0.9f})};
+    return d;
+}
+
+TEST(Agreement, ConstantSky)
+{
+    expect_all_ways_agree(open_scene(), "constant sky", 16, {{true, true}, always, {false, false}});
+}
+
+TEST(Agreement, NoShadowRaysUnderAConstantSky)
+{
+    RenderRequest r;
+    r.width = r.height = 16, r.spp = {4};
+    const auto shadow_rays = [&](const SceneDescription& d, const Path& path) {
+        r.settings.integrator = path;
+        return render(d, r).counters.shadow_rays;
+    };
+    EXPECT_EQ(shadow_rays(open_scene(), {}), 0u);
+    EXPECT_GT(shadow_rays(open_scene(), {.direct = always}), 0u);
+    // Another light, another density, another BSDF: then there is something to find.
+    SceneDescription d = open_scene();
+    d.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0, 3, 0}));
+    EXPECT_GT(shadow_rays(d, {}), 0u);
+    d = open_scene();
+    d.lights = {sky_map_of({1, 1, 1})};
+    r.images = test_picture;
+    EXPECT_GT(shadow_rays(d, {}), 0u);
+    d = open_scene();
+    d.meshes[0] = make_mesh(make_quad({-2, -0.8, 2}, {2, -0.8, 2}, {2, -0.8, -2}, {-2, -0.8, -2},
+                                      make_glossy("coat", MaterialType::plastic, {0.3f, 0.3f, 0.8f}, 0.3f)));
+    EXPECT_GT(shadow_rays(d, {}), 0u);
+}
 
 TEST(Agreement, SpheresOfGlassAndMirror) { expect_all_ways_agree(spheres_scene(), "spheres", 16); }
 

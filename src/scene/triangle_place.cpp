@@ -1,0 +1,154 @@
+#include "scene/triangle_place.h"
+
+#include <array>
+
+#include "core/lanes.h"
+#include "scene/scene.h"
+
+namespace lancer {
+namespace {
+
+// |M| v: how far an error per axis can reach through a linear map.
+Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
+
+using Four = std::array<size_t, double_lanes>;
+
+Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
+{
+    _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);
+    return {v[0], v[1], v[2]};
+}
+Vec3T<Double4> to_double(const Vec3T<Float4>& v)
+{
+    return {_mm256_cvtps_pd(v.x), _mm256_cvtps_pd(v.y), _mm256_cvtps_pd(v.z)};
+}
+Vec3T<Float4> to_float(const Vec3T<Double4>& v)
+{
+    return {_mm256_cvtpd_ps(v.x), _mm256_cvtpd_ps(v.y), _mm256_cvtpd_ps(v.z)};
+}
+Vec3T<Float4> magnitude(const Vec3T<Float4>& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
+Float4 largest(const Vec3T<Float4>& v) { return max(v.x, max(v.y, v.z)); }
+Vec3 lane(const Vec3T<Float4>& v, size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
+
+// triangle_place() of hits[which[k]], triangles that are drawn as they are.
+void place_four(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places, const Four& which)
+{
+    std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
+    Float4 u, v;
+    std::array<bool, double_lanes> smooth{};
+    bool any_smooth = false;
+    for (size_t k = 0; k < double_lanes; ++k) {
+        const Hit& hit = hits[which[k]];
+        const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+        const auto& t = mesh.triangles[hit.primitive];
+        rows_a[k] = load4(&mesh.positions[t[0]].x);
+        rows_b[k] = load4(&mesh.positions[t[1]].x);
+        rows_c[k] = load4(&mesh.positions[t[2]].x);
+        u[k] = hit.uv.x, v[k] = hit.uv.y;
+        const MeshShading& shading = scene.shading[hit.geometry];
+        if (shading.normals.empty()) continue;
+        const auto& i = shading.normal_triangles[hit.primitive];
+        if (i[0] == MeshData::no_normal) continue;
+        const auto normal = [&](uint32_t corner) {
+            const Vec3& n = shading.normals[i[corner]];
+            return Float4{n.x, n.y, n.z, 0};
+        };
+        rows_na[k] = normal(0), rows_nb[k] = normal(1), rows_nc[k] = normal(2);
+        any_smooth = smooth[k] = true;
+    }
+    const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
+    const Float4 w = _mm256_cvtpd_ps(1.0 - Double4(_mm256_cvtps_pd(u)) - Double4(_mm256_cvtps_pd(v)));
+    const Vec3T<Float4> wa = a * w, wb = b * u, wc = c * v, p = wa + wb + wc;
+    const Float4 reach = max(largest(magnitude(a)), max(largest(magnitude(b)), largest(magnitude(c))));
+    const Float4 rounding = reach * 0x1p-40f;
+    const Vec3T<Float4> of_sum = magnitude(wa) + magnitude(wb) + magnitude(wc);
+    const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
+    const Double4 length_n = sqrt(dot(cross_n, cross_n));
+    const Vec3T<Float4> n = to_float(cross_n * (1.0 / length_n));
+    const Float4 area = _mm256_cvtpd_ps(0.5 * length_n);
+    Vec3T<Float4> ns{};
+    Double4 length_ns{};
+    if (any_smooth) {
+        const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
+        length_ns = sqrt(dot(sum, sum));
+        ns = to_float(sum * (1.0 / length_ns));
+    }
+    for (size_t k = 0; k < double_lanes; ++k) {
+        TrianglePlace& s = places[which[k]];
+        s.p = lane(p, k);
+        s.p_error = lane(of_sum, k) * gamma(7) + Vec3{rounding[k], rounding[k], rounding[k]};
+        s.area = area[k];
+        s.n = s.ns = length_n[k] > 0 ? lane(n, k) : Vec3{0, 0, 1};
+        if (!smooth[k]) continue;
+        if (length_ns[k] > 0) s.ns = lane(ns, k);
+        if (dot(s.n, s.ns) < 0) s.n = -s.n;
+    }
+}
+
+}  // namespace
+
+TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
+{
+    const Mesh& mesh = scene.geometry.meshes[mesh_index];
+    const auto& t = mesh.triangles[triangle];
+    const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+    // In double: the rounding of 1 - u - v is relative to 1, not to w, and a corner may be far away.
+    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
+    const Vec3 wa = a * w, wb = b * uv.x, wc = c * uv.y;
+    TrianglePlace s;
+    // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
+    s.p = wa + wb + wc;
+    const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
+    s.p_error = (abs(wa) + abs(wb) + abs(wc)) * gamma(7) + rounding_in_double(reach);
+
+    const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
+    Vec3d n = cross(e1, e2), ns;
+    bool smooth = false;
+    const MeshShading& shading = scene.shading[mesh_index];
+    if (!shading.normals.empty())
+        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
+            ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
+            smooth = true;
+        }
+    if (instance != Hit::no_instance) {
+        const Instance& placing = scene.geometry.instances[instance];
+        const Transform& m = placing.to_world;
+        const Vec3d p = to_double(s.p);
+        s.p = to_float(m.point(p));
+        // Embree takes the ray into the mesh's space in float: its rounding there, seen from here, comes on top.
+        const Vec3d there = spread(placing.to_mesh, abs(to_double(s.p))) + abs(placing.to_mesh.translation);
+        const Vec3d here = spread(m, abs(p)) + abs(m.translation) + spread(m, there);
+        s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));
+        n = placing.to_mesh.normal_by_inverse(n);
+        ns = placing.to_mesh.normal_by_inverse(ns);
+        s.area = static_cast<float>(0.5 * length(cross(m.vector(e1), m.vector(e2))));
+    }
+    const double ln = length(n);
+    if (instance == Hit::no_instance) s.area = static_cast<float>(0.5 * ln);
+    s.n = s.ns = ln > 0 ? to_float(n * (1 / ln)) : Vec3{0, 0, 1};
+    if (!smooth) return s;
+    if (const double lns = length(ns); lns > 0) s.ns = to_float(ns * (1 / lns));
+    if (dot(s.n, s.ns) < 0) s.n = -s.n;  // the normals of the file say which side is the front
+    return s;
+}
+
+void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
+{
+    Four waiting{};
+    size_t count = 0;
+    for (size_t i = 0; i < hits.size(); ++i) {
+        const Hit& hit = hits[i];
+        if (hit.kind != Kind::triangle) continue;
+        if (hit.instance != Hit::no_instance) {
+            places[i] = triangle_place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
+            continue;
+        }
+        waiting[count++] = i;
+        if (count == waiting.size()) place_four(scene, hits, places, waiting), count = 0;
+    }
+    if (count == 0) return;
+    std::fill(waiting.begin() + count, waiting.end(), waiting[0]);
+    place_four(scene, hits, places, waiting);
+}
+
+}  // namespace lancer
