@@ -27,9 +27,16 @@ std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, c
     return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
 }
 
+TrianglePoint point_on(const Scene& scene, const TriangleLight& light, Vec2 uv)
+{
+    if (light.area == 0) return triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
+    const PointOnTriangle at(scene.geometry.meshes[light.mesh], light.triangle, uv);
+    return {at.p, at.p_error, light.n, light.area, texture_uv(scene.shading[light.mesh], light.triangle, uv)};
+}
+
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
-    const TrianglePoint q = triangle_point(scene, light.instance, light.mesh, light.triangle, square_to_triangle(u));
+    const TrianglePoint q = point_on(scene, light, square_to_triangle(u));
     const Vec3 d = q.p - org;
     const float d2 = dot(d, d);
     if (!(d2 > 0)) return {};

@@ -27,6 +27,9 @@ struct SphereLight {
 };
 struct TriangleLight {
     uint32_t instance, mesh, triangle;
+    // Of a flat triangle that is drawn as it is; else looked up where it is sampled, and area is 0.
+    Vec3 n{};
+    float area = 0;
 };
 struct EnvironmentLight {};  // all of Scene::radiance_from(), by Scene::environment_table if it is not constant
 

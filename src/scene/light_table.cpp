@@ -101,13 +101,21 @@ private:
         if (next == 0) rank.clear();
         return rank;
     }
+    TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
+    {
+        const MeshShading& s = scene_.shading[mesh];
+        const bool smooth = !s.normals.empty() && s.normal_triangles[triangle][0] != MeshData::no_normal;
+        if (smooth || instance != Hit::no_instance) return {instance, mesh, triangle};
+        const TrianglePlace place = triangle_place(scene_, instance, mesh, triangle, {});
+        return {instance, mesh, triangle, place.n, place.area};
+    }
     // Their powers are set in parallel: a scene can have millions of them, each with its texture to look up.
     uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
     {
         const uint32_t first = next();
         const MeshShading& s = scene_.shading[mesh];
         for (uint32_t i = 0; i < s.emitter_rank.size(); ++i)
-            if (s.emitter_rank[i] != Scene::none) add(TriangleLight{instance, mesh, i}, 0);
+            if (s.emitter_rank[i] != Scene::none) add(triangle_light(instance, mesh, i), 0);
         constexpr uint32_t block = 1024;
         parallel_for((next() - first + block - 1) / block, [&](size_t b) {
             const uint32_t begin = first + static_cast<uint32_t>(b) * block;

@@ -59,14 +59,6 @@ inline Vec3 ray_origin(const Surface& s, Vec3 w)
 // -y to +y. n: unit, outwards.
 Vec2 sphere_uv(Vec3 n);
 
-// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
-// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
-inline Vec3 rounding_in_double(float reach)
-{
-    const float e = reach * 0x1p-40f;
-    return {e, e, e};
-}
-
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
 inline Vec3 sphere_point_error(const Sphere& s, Vec3 p)
 {

@@ -92,21 +92,16 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     const Mesh& mesh = scene.geometry.meshes[mesh_index];
     const auto& t = mesh.triangles[triangle];
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-    // In double: the rounding of 1 - u - v is relative to 1, not to w, and a corner may be far away.
-    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
-    const Vec3 wa = a * w, wb = b * uv.x, wc = c * uv.y;
+    const PointOnTriangle at(mesh, triangle, uv);
     TrianglePlace s;
-    // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
-    s.p = wa + wb + wc;
-    const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
-    s.p_error = (abs(wa) + abs(wb) + abs(wc)) * gamma(7) + rounding_in_double(reach);
-
+    s.p = at.p, s.p_error = at.p_error;
     const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
     Vec3d n = cross(e1, e2), ns;
     bool smooth = false;
     const MeshShading& shading = scene.shading[mesh_index];
     if (!shading.normals.empty())
         if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
+            const float w = PointOnTriangle::first_weight(uv);
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
             smooth = true;
         }
