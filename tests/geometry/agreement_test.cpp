@@ -100,5 +100,29 @@ TEST_P(AgreesWithDouble, FarFromTheOrigin)
     expect_agreement(g, "far");
 }
 
+// A ray that starts on a surface, as far as float can tell, may meet it or not; one that starts before it must.
+TEST(Agreement, ExplainsWhatLiesAtTheStart)
+{
+    Geometry g;
+    g.meshes.push_back({.positions = {{0, 0, 3}, {1, 0, 3}, {0, 1, 3}, {0, 0, 4}, {1, 0, 4}, {0, 1, 4}, {}},
+                        .triangles = {{0, 1, 2}, {3, 4, 5}}});
+    const auto hit = [](uint32_t triangle, float t) {
+        return Hit{t, Hit::no_instance, 0, triangle, {}, Kind::triangle};
+    };
+    const auto wrong = [&](float before, uint32_t reference, uint32_t found) {
+        const Ray ray{.org = {0.2f, 0.2f, 3 - before}, .dir = {0, 0, 1}};
+        const std::array hits{hit(0, before), hit(1, 1 + before)};
+        Agreement a;
+        a.count(g, ray, 0, hits[reference], hits[found]);
+        EXPECT_EQ(a.rays, a.explained + a.wrong);
+        return a.wrong;
+    };
+    for (const auto& [reference, found] : {std::pair{0u, 1u}, {1u, 0u}}) {
+        EXPECT_EQ(wrong(1e-18f, reference, found), 0u);
+        EXPECT_EQ(wrong(1e-6f, reference, found), 0u);
+        EXPECT_EQ(wrong(1e-4f, reference, found), 1u);
+    }
+}
+
 }  // namespace
 }  // namespace lancer

@@ -26,7 +26,8 @@ struct Agreement {
     uint64_t rays = 0;
     uint64_t same = 0;                  // the same primitive, and all bits of the hit
     uint64_t ties = 0;                  // another one, exactly as far
-    uint64_t explained = 0;             // another one, no farther or no farther from an edge than float can tell
+    uint64_t explained = 0;             // another one, no farther from it, from an edge or from an end of the ray than
+                                        // float can tell
     uint64_t wrong = 0;                 // all others
     uint64_t first_wrong = UINT64_MAX;  // number of the ray
 
@@ -71,11 +72,12 @@ private:
     static bool by_rounding(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b)
     {
         if (explainable(g, ray, a, b)) return true;
-        if (a && b) return false;
-        // Only one was found: at an end of the interval?
-        const Hit& hit = a ? a : b;
-        const float few_ulps = 16 * 0x1p-24f * std::max(length(ray.org), hit.t);
-        return std::abs(hit.t - ray.t_max) <= few_ulps || std::abs(hit.t - ray.t_min) <= few_ulps;
+        // At an end of the interval? One of them then begins or ends it; what is found behind the near end may be
+        // anything.
+        const Hit& nearer = !b || (a && a.t < b.t) ? a : b;
+        const float few_ulps = 16 * 0x1p-24f * std::max(length(ray.org), nearer.t);
+        if (std::abs(nearer.t - ray.t_min) <= few_ulps) return true;
+        return !(a && b) && std::abs(nearer.t - ray.t_max) <= few_ulps;
     }
     void disagree(uint64_t number)
     {
