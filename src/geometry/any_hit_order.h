@@ -22,20 +22,19 @@ struct AnyHit {
 // triangle's area, as it has two sides, and half of box_half_area.
 inline AnyHit any_hit_of(const Corners& triangle, float box_half_area, float work)
 {
-    const Vec3d n =
-        cross(to_double(triangle[1]) - to_double(triangle[0]), to_double(triangle[2]) - to_double(triangle[0]));
-    const auto area = static_cast<float>(0.5 * std::sqrt(dot(n, n)));
+    const float area = 0.5f * length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+    // What is too large or too small for float to tell becomes 1.
     return {std::min(1.0f, area / box_half_area), work};
 }
 
-// Of a box around two, which take these shares of its half area. Rays that must meet both, as the shares are more than
-// the whole, try the better one first.
-inline AnyHit any_hit_of(AnyHit a, float share_a, AnyHit b, float share_b, float own_work)
+// Of a box around two, which take these shares of its half area. Rays that meet both, as the shares are more than the
+// whole, try the better one first, and where it stops them the work of the other is saved: the larger of the two
+// savings.
+inline AnyHit any_hit_of(const AnyHit& a, float share_a, const AnyHit& b, float share_b, float own_work)
 {
-    if (a.merit() < b.merit()) std::swap(a, b), std::swap(share_a, share_b);
     const float both = std::max(0.0f, share_a + share_b - 1);
     return {share_a * a.chance + share_b * b.chance - both * a.chance * b.chance,
-            own_work + share_a * a.work + share_b * b.work - both * a.chance * b.work};
+            own_work + share_a * a.work + share_b * b.work - both * std::max(a.chance * b.work, b.chance * a.work)};
 }
 
 }  // namespace lancer
