@@ -47,7 +47,7 @@ public:
     explicit NodeRay(const Ray& ray)
     {
         const Float4 org = org_and_t_min(ray), inverse = 1.0f / dir_and_t_max(ray);
-        const Float4 far_inverse = inverse * (1 + gamma(10));
+        const Float4 far_inverse = inverse * SlabRay::widening;
         const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
         for (size_t k = 0; k < 3; ++k) {
             org_[k] = all_lanes(org[k]);

@@ -71,8 +71,8 @@ void Collapse::choose(uint32_t node)
     const float leaf_cost = block_cost * static_cast<float>(blocks(c.triangles)), as_leaf = area * leaf_cost;
     c.leaf = c.triangles <= width * max_blocks && !(as_node < as_leaf);
     c.cost[0] = c.leaf ? as_leaf : as_node;
-    const float whole = 1 / area;
-    const auto share = [&](uint32_t child) { return std::min(1.0f, tree_.nodes[child].box.half_area() * whole); };
+    const float per_area = 1 / area;
+    const auto share = [&](uint32_t child) { return std::min(1.0f, tree_.nodes[child].box.half_area() * per_area); };
     any_hits_[node] =
         any_hit_of(any_hits_[n.child], share(n.child), any_hits_[n.child + 1], share(n.child + 1), level_cost);
     if (c.leaf) any_hits_[node].work = leaf_cost;

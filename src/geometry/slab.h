@@ -58,12 +58,13 @@ inline FloatBox box_of(Vec3 a, Vec3 b, Vec3 c)
 
 // What of a ray all its boxes share.
 struct SlabRay {
+    static constexpr float widening = 1 + gamma(10);  // of the far distances
     Vec3 org, inverse, far_inverse;
     float t_min;
 
     explicit SlabRay(const Ray& r) : org(r.org), inverse{1 / r.dir.x, 1 / r.dir.y, 1 / r.dir.z}, t_min(r.t_min)
     {
-        far_inverse = inverse * (1 + gamma(10));
+        far_inverse = inverse * widening;
     }
 };
 

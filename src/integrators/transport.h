@@ -45,10 +45,11 @@ inline float power_heuristic(float a, float b)
     return 1 / (1 + r * r);
 }
 
-// Weight of light found by following a ray, against a light sample's density there (0: none could find it).
+// Weight of light found by following a ray, against a light sample's density there (0: none was sampled that could
+// have found it).
 inline float weight_of_found(const State& s, DirectLight how, float pdf_light)
 {
-    if (!s.light_sampled || pdf_light == 0) return 1;
+    if (pdf_light == 0) return 1;
     return how.mis ? power_heuristic(s.pdf, pdf_light) : 0;
 }
 

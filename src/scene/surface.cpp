@@ -16,6 +16,11 @@ std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32
     return std::array{shading.uvs[i[0]], shading.uvs[i[1]], shading.uvs[i[2]]};
 }
 
+Vec2 weighed(const std::array<Vec2, 3>& corners, Vec2 uv)
+{
+    return corners[0] * first_weight(uv) + corners[1] * uv.x + corners[2] * uv.y;
+}
+
 // The directions of u and v on a triangle, scene units; nothing where it has no extent in texture space.
 std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, const std::array<Vec2, 3>& t)
 {
@@ -126,9 +131,7 @@ void map_plane(Surface& s, const Normalisation& normalisation, const PlaneMap& m
 Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
 {
     const auto uvs = corner_uvs(shading, triangle);
-    if (!uvs) return {};
-    const auto w = static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
-    return (*uvs)[0] * w + (*uvs)[1] * uv.x + (*uvs)[2] * uv.y;
+    return uvs ? weighed(*uvs, uv) : Vec2{};
 }
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
@@ -190,7 +193,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             s.light = light_of(scene, hit);
             if (!scene.shading[hit.geometry].colors.empty()) s.vertex_color = vertex_color(scene, hit);
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
-                s.uv = texture_uv(scene.shading[hit.geometry], hit.primitive, hit.uv);
+                s.uv = weighed(*uvs, hit.uv);
                 s.uv_width = width * uv_per_length(*uvs, placed.area);
                 if (scene.traits[s.material].tilts()) tangents = triangle_tangents(scene, hit, *uvs);
             }

@@ -1,8 +1,6 @@
 #include "scene/triangle_place.h"
 
-#include <array>
-
-#include "core/lanes.h"
+#include "geometry/triangle_lanes.h"
 #include "scene/scene.h"
 
 namespace lancer {
@@ -11,27 +9,12 @@ namespace {
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
-using Four = std::array<size_t, double_lanes>;
-
-Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
-{
-    _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);
-    return {v[0], v[1], v[2]};
-}
-Vec3T<Double4> to_double(const Vec3T<Float4>& v)
-{
-    return {_mm256_cvtps_pd(v.x), _mm256_cvtps_pd(v.y), _mm256_cvtps_pd(v.z)};
-}
-Vec3T<Float4> to_float(const Vec3T<Double4>& v)
-{
-    return {_mm256_cvtpd_ps(v.x), _mm256_cvtpd_ps(v.y), _mm256_cvtpd_ps(v.z)};
-}
 Vec3T<Float4> magnitude(const Vec3T<Float4>& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 Float4 largest(const Vec3T<Float4>& v) { return max(v.x, max(v.y, v.z)); }
 Vec3 lane(const Vec3T<Float4>& v, size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
 
 // triangle_place() of hits[which[k]], triangles that are drawn as they are.
-void place_four(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places, const Four& which)
+void place_four(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places, const FourHits& which)
 {
     std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
     Float4 u, v;
@@ -60,7 +43,6 @@ void place_four(const Scene& scene, std::span<const Hit> hits, std::span<Triangl
     const Float4 w = _mm256_cvtpd_ps(1.0 - Double4(_mm256_cvtps_pd(u)) - Double4(_mm256_cvtps_pd(v)));
     const Vec3T<Float4> wa = a * w, wb = b * u, wc = c * v, p = wa + wb + wc;
     const Float4 reach = max(largest(magnitude(a)), max(largest(magnitude(b)), largest(magnitude(c))));
-    const Float4 rounding = reach * 0x1p-40f;
     const Vec3T<Float4> of_sum = magnitude(wa) + magnitude(wb) + magnitude(wc);
     const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
     const Double4 length_n = sqrt(dot(cross_n, cross_n));
@@ -76,7 +58,7 @@ void place_four(const Scene& scene, std::span<const Hit> hits, std::span<Triangl
     for (size_t k = 0; k < double_lanes; ++k) {
         TrianglePlace& s = places[which[k]];
         s.p = lane(p, k);
-        s.p_error = lane(of_sum, k) * gamma(7) + Vec3{rounding[k], rounding[k], rounding[k]};
+        s.p_error = lane(of_sum, k) * gamma(7) + rounding_in_double(reach[k]);
         s.area = area[k];
         s.n = s.ns = length_n[k] > 0 ? lane(n, k) : Vec3{0, 0, 1};
         if (!smooth[k]) continue;
@@ -101,7 +83,7 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     const MeshShading& shading = scene.shading[mesh_index];
     if (!shading.normals.empty())
         if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
-            const float w = PointOnTriangle::first_weight(uv);
+            const float w = first_weight(uv);
             ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
             smooth = true;
         }
@@ -129,21 +111,11 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
 
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
-    Four waiting{};
-    size_t count = 0;
-    for (size_t i = 0; i < hits.size(); ++i) {
-        const Hit& hit = hits[i];
-        if (hit.kind != Kind::triangle) continue;
-        if (hit.instance != Hit::no_instance) {
-            places[i] = triangle_place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv);
-            continue;
-        }
-        waiting[count++] = i;
-        if (count == waiting.size()) place_four(scene, hits, places, waiting), count = 0;
-    }
-    if (count == 0) return;
-    std::fill(waiting.begin() + count, waiting.end(), waiting[0]);
-    place_four(scene, hits, places, waiting);
+    for_triangles(
+        hits, [&](const FourHits& which) { place_four(scene, hits, places, which); },
+        [&](size_t i) {
+            places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+        });
 }
 
 }  // namespace lancer

@@ -20,6 +20,13 @@ inline Vec3 rounding_in_double(float reach)
     return {e, e, e};
 }
 
+// Weight of the first corner, uv being those of the others. In double: the rounding of 1 - u - v is relative to 1, not
+// to itself, and a corner may be far away.
+inline float first_weight(Vec2 uv)
+{
+    return static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
+}
+
 // A point of a mesh's triangle, in the mesh's space. uv: barycentric weights of the second and third corner.
 struct PointOnTriangle {
     Vec3 p, p_error;
@@ -33,11 +40,6 @@ struct PointOnTriangle {
         // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
         const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
         p_error = (abs(wa) + abs(wb) + abs(wc)) * gamma(7) + rounding_in_double(reach);
-    }
-    // In double: the rounding of 1 - u - v is relative to 1, not to itself, and a corner may be far away.
-    static float first_weight(Vec2 uv)
-    {
-        return static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
     }
 };
 

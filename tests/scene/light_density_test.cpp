@@ -326,7 +326,6 @@ TEST(LightDensity, WeightsOfBothTechniquesSumToOne)
             found.ray = {.org = start_of(from, s->wi), .dir = s->wi};
             found.pdf = pdf_cosine_hemisphere(dot(s->wi, from.ns));  // of a diffuse BSDF
             found.specular = false;
-            found.light_sampled = true;
             const Hit hit = stage.list.closest(found.ray);
             if (hit && s->infinite) continue;
             const float of_light = power_heuristic(s->pdf, found.pdf);

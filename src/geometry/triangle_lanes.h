@@ -1,0 +1,54 @@
+// What triangles that were hit have in common four at a time: which of a batch go together, and their vectors in
+// registers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "core/lanes.h"
+#include "core/vec.h"
+#include "geometry/hit.h"
+
+namespace lancer {
+
+// Numbers of hits of a batch. The last fours of a batch may name one several times.
+using FourHits = std::array<size_t, double_lanes>;
+
+// four(which) of the triangles that are drawn as they are, placed(i) of each one that an instance places. Spheres,
+// planes and misses are left out.
+template <class Four, class Placed>
+void for_triangles(std::span<const Hit> hits, const Four& four, const Placed& placed)
+{
+    FourHits which{};
+    size_t count = 0;
+    for (size_t i = 0; i < hits.size(); ++i) {
+        if (hits[i].kind != Kind::triangle) continue;
+        if (hits[i].instance != Hit::no_instance) {
+            placed(i);
+            continue;
+        }
+        which[count++] = i;
+        if (count == which.size()) four(which), count = 0;
+    }
+    if (count == 0) return;
+    std::fill(which.begin() + count, which.end(), which[0]);
+    four(which);
+}
+
+// Of four vectors, each with something behind it: all x in one register, then all y, all z.
+inline Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
+{
+    _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);
+    return {v[0], v[1], v[2]};
+}
+inline Vec3T<Double4> to_double(const Vec3T<Float4>& v)
+{
+    return {_mm256_cvtps_pd(v.x), _mm256_cvtps_pd(v.y), _mm256_cvtps_pd(v.z)};
+}
+inline Vec3T<Float4> to_float(const Vec3T<Double4>& v)
+{
+    return {_mm256_cvtpd_ps(v.x), _mm256_cvtpd_ps(v.y), _mm256_cvtpd_ps(v.z)};
+}
+
+}  // namespace lancer
