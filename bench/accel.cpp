@@ -11,6 +11,7 @@
 #include "harness/agreement.h"
 #include "harness/bare_embree.h"
 #include "harness/bare_tree.h"
+#include "harness/batches.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
 #include "report/statistics.h"
@@ -18,7 +19,6 @@
 namespace lancer::bench {
 namespace {
 
-constexpr size_t batch = 256;        // as the kernel asks
 constexpr double most_run_ns = 3e7;  // what is slower gets fewer rays
 
 const BareMode product_mode{};
@@ -74,15 +74,6 @@ struct Subjects {
             bare.emplace_back(mode, std::make_unique<BareEmbree>(g, mode));
     }
 };
-
-template <class Out, class F>
-void in_batches(std::span<const Ray> rays, std::span<Out> out, const F& f)
-{
-    for (size_t i = 0; i < rays.size(); i += batch) {
-        const size_t n = std::min(batch, rays.size() - i);
-        f(rays.subspan(i, n), out.subspan(i, n));
-    }
-}
 
 std::vector<Entry> entries_of(const Subjects& s, const Geometry& g)
 {

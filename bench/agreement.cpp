@@ -138,9 +138,9 @@ int main(int argc, char** argv)
     return run_program(
         argc, argv, "bench_agreement",
         "Compare the answers of every accelerator with a reference in double: on each mesh rays of five kinds, 20,000 "
-        "of each or, with --full, 1,000,000, and 20,000 with the list of triangles. The reference's answers are kept "
-        "in "
-        "the cache folder. Fails if a hand-written accelerator gives a wrong answer; Embree's are only counted.",
+        "of each or, with --full, 1,000,000, and 20,000 with the list of triangles. The reference's answers are "
+        "kept in the cache folder. Fails if a hand-written accelerator gives a wrong answer; Embree's are only "
+        "counted.",
         [&](const Options& options, Report& report) {
             Study study(options, report);
             for (const MeshChoice& choice : choose_meshes(options)) {

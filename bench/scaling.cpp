@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/bare_embree.h"
+#include "harness/batches.h"
 #include "harness/generate.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
@@ -15,8 +16,6 @@
 
 namespace lancer::bench {
 namespace {
-
-constexpr size_t batch = 256;  // as the kernel asks
 
 constexpr uint64_t most_by_loop = 1000;  // triangles: what tries all of them is not asked about more
 
@@ -93,17 +92,15 @@ private:
         std::vector<Contestant> contestants;
         for (const auto& [accel, owner] : accels) {
             const Accelerator* a = owner.get();
-            contestants.push_back({accel, static_cast<double>(set.rays.size()), [&, a] {
-                                       const std::span<const Ray> rays = set.rays;
-                                       for (size_t i = 0; i < rays.size(); i += batch) {
-                                           const size_t n = std::min(batch, rays.size() - i);
-                                           if (set.occlusion)
-                                               a->any(rays.subspan(i, n), std::span(occluded).subspan(i, n));
-                                           else
-                                               a->closest(rays.subspan(i, n), std::span(hits).subspan(i, n),
-                                                          set.coherence);
-                                       }
-                                   }});
+            contestants.push_back(
+                {accel, static_cast<double>(set.rays.size()), [&, a] {
+                     const std::span<const Ray> rays = set.rays;
+                     if (set.occlusion)
+                         in_batches(rays, std::span(occluded), [&](auto some, auto out) { a->any(some, out); });
+                     else
+                         in_batches(rays, std::span(hits),
+                                    [&](auto some, auto out) { a->closest(some, out, set.coherence); });
+                 }});
         }
         const std::vector<Timing> timings = take_turns(contestants, options_.repetitions, 1);
         for (size_t i = 0; i < contestants.size(); ++i) {
