@@ -112,7 +112,7 @@ int run_pixel(int argc, char** argv)
         const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
         Report report(renderer, p.description);
         const Color radiance =
-            renderer.replay(camera, s.width, {options->x, options->y, options->sample}, report.listener());
+            renderer.replay(camera, s.width, s.height, {options->x, options->y, options->sample}, report.listener());
         print_result("radiance " + to_text(radiance) +
                      (is_finite(radiance) ? "" : ": not finite, left out of pictures"));
     });

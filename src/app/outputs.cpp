@@ -15,6 +15,13 @@
 namespace lancer {
 namespace {
 
+// Whether a switch leaves the mean of the picture alone.
+bool is_technique(Switch x)
+{
+    return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::split ||
+           x == Switch::roulette;
+}
+
 // Whatever keeps the mean of the picture from the truth, however many samples it has.
 std::string bias_ledger(const RunStats& s)
 {
@@ -25,8 +32,7 @@ std::string bias_ledger(const RunStats& s)
     for (size_t i = 0; i < switch_names.size(); ++i) {
         const auto x = static_cast<Switch>(i);
         const bool is_on = s.settings.switches[x];
-        if (x == Switch::nee || x == Switch::mis || x == Switch::always_nee || is_on == Switches::default_of(x))
-            continue;
+        if (is_technique(x) || is_on == Switches::default_of(x)) continue;
         if (x == Switch::stop && stop_rule(s.settings.integrator, s.settings.switches) == StopRule::confidence)
             continue;
         add((is_on ? "" : "no_") + std::string(switch_names[i]));

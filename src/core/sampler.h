@@ -101,6 +101,14 @@ public:
           key_(mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch)))
     {
     }
+    // The numbers of another sample of the pixel.
+    Sampler of_sample(uint32_t sample) const
+    {
+        Sampler other = *this;
+        other.sample_ = sample;
+        other.pair_first_ = UINT32_MAX;
+        return other;
+    }
     // Each in [0, 1).
     Vec2 get2(uint32_t bounce, Dim dim) const
     {

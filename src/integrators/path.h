@@ -11,15 +11,18 @@ struct Path {
     static constexpr const char* name = "path";
 
     uint32_t max_depth = 0;       // surface vertices that scatter light; 1 is direct light only; 0: no limit
-    uint32_t roulette_depth = 5;  // vertices before roulette may end the path
+    uint32_t roulette_depth = 5;  // vertices before roulette by the throughput may end the path
     DirectLight direct{};
     LightParts parts{};
+    bool split = true, roulette_by_pixel = true;  // whether a pilot may plan for them
 
     void take(const IntegratorSettings& settings)
     {
         max_depth = settings.max_depth;
         direct = DirectLight::of(settings.switches);
         parts = LightParts(settings.switches);
+        split = settings.switches[Switch::split];
+        roulette_by_pixel = settings.switches[Switch::roulette];
     }
     template <class V>
     void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const

@@ -23,6 +23,7 @@ enum class Leg : uint8_t {
 struct State {
     Ray ray;
     Color throughput{1, 1, 1};   // what the path so far does to light that comes along the ray
+    Color worth{-1, -1, -1};     // see PathPlan::worth_at()
     float pdf = 0;               // with which the BSDF chose the ray, per solid angle
     Vec3 normal;                 // shading normal where it started
     RayCone cone;                // of the light that the ray stands for
@@ -30,11 +31,14 @@ struct State {
     float eta_scale = 1;         // product of eta^2 over refractions: throughput times it speaks of energy
     uint32_t slot = 0;           // the sample that it adds to
     uint32_t branch = 0;         // part of the address of its random numbers; siblings differ
+    uint32_t sample = 0;         // likewise: that of the sample until the path splits, then see PathPlan::parts
+    uint32_t part = 0;           // of the numbers: first one that the path takes when it splits
     uint32_t depth = 0;          // surface vertices before this ray
     bool specular = true;        // chosen by a delta lobe or by the camera
     bool light_sampled = false;  // where it started a light was sampled that might have been what it meets
     Leg leg = Leg::view;         // part of the path that the ray belongs to
     bool last = false;           // only emission counts where it ends
+    bool has_split = false;      // the path has come by the vertex where it splits
 };
 
 // What steps collect, for a whole batch. Reused from batch to batch, so that no ray allocates.

@@ -167,15 +167,38 @@ bool scatter(const V& view, const State& s, State& n, const Surface& surface, co
     return send_on(view, s, n, surface, frame, b, sampler);
 }
 
-// Russian roulette on the energy that the path still carries. The first vertices are spared: on bright scenes ending
-// them costs several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing.
-inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth)
+// Russian roulette on what a ray may still bring. Where it is known what its pixel shows: on the part of that, so that
+// dark pixels keep the rays that bright ones can do without; roulette on the throughput alone ends the same paths
+// everywhere. Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light Transport Simulation", 2016. A
+// factor of 2 more or less changes the error at equal time by a few per cent; `rays` was fitted once, on four scenes.
+// Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is the energy
+// that the path still carries that decides, but not at the first vertices: on bright scenes ending paths there costs
+// several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing.
+// split: into how many rays such a path splits.
+inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
-    if (s.depth < first_depth) return true;
-    const float q = std::min(0.95f, max_component(s.throughput) * s.eta_scale);
+    constexpr float rays = 3.5f, least = 0.02f;
+    float q = s.depth < first_depth ? 1 : 0.95f;
+    if (s.worth.r < 0 || s.leg == Leg::view) {
+        if (s.depth >= first_depth) q = std::min(q, max_component(s.throughput) * s.eta_scale);
+    } else {
+        const Color part = s.throughput * s.worth;
+        const float of_pixel = std::sqrt(part.r * part.r + part.g * part.g + part.b * part.b);
+        const float of_path = of_pixel * static_cast<float>(s.has_split ? split : 1);
+        q = std::min(q, std::max(least, rays * of_path * s.eta_scale));
+    }
+    if (q == 1) return true;
     if (!(sampler.get1(s.depth, Dim::roulette) < q)) return false;
     s.throughput /= q;
     return true;
+}
+
+// Whether a path splits at a vertex: at the first one that may send it anywhere but straight on. Below it lies most of
+// what a sample is unsure of, above it the rays that several of them can share.
+template <class B>
+bool splits_at(const State& s, const B& bsdf)
+{
+    return !s.has_split && !bsdf.only_delta();
 }
 
 // One vertex of a path tracer: emission, a shadow ray, the next ray. is_last(next) tells whether only emission is
@@ -192,13 +215,22 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
         const bool samples = samples_light(view, bsdf, how);
         if (samples && parts.has(leg_after(s.leg, false)))
             sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
-        steps.next_from(s, [&](State& n) {
-            if (!scatter(view, s, n, surface, frame, wo, bsdf, sampler)) return false;
-            if (!survives_roulette(n, sampler, roulette_depth)) return false;
+        const auto send = [&](State& n, const Sampler& numbers) {
+            if (!scatter(view, s, n, surface, frame, wo, bsdf, numbers)) return false;
+            if (!survives_roulette(n, numbers, roulette_depth, view.plan.split)) return false;
             n.light_sampled = samples && !n.specular;
             n.last = is_last(n) || (n.leg == Leg::direct && !parts.indirect);
             return true;
-        });
+        };
+        if (view.plan.parts == 1 || !splits_at(s, bsdf))
+            return steps.next_from(s, [&](State& n) { return send(n, sampler); });
+        for (uint32_t i = 0; i < view.plan.split; ++i)
+            steps.next_from(s, [&](State& n) {
+                n.has_split = true;
+                n.sample = s.sample * view.plan.parts + s.part + i;
+                n.throughput /= static_cast<float>(view.plan.split);
+                return send(n, sampler.of_sample(n.sample));
+            });
     });
 }
 

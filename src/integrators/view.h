@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/sampler.h"
+#include "integrators/path_plan.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -11,6 +12,7 @@ namespace lancer {
 
 struct View {
     const Scene& scene;
+    const PathPlan& plan;
 
     Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone) const
     {

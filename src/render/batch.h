@@ -53,29 +53,34 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                  const Listener& listener)
 {
     const uint64_t seed = w.is_pilot ? pilot_seed(settings.seed) : settings.seed;
-    const auto sampler = [&](uint32_t slot, uint32_t branch) {
+    const auto sampler = [&](uint32_t slot, uint32_t sample, uint32_t branch) {
         const SampleId& id = w.slots[slot];
-        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, id.sample, branch);
+        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
+    const uint32_t of_path = view.plan.parts / view.plan.split;  // samples that share the first vertices of a path
     w.queue.radiance.assign(w.slots.size(), Color{});
-    // One of each per path is the most today's integrators ask for. Without this a later batch may be the first to ask
-    // for so many, and allocate.
-    w.queue.next.reserve(w.slots.size());
-    w.queue.shadow_rays.reserve(w.slots.size());
-    w.queue.shadows.reserve(w.slots.size());
-    w.occluded.reserve(w.slots.size());
+    // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
+    // first to ask for so many, and allocate.
+    const size_t most = w.slots.size() * view.plan.split;
+    w.queue.next.reserve(most);
+    w.queue.shadow_rays.reserve(most);
+    w.queue.shadows.reserve(most);
+    w.occluded.reserve(most);
     w.states.clear();
     std::array<std::optional<Sampler>, looked_ahead> samplers;
     const auto prepare_camera = [&](uint32_t first) {
         AskedNumbers<looked_ahead> asked(Dim::pixel);
         for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
-            asked.add(samplers[i - first].emplace(sampler(i, 0)), 0);
+            asked.add(samplers[i - first].emplace(sampler(i, w.slots[i].sample / of_path, 0)), 0);
         asked.prepare();
     };
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
         if (i % looked_ahead == 0) prepare_camera(i);
         State& s = w.states.emplace_back();
         s.slot = i;
+        s.sample = w.slots[i].sample / of_path;
+        s.part = w.slots[i].sample % of_path;
+        s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % looked_ahead];
         const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
         s.ray = camera.ray(
@@ -97,7 +102,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const State& s = w.states[i];
-            asked.add(samplers[i - first].emplace(sampler(s.slot, s.branch)), s.depth);
+            asked.add(samplers[i - first].emplace(sampler(s.slot, s.sample, s.branch)), s.depth);
             surfaces[i - first].emplace(
                 Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
         }

@@ -143,6 +143,14 @@ void Kernels<Integrator>::render(const View& view, const Accelerator& accel, con
 }
 
 template <class Integrator>
+void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                                const KernelSettings& settings, const Integrator& integrator, Workspace& w,
+                                Counters& counters)
+{
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, NoListener{});
+}
+
+template <class Integrator>
 Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                                   const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
                                   const PathListener& listener)

@@ -23,6 +23,9 @@ struct Kernels {
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                        const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                        Counters& counters);
+    // Traces the samples in w.slots; what counts of each is then in w.queue.radiance. width: of the whole picture.
+    static void trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                      const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters);
     // Traces one sample as render() would, with the same bits, and returns its radiance. width: of the whole picture.
     static Color replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                         const KernelSettings& settings, const Integrator& integrator, const SampleId& id,

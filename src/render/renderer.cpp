@@ -30,6 +30,7 @@ Renderer::~Renderer() = default;
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                           const std::stop_token& stop, const std::function<void()>& tile_done) const
 {
+    const PathPlan& plan = this->plan(camera, film.width, film.height);
     PassResult result;
     std::atomic<bool> skipped{false};
     parallel_for(tiles.size(), [&](size_t i) {
@@ -47,7 +48,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (!w) w = std::make_unique<Workspace>();
         Counters counters;
-        kernel_(camera, film, tiles[i], samples, *w, counters);
+        kernel_(plan, camera, film, tiles[i], samples, *w, counters);
         {
             std::lock_guard lock(mutex_);
             result.counters += counters;
@@ -59,9 +60,22 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
     return result;
 }
 
-Color Renderer::replay(const Camera& camera, uint32_t width, const SampleId& id, const PathListener& listener) const
+Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
+                       const PathListener& listener) const
 {
-    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, camera, width, id, listener);
+    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, plan(camera, width, height), camera,
+                          width, id, listener);
+}
+
+const PathPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
+{
+    if (!piloted_ || !(piloted_->camera == camera) || piloted_->width != width || piloted_->height != height) {
+        const auto* path = std::get_if<Path>(&settings_.integrator);
+        piloted_.emplace(
+            Piloted{camera, width, height,
+                    path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : PathPlan{}});
+    }
+    return piloted_->plan;
 }
 
 std::vector<Tile> make_tiles(const Tile& crop, uint32_t size)

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "integrators/integrator.h"
+#include "render/pilot.h"
 #include "render/specialize.h"
 
 namespace lancer {
@@ -42,8 +43,12 @@ public:
     PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                     const std::stop_token& stop = {}, const std::function<void()>& tile_done = {}) const;
 
-    // See lancer::replay.
-    Color replay(const Camera& camera, uint32_t width, const SampleId& id, const PathListener& listener) const;
+    // See lancer::replay. width, height: of the whole picture.
+    Color replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
+                 const PathListener& listener) const;
+
+    // How paths spend their rays in a picture of that size: found out once, then known.
+    const PathPlan& plan(const Camera& camera, uint32_t width, uint32_t height) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }
@@ -57,6 +62,7 @@ private:
     // Workspaces at rest: a thread takes one for a tile and puts it back.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Workspace>> workspaces_;
+    mutable std::optional<Piloted> piloted_;  // the last one
 };
 
 // The crop in tiles of at most size x size pixels, aligned to the whole picture.

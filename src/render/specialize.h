@@ -9,7 +9,7 @@
 namespace lancer {
 
 // One call per tile, so the type erasure costs nothing; below it only concrete types.
-using TileKernel = std::function<void(const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
+using TileKernel = std::function<void(const PathPlan&, const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
 
 // All references must outlive the kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
@@ -17,7 +17,7 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
 
 // Traces one sample as a render would, with the same bits, and returns its radiance.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-             const KernelSettings& settings, const Camera& camera, uint32_t width, const SampleId& id,
-             const PathListener& listener);
+             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, uint32_t width,
+             const SampleId& id, const PathListener& listener);
 
 }  // namespace lancer

@@ -27,6 +27,8 @@ public:
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 
+    friend bool operator==(const Camera&, const Camera&) = default;
+
 private:
     Vec3 position_, right_, down_, forward_;  // right_, down_: one pixel at distance 1
     Vec3 lens_right_, lens_up_;               // radius of the lens; 0 for a pinhole

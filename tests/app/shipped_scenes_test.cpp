@@ -34,7 +34,7 @@ TEST_P(Shipped, HasNoProblemsAndIsSeen)
     const std::string scene = shipped + GetParam() + ".toml";
     const Said checked = run({"check", "--strict", scene});
     EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
-    const Said rendered = run({"render", scene, "--size", "48x32", "-s", "1", "-q", "-o", "a.exr"});
+    const Said rendered = run({"render", scene, "--size", "48x32", "-s", "4", "-q", "-o", "a.exr"});
     ASSERT_EQ(rendered.code, 0) << rendered.err;
     EXPECT_EQ(rendered.err, "");
     const Image picture = image("a.exr");

@@ -47,7 +47,7 @@ void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, 
                             (sampler == SamplerKind::sobol ? ", sobol" : ", independent"));
         }
     // With roulette the paths of more than six vertices are the same too.
-    Shot never{.integrator = Path{.max_depth = 6, .roulette_depth = no_roulette}, .spp = spp};
+    Shot never{.integrator = without_roulette({.max_depth = 6}), .spp = spp};
     never.seed = ++seed;
     tiles.push_back(tiles_over_seeds(d, never, 16));
     names.emplace_back("no roulette");
@@ -168,9 +168,11 @@ TEST(Agreement, RouletteFromTheFirstVertexAndNever)
 {
     const SceneDescription d = spheres_scene();
     std::vector<std::vector<stats::Tally>> tiles;
-    for (const uint32_t first : {1u, no_roulette})
-        tiles.push_back(tiles_over_seeds(
-            d, {.integrator = Path{.max_depth = 40, .roulette_depth = first}, .spp = 16, .seed = first}, 24));
+    Path first = without_roulette({.max_depth = 40});
+    first.roulette_depth = 1;
+    tiles.push_back(tiles_over_seeds(d, {.integrator = first, .spp = 16, .seed = 1}, 24));
+    const Path never = without_roulette({.max_depth = 40});
+    tiles.push_back(tiles_over_seeds(d, {.integrator = never, .spp = 16, .seed = no_roulette}, 24));
     expect_agreement(tiles, {"from the first", "never"}, "spheres");
 }
 
@@ -199,10 +201,12 @@ TEST(Agreement, DirectIsPathOfOneVertex)
         if (std::string(name) == "spheres" || std::string(name) == "textured" || std::string(name) == "glossy" ||
             std::string(name) == "media" || std::string(name) == "shapes")
             continue;
-        for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}})
-            EXPECT_TRUE(same_bits(shoot(d, {.integrator = Direct{.direct = how}}),
-                                  shoot(d, {.integrator = Path{.max_depth = 1, .direct = how}})))
+        for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}}) {
+            Path path{.max_depth = 1, .direct = how};
+            path.split = path.roulette_by_pixel = false;
+            EXPECT_TRUE(same_bits(shoot(d, {.integrator = Direct{.direct = how}}), shoot(d, {.integrator = path})))
                 << name;
+        }
     }
 }
 

@@ -2,31 +2,10 @@
 // the mean of the whole tree, material by material, depth by depth.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "support/classic.h"
 
 namespace lancer {
 namespace {
-
-// Lets `name` claim that all ways have one mean, in every tile and as a whole; says what bias would have shown.
-void expect_one_mean(const std::vector<std::vector<stats::Tally>>& ways, double detectable, const std::string& name)
-{
-    stats::Family tiles, wholes;
-    double worst = 0;
-    for (size_t a = 0; a < ways.size(); ++a)
-        for (size_t b = a + 1; b < ways.size(); ++b) {
-            const size_t whole = ways[a].size() - 1;
-            // What is the same sum in another order differs by roundings.
-            for (size_t t = 0; t < whole; ++t)
-                tiles.add(stats::welch_p(ways[a][t], ways[b][t], 1e-5), name + ", tile " + std::to_string(t));
-            const stats::Tally &x = ways[a][whole], &y = ways[b][whole];
-            wholes.add(stats::welch_p(x, y, 1e-5), name);
-            worst = std::max(worst, 4 * std::hypot(x.error(), y.error()) / x.mean);
-        }
-    EXPECT_LT(worst, detectable) << name << ": too noisy to tell";
-    std::printf("%s: biases above %.2g %% would show\n", name.c_str(), 100 * worst);
-}
 
 void expect_direct_light(const SceneDescription& d, const std::string& name)
 {

@@ -120,12 +120,12 @@ TEST(Mirrors, FacingEachOtherMultiply)
     d.camera = make_camera({0, 0, 0}, {1, 0.01, 0}, 1e-4);  // heights 0.01, 0.03, ... 4.99: 250 of them
     constexpr int n = 250;
     const auto seen = [&](float t) { return 2 * std::pow(t, static_cast<float>(n)); };
-    const Shot shot{.integrator = Path{.roulette_depth = no_roulette}, .width = 2, .height = 2};
+    const Shot shot{.integrator = without_roulette({}), .width = 2, .height = 2};
     expect_all_equal(shoot(d, shot), {seen(tint.r), seen(tint.g), seen(tint.b)}, gamma(2 * n), "250 mirrors");
     Shot deep = shot;
-    deep.integrator = Path{.max_depth = n, .roulette_depth = no_roulette};
+    deep.integrator = without_roulette({.max_depth = n});
     EXPECT_TRUE(same_bits(shoot(d, deep), shoot(d, shot))) << "the sky is seen after the last of 250";
-    deep.integrator = Path{.max_depth = n - 1, .roulette_depth = no_roulette};
+    deep.integrator = without_roulette({.max_depth = n - 1});
     expect_all_equal(shoot(d, deep), {0, 0, 0}, 0, "one vertex too few");
     deep.integrator = Direct{.roulette_depth = no_roulette};
     expect_all_equal(shoot(d, deep), {seen(tint.r), seen(tint.g), seen(tint.b)}, gamma(2 * n), "by direct light");
@@ -146,7 +146,7 @@ TEST(GlassBoundary, RefractsRadianceAndReflectsTotally)
         const double angle = angle_deg * std::numbers::pi / 180;
         d.camera = make_camera({0, -1, 0}, {std::sin(angle), -1 + std::cos(angle), 0}, 1e-4);
         d.camera->up = {0, 0, 1};
-        const Film film = shoot(d, {.integrator = Path{.roulette_depth = no_roulette},
+        const Film film = shoot(d, {.integrator = without_roulette({}),
                                     .width = 8,
                                     .height = 8,
                                     .spp = 256,
@@ -177,7 +177,7 @@ TEST(GlassBoundary, ReflectsByTheFresnelEquationsFromEitherSide)
             d.planes = {plane_of({0, 0, 0}, {0, 1, 0}, "glass"), plane_of({0, 3 * side, 0}, {0, 1, 0}, "lamp")};
             d.camera = make_camera({std::sin(angle), side * cos, 0}, {0, 0, 0}, 1e-4);
             d.camera->up = {0, 0, 1};
-            const Film film = shoot(d, {.integrator = Path{.roulette_depth = no_roulette},
+            const Film film = shoot(d, {.integrator = without_roulette({}),
                                         .width = 8,
                                         .height = 8,
                                         .spp = 1024,
@@ -207,7 +207,7 @@ TEST(GlassPane, OfIndexOneIsNotSeen)
     nothing.type = MaterialType::glass;
     nothing.ior = 1;
     pane.meshes.push_back(make_mesh(make_cube(nothing), {{0, 0, 2}, {0, 0, 0}, {4, 4, 0.1}}));
-    const Shot shot{.integrator = Path{.roulette_depth = no_roulette}, .spp = 4};
+    const Shot shot{.integrator = without_roulette({}), .spp = 4};
     const Film a = shoot(bare, shot), b = shoot(pane, shot);
     int differing = 0;
     for (size_t i = 0; i < a.pixels.size(); ++i) {

@@ -47,7 +47,7 @@ TEST(ClosedFurnace, TruncatedSeriesCountsScatteringVertices)
 {
     for (const uint32_t depth : {1u, 2u, 3u, 8u, 64u}) {
         const float rho = 0.9f, series = (1 - std::pow(rho, static_cast<float>(depth + 1))) / (1 - rho);
-        const Path path{.max_depth = depth, .roulette_depth = no_roulette, .direct = {false, false}};
+        const Path path = without_roulette({.max_depth = depth, .direct = {false, false}});
         expect_all_equal(shoot(closed_furnace(rho), {.integrator = path, .width = 8, .height = 8}), emitted * series,
                          1e-5f, "depth " + std::to_string(depth));
     }
@@ -59,7 +59,7 @@ TEST(ClosedFurnace, TruncatedSeriesBySamplingLights)
     for (const uint32_t depth : {1u, 2u, 5u})
         for (const DirectLight how : {ways[0], ways[1]}) {
             const double rho = 0.9, series = (1 - std::pow(rho, depth + 1)) / (1 - rho);
-            const Path path{.max_depth = depth, .roulette_depth = no_roulette, .direct = how};
+            const Path path = without_roulette({.max_depth = depth, .direct = how});
             const Film film =
                 shoot(closed_furnace(0.9f),
                       {.integrator = path, .width = 16, .height = 16, .spp = 256, .sampler = SamplerKind::independent});
@@ -106,7 +106,7 @@ TEST(SkyFurnace, WhiteDiffuseThingsAreInvisible)
 // Neither can mirrors and glass, sample by sample: refraction out undoes refraction in.
 TEST(SkyFurnace, MirrorAndGlassAreInvisibleInEverySample)
 {
-    const Path path{.roulette_depth = no_roulette};
+    const Path path = without_roulette({});
     for (const float ior : {1.0f, 1.5f, 0.7f})
         for (const int shape : {0, 1}) {
             MaterialDescription glass = make_lambert("glass", {1, 1, 1});

@@ -223,7 +223,8 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
     d.planes.push_back(plane_of({0, 0, 0}, {0, 1, 0}, "glass"));
     d.camera = make_camera({0, 8, 8}, {0, 0, 0}, 30);
     const Stage stage(d);
-    const View view{stage.scene};
+    const PathPlan no_plan;
+    const View view{stage.scene, no_plan};
     const float unit = static_cast<float>(stage.scene.normalisation.scale);
     constexpr uint32_t tries = 20000;
     stats::Family family;

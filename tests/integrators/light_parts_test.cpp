@@ -64,7 +64,7 @@ TEST(LightParts, AddUpToTheWhole)
 TEST(LightParts, WithoutIndirectLightIsTheDirectIntegrator)
 {
     for (const auto& [name, d] : all_test_scenes()) {
-        const Switches switches = with({{Switch::indirect, false}});
+        const Switches switches = with({{Switch::indirect, false}, {Switch::split, false}, {Switch::roulette, false}});
         EXPECT_TRUE(same_bits(shoot_with(d, switches), shoot_with(d, {}, "direct"))) << name;
     }
 }

@@ -32,11 +32,8 @@ CameraDescription view_at(double angle_deg, double distance)
 // One pixel's worth of independent samples.
 Shot narrow(uint32_t spp)
 {
-    return {.integrator = Path{.roulette_depth = no_roulette},
-            .width = 8,
-            .height = 8,
-            .spp = spp,
-            .sampler = SamplerKind::independent};
+    return {
+        .integrator = without_roulette({}), .width = 8, .height = 8, .spp = spp, .sampler = SamplerKind::independent};
 }
 
 // A slab of thickness 1/2 over a lamp, as planes or as a box; nothing above.
@@ -164,7 +161,7 @@ TEST(Overlap, TouchingMediaReflectByTheirOwnIndices)
 
 void expect_same_picture(const SceneDescription& a, const SceneDescription& b, int may_differ, const char* what)
 {
-    const Shot shot{.integrator = Path{.roulette_depth = no_roulette}, .width = 48, .height = 48, .spp = 4};
+    const Shot shot{.integrator = without_roulette({}), .width = 48, .height = 48, .spp = 4};
     const Film x = shoot(a, shot), y = shoot(b, shot);
     int differing = 0;
     for (size_t i = 0; i < x.pixels.size(); ++i) {

@@ -78,8 +78,8 @@ stats::Tally trace(Route route, const Integrator& integrator, uint64_t seed, con
     for (uint32_t i = 0; i < side * side; ++i) w.slots.push_back({i % side, i / side, 0});
     const KernelSettings settings{.sampler = SamplerKind::independent, .seed = seed, .filter = Filter(FilterKind::box)};
     Counters counters;
-    trace_batch(View{stage.scene}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings, integrator, w,
-                counters, listener);
+    trace_batch(View{stage.scene, PathPlan{}}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings,
+                integrator, w, counters, listener);
     stats::Tally t;
     for (const Color c : w.queue.radiance) t.add(static_cast<double>(luminance(c)));
     return t;
@@ -90,7 +90,7 @@ TEST(RayCones, TakeNoiseAwayAndLeaveTheMean)
     stats::Family family;
     for (const Route route : routes) {
         const std::string name = route_names[static_cast<size_t>(route)];
-        const Path path{.max_depth = route == Route::glass ? 7u : 2u, .roulette_depth = no_roulette};
+        const Path path = without_roulette({.max_depth = route == Route::glass ? 7u : 2u});
         const stats::Tally wide = trace(route, path, 1, NoListener{}),
                            sharp = trace(route, Sharp{path}, 2, NoListener{});
         EXPECT_GT(wide.mean, 0.1) << name;

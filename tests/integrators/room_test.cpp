@@ -44,7 +44,7 @@ TEST(WhiteRoom, LosesNoRay)
 {
     for (const uint32_t depth : {1u, 6u, 40u}) {
         const float series = (1 - std::pow(0.8f, static_cast<float>(depth + 1))) / 0.2f;
-        const Path path{.max_depth = depth, .roulette_depth = no_roulette, .direct = {false, false}};
+        const Path path = without_roulette({.max_depth = depth, .direct = {false, false}});
         expect_all_equal(shoot(white_room(), {.integrator = path}), white_room().materials[0].emission * series, 2e-5f,
                          "depth " + std::to_string(depth));
     }

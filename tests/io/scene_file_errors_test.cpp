@@ -32,7 +32,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "fov, aperture, focus, inside"},
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
-          "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, stop, "
+          "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, split, "
+          "roulette, stop, "
           "multiscatter, "
           "terminator, "
           "legacy"},

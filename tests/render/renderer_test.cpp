@@ -83,7 +83,7 @@ TEST(Pass, DropsCountsAndNamesSamplesThatAreNotFinite)
         for (uint32_t y = 0; y < r.height; ++y) {
             Pixel sum;
             for (uint32_t i = 0; i < r.spp[0]; ++i) {
-                const Color c = renderer.replay(camera, r.width, {x, y, i}, deaf);
+                const Color c = renderer.replay(camera, r.width, r.height, {x, y, i}, deaf);
                 if (is_finite(c)) {
                     const double l = static_cast<double>(luminance(c));
                     sum += {{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)}, l * l, 1};
@@ -192,7 +192,7 @@ TEST(Replay, IsTheSampleThatTheFilmGot)
                     PathListener listener = deaf;
                     listener.added = [&](const State&, Color c) { added += c; };
                     listener.shadow = [&](const Ray&, Color c, bool occluded) { added += occluded ? Color{} : c; };
-                    const Color c = renderer.replay(camera, r.width, {x, y, 0}, listener);
+                    const Color c = renderer.replay(camera, r.width, r.height, {x, y, 0}, listener);
                     const Pixel& p = film.at(x, y);
                     ASSERT_EQ(static_cast<double>(c.r), p.sum[0]) << s.name << " " << x << " " << y;
                     ASSERT_EQ(static_cast<double>(c.g), p.sum[1]);
@@ -218,7 +218,7 @@ TEST(Replay, FindsASampleOfALaterPassInACrop)
     const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
     for (uint32_t y = 9; y < 12; ++y)
         for (uint32_t x = 10; x < 14; ++x) {
-            const Color c = renderer.replay(camera, r.width, {x, y, 16}, deaf);
+            const Color c = renderer.replay(camera, r.width, r.height, {x, y, 16}, deaf);
             EXPECT_EQ(before.at(x, y).sum[1] + static_cast<double>(c.g), both.at(x, y).sum[1]);
         }
 }

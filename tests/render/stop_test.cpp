@@ -217,7 +217,7 @@ TEST(StopRules, TheLastSampleEndsThePixel)
                 Pixel part;
                 const Pixel before = p;
                 for (uint32_t i = 0; i < 16 && !ended; ++i) {
-                    const Color c = renderer.replay(camera, r.width, {x, y, block * 16 + i}, deaf);
+                    const Color c = renderer.replay(camera, r.width, r.height, {x, y, block * 16 + i}, deaf);
                     EXPECT_LE(std::max({c.r, c.g, c.b}), 1);
                     part = with_sample(part, c);
                     p = before;

@@ -1,0 +1,33 @@
+// How a picture's paths are to spend their rays: into how many a path splits, and which of them roulette may end. Found
+// out by a pilot before the first sample; see render/pilot.h. Whatever it says, pictures converge to the same.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/color.h"
+
+namespace lancer {
+
+struct PathPlan {
+    // Rays that a path sends on from the first vertex that spreads light, each with its share of the throughput.
+    uint32_t split = 1;
+    // In how many parts the random numbers from there on are dealt: `split`, but in a pilot, where the parts of a path
+    // are samples of their own. Part j of sample i has the numbers of sample i * parts + j, so that all of a pixel's
+    // are still one low-discrepancy sequence.
+    uint32_t parts = 1;
+
+    // Of each cell of cell x cell pixels, row by row, and each colour channel: about how much light comes along a ray,
+    // as a part of what the pixel shows of it. Empty: roulette knows nothing of pixels.
+    uint32_t cell = 0, columns = 0;
+    std::vector<Color> worth;
+
+    // Of a pixel; negative if it is not known.
+    Color worth_at(uint32_t x, uint32_t y) const
+    {
+        if (worth.empty()) return {-1, -1, -1};
+        return worth[size_t{y / cell} * columns + x / cell];
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,43 @@
+// Whatever saves rays leaves the mean alone: pictures with each of it against the plain path tracer, scene by scene,
+// and what bias would have shown.
+#include <gtest/gtest.h>
+
+#include "support/shoot.h"
+
+namespace lancer {
+namespace {
+
+Path path_with(bool split, bool roulette, DirectLight direct = {})
+{
+    Path path{.max_depth = 8, .direct = direct};
+    path.split = split, path.roulette_by_pixel = roulette;
+    return path;
+}
+
+void expect_same_light(const SceneDescription& d, double detectable, const std::string& name)
+{
+    std::vector<std::vector<stats::Tally>> ways;
+    uint64_t seed = 100;
+    for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
+                             path_with(true, true), path_with(false, false, {.always = true})})
+        ways.push_back(tiles_over_seeds(d, {.integrator = path, .spp = 32, .seed = ++seed}, 16));
+    expect_one_mean(ways, detectable, name);
+}
+
+// The sky alone lights it, and what shines there.
+SceneDescription under_a_sky()
+{
+    SceneDescription d = lights_scene();
+    d.lights = {sky_of({0.5f, 0.7f, 0.9f})};
+    return d;
+}
+
+TEST(Estimators, Cornell) { expect_same_light(cornell_scene(), 0.02, "cornell"); }
+TEST(Estimators, Spheres) { expect_same_light(spheres_scene(), 0.02, "spheres"); }
+TEST(Estimators, Sky) { expect_same_light(under_a_sky(), 0.02, "sky"); }
+TEST(Estimators, Textured) { expect_same_light(textured_scene(), 0.02, "textured"); }
+TEST(Estimators, Holes) { expect_same_light(holes_scene(), 0.02, "holes"); }
+TEST(Estimators, Media) { expect_same_light(media_scene(), 0.02, "media"); }
+
+}  // namespace
+}  // namespace lancer

@@ -1,0 +1,106 @@
+#include "render/pilot.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/render.h"
+
+namespace lancer {
+namespace {
+
+constexpr uint32_t width = 32, height = 24;
+
+struct Planned {
+    PathPlan plan;
+    std::vector<std::set<uint32_t>> numbers;  // of the rays that samples 0 to 3 of a pixel sent on from where it splits
+};
+
+Planned planned(const SceneDescription& d, RenderSettings settings = {})
+{
+    Planned out;
+    with_threads(1, [&] {
+        const Renderer renderer(build_scene(d, test_picture), settings);
+        const Camera camera = camera_of(d, renderer.scene(), width, height);
+        out.plan = renderer.plan(camera, width, height);
+        for (uint32_t i = 0; i < 4; ++i) {
+            auto& numbers = out.numbers.emplace_back();
+            PathListener listener{[&](const State& s, const Hit&) {
+                                      if (s.depth != 1) return;
+                                      EXPECT_TRUE(numbers.insert(s.sample).second);
+                                  },
+                                  [](const State&, const Surface&) {}, [](const State&, Color) {},
+                                  [](const Ray&, Color, bool) {}};
+            renderer.replay(camera, width, height, {width / 2, height / 2, i}, listener);
+        }
+    });
+    return out;
+}
+
+RenderSettings with(bool split, bool roulette)
+{
+    RenderSettings settings;
+    Path path;
+    path.split = split, path.roulette_by_pixel = roulette;
+    settings.integrator = path;
+    return settings;
+}
+
+TEST(Pilot, PlansNothingThatIsSwitchedOff)
+{
+    const PathPlan none = planned(cornell_scene(), with(false, false)).plan;
+    EXPECT_EQ(none.split, 1u);
+    EXPECT_TRUE(none.worth.empty());
+    const PathPlan split = planned(cornell_scene(), with(true, false)).plan;
+    EXPECT_GT(split.split, 1u);
+    EXPECT_TRUE(split.worth.empty());
+    const PathPlan roulette = planned(cornell_scene(), with(false, true)).plan;
+    EXPECT_EQ(roulette.split, 1u);
+    EXPECT_EQ(roulette.worth.size(), 4u * 3u);
+}
+
+// Where nothing shines there is nothing to plan for, and no 0 / 0.
+TEST(Pilot, LeavesADarkSceneAlone)
+{
+    SceneDescription d = cornell_scene();
+    d.lights.clear();
+    for (auto& mesh : d.meshes) {
+        MeshData dark = *mesh.data;
+        for (auto& m : dark.materials) m.emission = {};
+        mesh.data = std::make_shared<const MeshData>(std::move(dark));
+    }
+    for (auto& m : d.materials) m.emission = {};
+    const PathPlan plan = planned(d).plan;
+    EXPECT_EQ(plan.split, 1u);
+    EXPECT_TRUE(plan.worth.empty());
+}
+
+// The parts of all samples together have the numbers of one sequence, each once.
+TEST(Pilot, DealsEachNumberOnce)
+{
+    const Planned p = planned(cornell_scene(), with(true, false));
+    std::set<uint32_t> all;
+    for (const auto& numbers : p.numbers) {
+        EXPECT_EQ(numbers.size(), p.plan.split);
+        for (const uint32_t n : numbers) EXPECT_TRUE(all.insert(n).second) << n;
+    }
+    EXPECT_EQ(*all.begin(), 0u);
+    EXPECT_EQ(*all.rbegin(), 4 * p.plan.split - 1);
+}
+
+// What accelerators disagree on in the last bits must not change all pixels of a picture.
+TEST(Pilot, PlansTheSameByAnyAccelerator)
+{
+    for (const auto& [name, d] : all_test_scenes()) {
+        const PathPlan embree = planned(d).plan;
+        EXPECT_LE(embree.split, 4u) << name;
+        RenderSettings settings;
+        settings.accel = AccelKind::bvh8;
+        const PathPlan bvh8 = planned(d, settings).plan;
+        EXPECT_EQ(embree.split, bvh8.split) << name;
+        EXPECT_TRUE(embree.worth == bvh8.worth) << name;
+    }
+}
+
+}  // namespace
+}  // namespace lancer
