@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
+
+#include "core/lanes.h"
 
 namespace lancer {
 
@@ -29,6 +32,8 @@ public:
         for (const double w : weights) cumulative_.push_back(sum += w);
         total_ = sum;
         if (total_ <= 0) cumulative_.clear();
+        stretches_ = !empty() && size() <= few;
+        for (const double w : weights) stretches_ = stretches_ && (w == 0 || w >= least_share * total_);
     }
     bool empty() const { return cumulative_.empty(); }
     size_t size() const { return cumulative_.size(); }
@@ -38,6 +43,49 @@ public:
         const double x = u * total_;
         const auto it = std::upper_bound(cumulative_.begin(), cumulative_.end(), x);
         return static_cast<uint32_t>(std::min<size_t>(static_cast<size_t>(it - cumulative_.begin()), size() - 1));
+    }
+    // Whether stretch() may be asked: there are so few, and of weights so alike, that a float has enough digits left.
+    bool stretches() const { return stretches_; }
+    // An index, and where in its part of [0, 1) u lies, as a number in [0, 1): as good as a second one that was drawn.
+    struct Stretched {
+        uint32_t index;
+        float u;
+    };
+    Stretched stretch(float u) const
+    {
+        if (size() == 1) return {0, u};
+        const double x = static_cast<double>(u) * total_;
+        uint32_t index = 0;
+        double below = 0;
+        for (; index + 1 < size() && cumulative_[index] <= x; ++index) below = cumulative_[index];
+        const double part = (x - below) / (cumulative_[index] - below);
+        return {index, std::min(static_cast<float>(part), largest_below_1)};
+    }
+    // The same of eight, without jumps: nobody can predict them.
+    struct StretchedLanes {
+        std::array<uint32_t, float_lanes> index;
+        Float8 u;
+    };
+    StretchedLanes stretch(Float8 u) const
+    {
+        const auto four = [&](__m128 of, uint32_t* index) -> Float4 {
+            const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
+            Double4 below{}, above = all_lanes(cumulative_[0]);
+            Mask4 at{};
+            for (size_t i = 0; i + 1 < size(); ++i) {
+                const Mask4 beyond = all_lanes(cumulative_[i]) <= x;
+                below = select(beyond, all_lanes(cumulative_[i]), below);
+                above = select(beyond, all_lanes(cumulative_[i + 1]), above);
+                at -= beyond;
+            }
+            for (size_t i = 0; i < double_lanes; ++i) index[i] = static_cast<uint32_t>(at[i]);
+            return _mm256_cvtpd_ps((x - below) / (above - below));
+        };
+        StretchedLanes s;
+        const Float4 low = four(_mm256_castps256_ps128(u), s.index.data());
+        const Float4 high = four(_mm256_extractf128_ps(u, 1), s.index.data() + double_lanes);
+        s.u = min(Float8(_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)), all_lanes(largest_below_1));
+        return s;
     }
     float probability(uint32_t i) const
     {
@@ -60,8 +108,13 @@ public:
     double share_from(uint32_t first) const { return first ? 1 - cumulative_[first - 1] / total_ : 1; }
 
 private:
+    static constexpr float largest_below_1 = 1 - 0x1p-24f;
+    static constexpr size_t few = 32;
+    static constexpr double least_share = 0x1p-6;
+
     std::vector<double> cumulative_;
     double total_ = 0;
+    bool stretches_ = false;
 };
 
 }  // namespace lancer

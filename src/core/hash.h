@@ -24,7 +24,9 @@ inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0)
 }
 
 // Finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection in which every bit of z moves every bit.
-constexpr uint64_t mix_bits(uint64_t z)
+// T: uint64_t or several of them.
+template <class T>
+constexpr T mix_bits(T z)
 {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;

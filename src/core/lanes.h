@@ -14,9 +14,11 @@ namespace lancer {
 using Double4 = double __attribute__((vector_size(32)));
 using Mask4 = int64_t __attribute__((vector_size(32)));  // of each lane all bits or none
 using Float4 = float __attribute__((vector_size(16)));
+using Mask4f = int32_t __attribute__((vector_size(16)));
 using Float8 = float __attribute__((vector_size(32)));
 using Mask8 = int32_t __attribute__((vector_size(32)));
 using UInt8 = uint32_t __attribute__((vector_size(32)));
+using ULong4 = uint64_t __attribute__((vector_size(32)));
 
 inline constexpr uint32_t double_lanes = 4, all_bits = 15;  // all_bits: bits() of a mask of all lanes
 inline constexpr uint32_t float_lanes = 8;
@@ -57,7 +59,15 @@ inline Double4 select(Mask4 m, Double4 yes, Double4 no)
 }
 inline Mask4 select(Mask4 m, Mask4 yes, Mask4 no) { return (m & yes) | (~m & no); }
 inline Float8 select(Mask8 m, Float8 yes, Float8 no) { return _mm256_blendv_ps(no, yes, reinterpret_cast<__m256>(m)); }
+inline Float4 select(Mask4f m, Float4 yes, Float4 no) { return _mm_blendv_ps(no, yes, reinterpret_cast<__m128>(m)); }
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
+// Of four doubles, for what is done with four floats.
+inline Mask4f narrowed(Mask4 m)
+{
+    const __m256i low =
+        _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(m), _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6));
+    return reinterpret_cast<Mask4f>(_mm256_castsi256_si128(low));
+}
 
 // a where b is NaN, and b where a is, as std::max does.
 template <class T>
@@ -93,6 +103,7 @@ inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
 // Bit i: lane i.
 inline uint32_t bits(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
+inline uint32_t bits(Mask4f m) { return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(m))); }
 inline uint32_t bits_le(Float8 a, Float8 b) { return bits(a <= b); }
 inline uint32_t bits_eq(Float8 a, Float8 b) { return bits(a == b); }
 // a: 32-byte aligned.

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 
 namespace lancer {
 
@@ -52,13 +52,26 @@ inline float next_towards(float x, float by)
     return std::bit_cast<float>(bits + outwards);
 }
 
+// The same of each lane. What is not finite stays as it is: no ray starts there.
+inline Float8 next_towards(Float8 x, Float8 by)
+{
+    const Mask8 bits = reinterpret_cast<Mask8>(x), direction = reinterpret_cast<Mask8>(by);
+    const Float8 zero{};
+    const Float8 next = reinterpret_cast<Float8>(bits + (((bits ^ direction) >> 31) | 1));
+    const Float8 from_zero = reinterpret_cast<Float8>((direction & INT32_MIN) | 1);
+    const Mask8 stays = (by == zero) | ~(abs(x) < std::numeric_limits<float>::infinity());
+    // By its bits: where denormals count as zero, they still have neighbours.
+    return select(stays, x, select((bits << 1) == 0, from_zero, next));
+}
+
 // Origin of a ray that leaves a surface towards w: p moved along n by the bound `error` (absolute, per axis) of p's
 // own rounding, then to the next number outwards. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
 // section 6.8.6. n is unit; w decides the side.
-inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 w)
+template <class T>
+[[gnu::always_inline]] inline Vec3T<T> offset_origin(Vec3T<T> p, Vec3T<T> error, Vec3T<T> n, Vec3T<T> w)
 {
-    const float d = dot(abs(n), error);
-    const Vec3 offset = n * (dot(w, n) < 0 ? -d : d);
+    const T d = dot(abs(n), error);
+    const Vec3T<T> offset = n * select(dot(w, n) < T{}, -d, d);
     return {next_towards(p.x + offset.x, offset.x), next_towards(p.y + offset.y, offset.y),
             next_towards(p.z + offset.z, offset.z)};
 }

@@ -57,6 +57,20 @@ constexpr T laine_karras(T x, T seed)
     x ^= x * 0x53a22864u;
     return x;
 }
+// Wellons' lowbias32.
+template <class T>
+constexpr T mix32(T x)
+{
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+// A coordinate that is bit-reversed still. hash: of the group of numbers, its upper half.
+template <class T>
+constexpr T scrambled(T reversed, T hash, T dimension)
+{
+    return reverse_bits(laine_karras(reversed, mix32(hash + dimension * 0x9e3779b9u)));
+}
 // Second Sobol' dimension of index i, bit-reversed: its generator matrix is Pascal's triangle mod 2, which five
 // shifts apply.
 template <class T>
@@ -96,10 +110,29 @@ public:
     // pixel: y * width + x in the whole picture; sample: index within the pixel; branch: tells siblings of one path
     // apart (0 until a path splits).
     Sampler(SamplerKind kind, uint64_t seed, uint64_t pixel, uint32_t sample, uint32_t branch)
-        : kind_(kind),
-          sample_(sample),
-          key_(mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch)))
+        : kind_(kind), sample_(sample), key_(key_of(seed, pixel, branch))
     {
+    }
+    // The address as far as it is the same for all samples of a pixel.
+    static constexpr uint64_t key_of(uint64_t seed, uint64_t pixel, uint32_t branch)
+    {
+        return mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch));
+    }
+    // Of a group of numbers, but for the sample.
+    template <class T>
+    static constexpr T hash_of(T key, uint32_t bounce, Dim dim)
+    {
+        return mix_bits(key + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
+    }
+    // Independent numbers of a sample in the group of that hash.
+    static Vec2 independent2(uint64_t hash, uint32_t sample)
+    {
+        const uint64_t r = mix_bits(hash + sample * 0x9e3779b97f4a7c15ull);
+        return {to_unit(static_cast<uint32_t>(r >> 32)), to_unit(static_cast<uint32_t>(r))};
+    }
+    static float independent1(uint64_t hash, uint32_t sample)
+    {
+        return to_unit(static_cast<uint32_t>(mix_bits(~hash + sample * 0x9e3779b97f4a7c15ull) >> 32));
     }
     // The numbers of another sample of the pixel.
     Sampler of_sample(uint32_t sample) const
@@ -112,10 +145,7 @@ public:
     // Each in [0, 1).
     Vec2 get2(uint32_t bounce, Dim dim) const
     {
-        if (kind_ == SamplerKind::independent) {
-            const uint64_t r = mix_bits(group(bounce, dim) + sample_ * 0x9e3779b97f4a7c15ull);
-            return {to_unit(static_cast<uint32_t>(r >> 32)), to_unit(static_cast<uint32_t>(r))};
-        }
+        if (kind_ == SamplerKind::independent) return independent2(group(bounce, dim), sample_);
         const uint32_t number = static_cast<uint32_t>(dim), first = number & ~1u;
         if (pair_bounce_ != bounce || pair_first_ != first) {
             pair_ = compute_pair(bounce, first);
@@ -126,9 +156,8 @@ public:
     float get1(uint32_t bounce, Dim dim) const
     {
         const uint64_t h = group(bounce, dim);
-        if (kind_ == SamplerKind::independent)
-            return to_unit(static_cast<uint32_t>(mix_bits(~h + sample_ * 0x9e3779b97f4a7c15ull) >> 32));
-        return to_unit(scrambled(sobol::third_reversed(shuffled(h)), static_cast<uint32_t>(h >> 32), 3u));
+        if (kind_ == SamplerKind::independent) return independent1(h, sample_);
+        return to_unit(sobol::scrambled(sobol::third_reversed(shuffled(h)), static_cast<uint32_t>(h >> 32), 3u));
     }
 
     // Computes what get2(bounce, dim), and that of the group that dim makes a pair with, will say of each: eight at
@@ -188,29 +217,12 @@ private:
         const UInt4 x = scrambled(points, UInt4{high_a, high_a, high_b, high_b}, UInt4{1, 2, 1, 2});
         return {Vec2{to_unit(x[0]), to_unit(x[1])}, Vec2{to_unit(x[2]), to_unit(x[3])}};
     }
-    // Wellons' lowbias32.
-    template <class T>
-    static constexpr T mix32(T x)
-    {
-        x = (x ^ (x >> 16)) * 0x7feb352du;
-        x = (x ^ (x >> 15)) * 0x846ca68bu;
-        return x ^ (x >> 16);
-    }
     // 24 bits: more would round up to 1.
     static constexpr float to_unit(uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
-    uint64_t group(uint32_t bounce, Dim dim) const
-    {
-        return mix_bits(key_ + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
-    }
+    uint64_t group(uint32_t bounce, Dim dim) const { return hash_of(key_, bounce, dim); }
     uint32_t shuffled(uint64_t h) const
     {
         return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample_), static_cast<uint32_t>(h)));
-    }
-    // hash: of the group, its upper half.
-    template <class T>
-    static T scrambled(T reversed, T hash, T dimension)
-    {
-        return sobol::reverse_bits(sobol::laine_karras(reversed, mix32(hash + dimension * 0x9e3779b9u)));
     }
 
     SamplerKind kind_;

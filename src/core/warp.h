@@ -2,8 +2,7 @@
 // Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
 #pragma once
 
-#include "core/lanes.h"
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 
 namespace lancer {
 
@@ -72,6 +71,13 @@ inline Vec2 square_to_triangle(Vec2 u)
     }
     const float c = u.y * 0.5f;
     return {u.x - c, c};
+}
+
+inline Vec2x8 square_to_triangle(const Vec2x8& u)
+{
+    const Mask8 above = u.x < u.y;
+    const Float8 half = select(above, u.x, u.y) * 0.5f;
+    return {select(above, half, u.x - half), select(above, u.y - half, half)};
 }
 
 // 1 - cos of the half angle of the cone under which a sphere is seen, given sin^2 of that angle in [0, 1]; without the

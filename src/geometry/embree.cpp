@@ -85,7 +85,7 @@ public:
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
             query.load(rays.subspan(first, n), r);
-            closest_wide(g_, data_.wide, r);
+            if (!data_.wide.empty()) closest_wide(g_, data_.wide, r);
             if (attached_) query.closest(scene_, r);
             for (size_t i = 0; i < n; ++i)
                 hits[first + i] =
@@ -100,7 +100,7 @@ public:
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
             query.load(rays.subspan(first, n), r);
-            uint32_t met = any_wide(g_, data_.wide, r);
+            uint32_t met = data_.wide.empty() ? 0 : any_wide(g_, data_.wide, r);
             if (attached_) met = query.any(scene_, r, met);
             for (size_t i = 0; i < n; ++i) occluded[first + i] = met >> i & 1;
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -41,16 +42,47 @@ struct RayOctet {
     }
 };
 
-// Of each ray whether accelerators accept it: is_traceable() of a single one.
-inline Mask8 is_traceable(const RayOctet& r)
+// Of each ray whether accelerators accept it: is_traceable() of a single one, t_min being what it is for all.
+inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)
 {
     const auto limited = [](const Vec3T<Float8>& v) {
         const Float8 limit = all_lanes(largest_traceable);
         return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
     };
     const Float8 zero{};
-    return limited(r.org) & limited(r.dir) & ((r.dir.x != zero) | (r.dir.y != zero) | (r.dir.z != zero)) &
-           (r.t_min >= zero) & (r.t_min < all_lanes(std::numeric_limits<float>::infinity())) & (r.t_max >= r.t_min);
+    return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) &
+           (t_max >= all_lanes(Ray{}.t_min));
+}
+inline Mask8 is_traceable(const RayOctet& r)
+{
+    const Float8 zero{};
+    return is_traceable(r.org, r.dir, r.t_max) & (r.t_min >= zero) &
+           (r.t_min < all_lanes(std::numeric_limits<float>::infinity())) & (r.t_max >= r.t_min);
+}
+
+// Writes the wanted rays, in order, and says how many; their keys stay what they are.
+inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)
+{
+    alignas(32) std::array<std::array<float, 4>, 2 * float_lanes> rows;  // of org, then of dir
+    const auto turn = [&](const Vec3T<Float8>& v, Float8 behind, size_t first) {
+        const __m256 xy0 = _mm256_unpacklo_ps(v.x, v.y), xy2 = _mm256_unpackhi_ps(v.x, v.y);
+        const __m256 zw0 = _mm256_unpacklo_ps(v.z, behind), zw2 = _mm256_unpackhi_ps(v.z, behind);
+        const auto store = [&](size_t i, __m256 two) {
+            _mm_store_ps(rows[first + i].data(), _mm256_castps256_ps128(two));
+            _mm_store_ps(rows[first + i + 4].data(), _mm256_extractf128_ps(two, 1));
+        };
+        store(0, _mm256_shuffle_ps(xy0, zw0, 0x44)), store(1, _mm256_shuffle_ps(xy0, zw0, 0xee));
+        store(2, _mm256_shuffle_ps(xy2, zw2, 0x44)), store(3, _mm256_shuffle_ps(xy2, zw2, 0xee));
+    };
+    turn(org, all_lanes(Ray{}.t_min), 0);
+    turn(dir, t_max, float_lanes);
+    size_t count = 0;
+    for (; wanted != 0; wanted &= wanted - 1, ++count) {
+        const auto i = static_cast<size_t>(std::countr_zero(wanted));
+        _mm_storeu_ps(&to[count].org.x, _mm_load_ps(rows[i].data()));
+        _mm_storeu_ps(&to[count].dir.x, _mm_load_ps(rows[float_lanes + i].data()));
+    }
+    return count;
 }
 
 // The axes of a space in which a ray goes along the third one most; in the order of the hand.

@@ -15,6 +15,8 @@ namespace lancer {
 // holes are left to the accelerator.
 struct WideShapes {
     std::vector<uint32_t> spheres, planes;  // numbers in the Geometry, ascending
+
+    bool empty() const { return spheres.empty() && planes.empty(); }
 };
 WideShapes choose_wide_shapes(const Geometry& g);
 

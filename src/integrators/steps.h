@@ -107,10 +107,10 @@ public:
         if (goes_on) spoil();
     }
 
-private:
     // A ray that is not a number spoils its sample: dropped and counted in the end, never silently black.
     void spoil() { queue_.radiance[slot_].r = std::numeric_limits<float>::quiet_NaN(); }
 
+private:
     Queue& queue_;
     uint32_t slot_;
 };

@@ -167,28 +167,30 @@ bool scatter(const V& view, const State& s, State& n, const Surface& surface, co
     return send_on(view, s, n, surface, frame, b, sampler);
 }
 
+// See survives_roulette().
+inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_cap = 0.95f;
+
 // Russian roulette on what a ray may still bring. Where it is known what its pixel shows: on the part of that, so that
 // dark pixels keep the rays that bright ones can do without; roulette on the throughput alone ends the same paths
 // everywhere. Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light Transport Simulation", 2016. A
-// factor of 2 more or less changes the error at equal time by a few per cent; `rays` was fitted once, on four scenes.
-// Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is the energy
-// that the path still carries that decides, but not at the first vertices: on bright scenes ending paths there costs
-// several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing.
-// split: into how many rays such a path splits.
+// factor of 2 more or less changes the error at equal time by a few per cent; roulette_rays was fitted once, on four
+// scenes. Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is
+// the energy that the path still carries that decides, but not at the first vertices: on bright scenes ending paths
+// there costs several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing. split: into how many
+// rays such a path splits.
 inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
-    constexpr float rays = 3.5f, least = 0.02f;
-    float q = s.depth < first_depth ? 1 : 0.95f;
+    float q = s.depth < first_depth ? 1 : roulette_cap;
     if (s.worth.r < 0 || s.leg == Leg::view) {
         if (s.depth >= first_depth) q = std::min(q, max_component(s.throughput) * s.eta_scale);
     } else {
         const Color part = s.throughput * s.worth;
         const float of_pixel = std::sqrt(part.r * part.r + part.g * part.g + part.b * part.b);
         const float of_path = of_pixel * static_cast<float>(s.has_split ? split : 1);
-        q = std::min(q, std::max(least, rays * of_path * s.eta_scale));
+        q = std::min(q, std::max(least_survival, roulette_rays * of_path * s.eta_scale));
     }
     if (q == 1) return true;
-    if (!(sampler.get1(s.depth, Dim::roulette) < q)) return false;
+    if (!(sampler.get2(s.depth, Dim::roulette).x < q)) return false;
     s.throughput /= q;
     return true;
 }

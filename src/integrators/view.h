@@ -51,9 +51,12 @@ struct View {
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
     {
-        if (scene.lights.pick.empty()) return {};
-        const float pick = scene.lights.pick.size() > 1 ? sampler.get1(bounce, Dim::light) : 0;
-        return lancer::sample_light(scene, from, pick, sampler.get2(bounce, Dim::light), through);
+        const Discrete& pick = scene.lights.pick;
+        if (pick.empty()) return {};
+        const Vec2 u = sampler.get2(bounce, Dim::light);
+        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
+        const Discrete::Stretched s = pick.stretch(u.x);
+        return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
     // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
     bool lit_by_constant_sky() const

@@ -4,8 +4,9 @@
 
 #include <functional>
 
-#include "integrators/view.h"
+#include "integrators/path.h"
 #include "render/workspace.h"
+#include "scene/diffuse_scene.h"
 
 namespace lancer {
 
@@ -15,6 +16,13 @@ struct PathListener {
     std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
     std::function<void(const State&, Color)> added;            // radiance added there at once
     std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
+};
+
+// Path's, for scenes of which there is a DiffuseScene: the same bits, eight paths at a time.
+struct DiffuseKernel {
+    static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                       const Path& path, const DiffuseScene& scene, Film& film, Tile tile, SampleRange samples,
+                       Workspace& w, Counters& counters);
 };
 
 template <class Integrator>

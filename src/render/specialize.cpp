@@ -1,12 +1,36 @@
 #include "render/specialize.h"
 
 namespace lancer {
+namespace {
+
+// Null if the scene is not so plain, or the path wants of it what is left out there.
+std::shared_ptr<const DiffuseScene> diffuse_scene_for(const Scene& scene, const Path& path)
+{
+    if (scene.environment_light != Scene::none && path.direct.always) return {};
+    auto plain = DiffuseScene::of(scene);
+    return plain ? std::make_shared<const DiffuseScene>(std::move(*plain)) : nullptr;
+}
+
+}  // namespace
 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings)
 {
     return std::visit(
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
+            if constexpr (std::is_same_v<Integrator, Path>)
+                if (const auto plain = diffuse_scene_for(scene, concrete))
+                    return [&, plain](const PathPlan& plan, const Camera& camera, Film& film, Tile tile,
+                                      SampleRange samples, Workspace& w, Counters& counters) {
+                        const View view{scene, plan};
+                        // Who looks at what is hit first wants to see it one by one.
+                        if (film.aovs.empty())
+                            DiffuseKernel::render(view, accel, camera, settings, concrete, *plain, film, tile, samples,
+                                                  w, counters);
+                        else
+                            Kernels<Path>::render(view, accel, camera, settings, concrete, film, tile, samples, w,
+                                                  counters);
+                    };
             return [&](const PathPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters) {
                 Kernels<Integrator>::render(View{scene, plan}, accel, camera, settings, concrete, film, tile, samples,

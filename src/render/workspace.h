@@ -8,6 +8,7 @@
 #include "geometry/accel.h"
 #include "integrators/steps.h"
 #include "integrators/view.h"
+#include "render/diffuse_states.h"
 #include "render/filter.h"
 #include "render/stop_rule.h"
 #include "scene/camera.h"
@@ -56,6 +57,7 @@ struct Workspace {
     std::vector<Hit> hits;
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
+    DiffuseWorkspace diffuse;
     std::vector<Pixel> block;         // one per pixel of the tile
     std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
     std::vector<Color> last;          // likewise, their last samples, if these decide when pixels end

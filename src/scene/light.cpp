@@ -30,7 +30,7 @@ std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, c
 TrianglePoint point_on(const Scene& scene, const TriangleLight& light, Vec2 uv)
 {
     if (light.area == 0) return triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
-    const PointOnTriangle at(scene.geometry.meshes[light.mesh], light.triangle, uv);
+    const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
     return {at.p, at.p_error, light.n, light.area, texture_uv(scene.shading[light.mesh], light.triangle, uv)};
 }
 
@@ -142,8 +142,14 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     const LightTable& table = scene.lights;
     if (table.pick.empty()) return {};
     const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(lengthened(pick, u.x));
+    return sample_chosen_light(scene, from, id, u, through);
+}
+
+std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                               bool through)
+{
     auto s = sample_given_light(scene, from, id, u, through);
-    if (s) s->pdf *= table.pick.probability(id);
+    if (s) s->pdf *= scene.lights.pick.probability(id);
     return s;
 }
 

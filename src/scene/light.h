@@ -57,6 +57,10 @@ struct LightSample {
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u,
                                         bool through = false);
 
+// The same of light `id`, which was chosen before with its probability.
+std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                               bool through = false);
+
 // Light `id` of the table, its choice not counted in the density.
 std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                               bool through = false);

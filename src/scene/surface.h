@@ -62,7 +62,8 @@ Vec2 sphere_uv(Vec3 n);
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
 inline Vec3 sphere_point_error(const Sphere& s, Vec3 p)
 {
-    return abs(p) * gamma(4) + rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
+    const float e = rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
+    return abs(p) * gamma(4) + Vec3{e, e, e};
 }
 
 // A point of a triangle and what light sampling needs to know there.

@@ -9,17 +9,15 @@ namespace {
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
-Vec3T<Float4> magnitude(const Vec3T<Float4>& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
-Float4 largest(const Vec3T<Float4>& v) { return max(v.x, max(v.y, v.z)); }
 Vec3 lane(const Vec3T<Float4>& v, size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
 
-// triangle_place() of hits[which[k]], triangles that are drawn as they are.
-void place_four(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places, const FourHits& which)
+}  // namespace
+
+PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
 {
     std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
     Float4 u, v;
-    std::array<bool, double_lanes> smooth{};
-    bool any_smooth = false;
+    Mask4f smooth{};
     for (size_t k = 0; k < double_lanes; ++k) {
         const Hit& hit = hits[which[k]];
         const Mesh& mesh = scene.geometry.meshes[hit.geometry];
@@ -37,44 +35,33 @@ void place_four(const Scene& scene, std::span<const Hit> hits, std::span<Triangl
             return Float4{n.x, n.y, n.z, 0};
         };
         rows_na[k] = normal(0), rows_nb[k] = normal(1), rows_nc[k] = normal(2);
-        any_smooth = smooth[k] = true;
+        smooth[k] = -1;
     }
     const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
-    const Float4 w = _mm256_cvtpd_ps(1.0 - Double4(_mm256_cvtps_pd(u)) - Double4(_mm256_cvtps_pd(v)));
-    const Vec3T<Float4> wa = a * w, wb = b * u, wc = c * v, p = wa + wb + wc;
-    const Float4 reach = max(largest(magnitude(a)), max(largest(magnitude(b)), largest(magnitude(c))));
-    const Vec3T<Float4> of_sum = magnitude(wa) + magnitude(wb) + magnitude(wc);
+    const PointOnTriangle<Float4> at(a, b, c, u, v);
     const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
     const Double4 length_n = sqrt(dot(cross_n, cross_n));
-    const Vec3T<Float4> n = to_float(cross_n * (1.0 / length_n));
-    const Float4 area = _mm256_cvtpd_ps(0.5 * length_n);
-    Vec3T<Float4> ns{};
-    Double4 length_ns{};
-    if (any_smooth) {
-        const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
-        length_ns = sqrt(dot(sum, sum));
-        ns = to_float(sum * (1.0 / length_ns));
-    }
-    for (size_t k = 0; k < double_lanes; ++k) {
-        TrianglePlace& s = places[which[k]];
-        s.p = lane(p, k);
-        s.p_error = lane(of_sum, k) * gamma(7) + rounding_in_double(reach[k]);
-        s.area = area[k];
-        s.n = s.ns = length_n[k] > 0 ? lane(n, k) : Vec3{0, 0, 1};
-        if (!smooth[k]) continue;
-        if (length_ns[k] > 0) s.ns = lane(ns, k);
-        if (dot(s.n, s.ns) < 0) s.n = -s.n;
-    }
+    const Float4 zero{};
+    // What is no number stands for a triangle without area, as for one alone.
+    const Mask4f has_area = narrowed(length_n > Double4{});
+    PlacesOfFour s{at.p, at.p_error, to_float(cross_n * (1.0 / length_n)), {}, _mm256_cvtpd_ps(0.5 * length_n)};
+    s.n = select(has_area, s.n, Vec3T<Float4>{zero, zero, zero + 1.0f});
+    s.ns = s.n;
+    if (bits(smooth) == 0) return s;
+    const Float4 w = first_weight(u, v);
+    const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
+    const Double4 length_ns = sqrt(dot(sum, sum));
+    s.ns = select(smooth & narrowed(length_ns > Double4{}), to_float(sum * (1.0 / length_ns)), s.ns);
+    s.n = select(smooth & (dot(s.n, s.ns) < zero), -s.n, s.n);
+    return s;
 }
-
-}  // namespace
 
 TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
 {
     const Mesh& mesh = scene.geometry.meshes[mesh_index];
     const auto& t = mesh.triangles[triangle];
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-    const PointOnTriangle at(mesh, triangle, uv);
+    const PointOnTriangle<float> at(a, b, c, uv.x, uv.y);
     TrianglePlace s;
     s.p = at.p, s.p_error = at.p_error;
     const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
@@ -112,7 +99,12 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
     for_triangles(
-        hits, [&](const FourHits& which) { place_four(scene, hits, places, which); },
+        hits,
+        [&](const FourHits& which) {
+            const PlacesOfFour s = places_of(scene, hits, which);
+            for (size_t k = 0; k < double_lanes; ++k)
+                places[which[k]] = {lane(s.p, k), lane(s.p_error, k), lane(s.n, k), lane(s.ns, k), s.area[k]};
+        },
         [&](size_t i) {
             places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
         });

@@ -7,6 +7,7 @@
 #include "core/ray.h"
 #include "geometry/hit.h"
 #include "geometry/shapes.h"
+#include "geometry/triangle_lanes.h"
 
 namespace lancer {
 
@@ -14,34 +15,53 @@ struct Scene;
 
 // What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
 // origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
-inline Vec3 rounding_in_double(float reach)
+template <class T>
+T rounding_in_double(T reach)
 {
-    const float e = reach * 0x1p-40f;
-    return {e, e, e};
+    return reach * 0x1p-40f;
 }
 
 // Weight of the first corner, uv being those of the others. In double: the rounding of 1 - u - v is relative to 1, not
 // to itself, and a corner may be far away.
-inline float first_weight(Vec2 uv)
+inline float first_weight(float u, float v)
 {
-    return static_cast<float>(1.0 - static_cast<double>(uv.x) - static_cast<double>(uv.y));
+    return static_cast<float>(1.0 - static_cast<double>(u) - static_cast<double>(v));
+}
+inline float first_weight(Vec2 uv) { return first_weight(uv.x, uv.y); }
+inline Float4 first_weight(Float4 u, Float4 v)
+{
+    return _mm256_cvtpd_ps(1.0 - Double4(_mm256_cvtps_pd(u)) - Double4(_mm256_cvtps_pd(v)));
+}
+inline Float8 first_weight(Float8 u, Float8 v)
+{
+    const auto half = [&](auto of) { return first_weight(of(u), of(v)); };
+    return joined(half([](Float8 x) -> Float4 { return _mm256_castps256_ps128(x); }),
+                  half([](Float8 x) -> Float4 { return _mm256_extractf128_ps(x, 1); }));
 }
 
-// A point of a mesh's triangle, in the mesh's space. uv: barycentric weights of the second and third corner.
+// A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
+template <class T>
 struct PointOnTriangle {
-    Vec3 p, p_error;
+    Vec3T<T> p, p_error;
 
-    PointOnTriangle(const Mesh& mesh, uint32_t triangle, Vec2 uv)
+    PointOnTriangle(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c, T u, T v)
     {
-        const auto& t = mesh.triangles[triangle];
-        const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-        const Vec3 wa = a * first_weight(uv), wb = b * uv.x, wc = c * uv.y;
+        const Vec3T<T> wa = a * first_weight(u, v), wb = b * u, wc = c * v;
         p = wa + wb + wc;
         // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
-        const float reach = std::max({max_component(abs(a)), max_component(abs(b)), max_component(abs(c))});
-        p_error = (abs(wa) + abs(wb) + abs(wc)) * gamma(7) + rounding_in_double(reach);
+        const T reach = larger(largest(abs(a)), larger(largest(abs(b)), largest(abs(c))));
+        const T e = rounding_in_double(reach);
+        p_error = (abs(wa) + abs(wb) + abs(wc)) * (T{} + gamma(7)) + Vec3T<T>{e, e, e};
     }
+
+private:
+    static T largest(const Vec3T<T>& v) { return larger(v.x, larger(v.y, v.z)); }
 };
+inline PointOnTriangle<float> point_on_triangle(const Mesh& mesh, uint32_t triangle, Vec2 uv)
+{
+    const auto& t = mesh.triangles[triangle];
+    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], uv.x, uv.y};
+}
 
 struct TrianglePlace {
     Vec3 p, p_error, n, ns;  // as in Surface, but n and ns on the front side, ns before any map
@@ -49,6 +69,13 @@ struct TrianglePlace {
 };
 
 TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
+
+// triangle_place() of four triangles that are drawn as they are.
+struct PlacesOfFour {
+    Vec3T<Float4> p, p_error, n, ns;
+    Float4 area;
+};
+PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
 
 // places[i]: of hits[i], where that is a triangle; others stay as they are.
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places);

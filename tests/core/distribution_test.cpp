@@ -26,6 +26,27 @@ TEST(Discrete, DrawsInProportionToTheWeights)
     EXPECT_GT(chi_square_test(observed, expected).p, 0.01);
 }
 
+// Index and rest together are as even as the number was.
+TEST(Discrete, StretchesEachPartOverAll)
+{
+    const std::vector<double> weights{3, 0, 1, 2};
+    const Discrete d(weights);
+    ASSERT_TRUE(d.stretches());
+    constexpr uint32_t n = 600000, bins = 10;
+    std::vector<uint64_t> observed(weights.size() * bins);
+    for (uint32_t i = 0; i < n; ++i) {
+        const Discrete::Stretched s = d.stretch((static_cast<float>(i) + 0.5f) / n);
+        ASSERT_GE(s.u, 0);
+        ASSERT_LT(s.u, 1);
+        ++observed[s.index * bins + static_cast<uint32_t>(s.u * bins)];
+    }
+    for (size_t i = 0; i < observed.size(); ++i)
+        EXPECT_NEAR(static_cast<double>(observed[i]), n * weights[i / bins] / 6 / bins, 2) << i;
+    EXPECT_FALSE(Discrete({1, 1e-3}).stretches()) << "a small part has too few digits";
+    EXPECT_FALSE(Discrete(std::vector<double>(33, 1)).stretches());
+    EXPECT_FALSE(Discrete().stretches());
+}
+
 TEST(Discrete, DrawsAmongTheLastInProportionToTheirWeights)
 {
     const std::vector<double> weights{3, 1000, 1, 0, 10, 0.5, 0};

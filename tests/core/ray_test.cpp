@@ -56,8 +56,8 @@ TEST(OffsetOrigin, PassesEveryPlaceWhereTheSurfaceMayBe)
 
 TEST(OffsetOrigin, WithoutANormalOrAnErrorThePointStays)
 {
-    EXPECT_EQ(offset_origin({1, 2, 3}, {1, 1, 1}, {}, {0, 0, 1}), (Vec3{1, 2, 3}));
-    EXPECT_EQ(offset_origin({1, 0, 3}, {1e-7f, 0, 1e-7f}, {0, 1, 0}, {0, 1, 0}), (Vec3{1, 0, 3}));
+    EXPECT_EQ(offset_origin(Vec3{1, 2, 3}, Vec3{1, 1, 1}, Vec3{}, Vec3{0, 0, 1}), (Vec3{1, 2, 3}));
+    EXPECT_EQ(offset_origin(Vec3{1, 0, 3}, Vec3{1e-7f, 0, 1e-7f}, Vec3{0, 1, 0}, Vec3{0, 1, 0}), (Vec3{1, 0, 3}));
 }
 
 TEST(IsTraceable, RejectsWhatEmbreeCannotTakeInEachField)

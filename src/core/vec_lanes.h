@@ -1,0 +1,42 @@
+// Vectors of eight: what vec.h has for one, with the same bits in each lane.
+#pragma once
+
+#include "core/lanes.h"
+#include "core/vec.h"
+
+namespace lancer {
+
+using Vec3x8 = Vec3T<Float8>;
+struct Vec2x8 {
+    Float8 x, y;
+};
+
+inline Float8 length(const Vec3x8& a) { return sqrt(dot(a, a)); }
+inline Vec3x8 normalize(const Vec3x8& a) { return a * (1.0f / length(a)); }
+inline Vec3x8 abs(const Vec3x8& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+inline Vec3x8 select(Mask8 m, const Vec3x8& yes, const Vec3x8& no)
+{
+    return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+inline Vec3T<Float4> abs(const Vec3T<Float4>& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+inline Vec3T<Float4> select(Mask4f m, const Vec3T<Float4>& yes, const Vec3T<Float4>& no)
+{
+    return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+// Each component by its own: colours.
+inline Vec3x8 times(const Vec3x8& a, const Vec3x8& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline Mask8 is_black(const Vec3x8& c)
+{
+    const Float8 zero{};
+    return (c.x == zero) & (c.y == zero) & (c.z == zero);
+}
+inline Vec3 lane(const Vec3x8& v, size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+
+// The lower four lanes and the upper four.
+inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
+inline Vec3x8 joined(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
+{
+    return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+}
+
+}  // namespace lancer

@@ -1,0 +1,79 @@
+// Paths under way in arrays, one for each of their numbers, so that eight of them load into registers at once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/pack.h"
+#include "core/sampler_lanes.h"
+#include "geometry/ray_lanes.h"
+
+namespace lancer {
+
+// Rays with numbers that go with them. Lanes: a struct of nothing but registers of eight.
+template <class Lanes>
+class PackedStates {
+public:
+    size_t size() const { return count_; }
+    std::span<const Ray> rays() const { return std::span(rays_).first(count_); }
+    void clear() { count_ = 0; }
+    // Room for so many; behind the last there may be written, too.
+    void reserve(size_t most)
+    {
+        if (rays_.size() >= most + float_lanes) return;
+        rays_.resize(most + float_lanes);
+        for (auto& n : numbers_) n.resize(most + float_lanes);
+    }
+    // From `first` on; in lanes beyond the last: anything.
+    void load(size_t first, Lanes& lanes) const
+    {
+        // Register by register: a struct of so many that is copied as a whole is copied by a loop.
+        // Not auto, which would forget that these may point to anything.
+        __m256i* to = reinterpret_cast<__m256i*>(&lanes);
+        for (size_t k = 0; k < registers; ++k) to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k][first]));
+    }
+    // Appends the wanted lanes.
+    void push(uint32_t wanted, const Vec3x8& org, const Vec3x8& dir, Float8 t_max, const Lanes& lanes)
+    {
+        store(wanted, lanes);
+        count_ += store_rays(&rays_[count_], wanted, org, dir, t_max);
+    }
+    void push(uint32_t wanted, std::span<const Ray> rays, const Lanes& lanes)
+    {
+        store(wanted, lanes);
+        for (const Ray& ray : rays) rays_[count_++] = ray;
+    }
+
+private:
+    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8);
+
+    void store(uint32_t wanted, const Lanes& lanes)
+    {
+        const Packing packing(wanted);
+        const __m256i* from = reinterpret_cast<const __m256i*>(&lanes);
+        for (size_t k = 0; k < registers; ++k) packing.store(&numbers_[k][count_], reinterpret_cast<UInt8>(from[k]));
+    }
+
+    size_t count_ = 0;
+    std::vector<Ray> rays_;
+    std::array<std::vector<uint32_t>, registers> numbers_;
+};
+
+struct PathLanes {
+    Vec3x8 throughput, worth;  // as in State
+    Float8 pdf;
+    UInt8 slot, sample;
+    KeyLanes key;  // of the sampler
+};
+struct ShadowLanes {
+    Vec3x8 radiance;  // if nothing is in between
+    UInt8 slot;
+};
+
+// Memory of one thread that traces diffuse scenes.
+struct DiffuseWorkspace {
+    PackedStates<PathLanes> now, next;
+    PackedStates<ShadowLanes> shadows;
+};
+
+}  // namespace lancer

@@ -1,0 +1,48 @@
+// A scene that is so plain that eight of its places can be shaded at once: triangles drawn as they are, Lambert's
+// materials of one colour each, lit by triangles of one colour each or by a sky of one colour. What it lacks is never
+// asked for: textures, tilted normals, instances, spheres, holes, media. Tables of it as registers want them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/vec_lanes.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+struct DiffuseScene {
+    struct alignas(16) Row {
+        float x = 0, y = 0, z = 0, w = 0;
+    };
+    // A triangle that shines.
+    struct Light {
+        Row a, b, c;      // its corners
+        Row n_area;       // normal of its front side, and area
+        Row front, back;  // radiance to either side; front.w: probability of being chosen
+    };
+
+    std::vector<Row> albedo;      // of each material
+    std::vector<uint8_t> shines;  // of each material, whether any of its sides does
+    std::vector<Light> lights;    // parallel to Scene::lights, if these are what is sampled
+
+    // Nothing if the scene is not so plain.
+    static std::optional<DiffuseScene> of(const Scene& scene);
+};
+
+// Eight rows, a number of each to a register.
+struct RowLanes {
+    Vec3x8 xyz;
+    Float8 w;
+};
+inline RowLanes turned(const std::array<const DiffuseScene::Row*, float_lanes>& rows)
+{
+    const auto pair = [&](size_t i) { return joined(load4(&rows[i]->x), load4(&rows[i + 4]->x)); };
+    const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+    const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
+    const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
+    return {{_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xee), _mm256_shuffle_ps(zw0, zw2, 0x44)},
+            _mm256_shuffle_ps(zw0, zw2, 0xee)};
+}
+
+}  // namespace lancer

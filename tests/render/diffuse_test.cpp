@@ -1,0 +1,115 @@
+// Scenes that are plain enough are traced eight paths at a time; who asks for AOVs gets the loop that there is for all.
+// Both have the same bits, whatever is asked of the path tracer.
+#include <gtest/gtest.h>
+
+#include "scene/diffuse_scene.h"
+#include "support/render.h"
+#include "support/shoot.h"
+
+namespace lancer {
+namespace {
+
+// Smooth normals, coarse enough to face away from rays, over a floor.
+SceneDescription smooth_scene()
+{
+    SceneDescription d = lights_scene();
+    MeshData smooth = *make_uv_sphere(5, 8, 0.08, make_lambert("smooth", {0.8f, 0.6f, 0.5f}));
+    for (const Vec3d& p : smooth.positions) smooth.normals.push_back(to_float(normalize(p + Vec3d{0, 0.4, 0})));
+    smooth.normal_triangles = smooth.triangles;
+    d.meshes[1].data = std::make_shared<const MeshData>(std::move(smooth));
+    d.lights.clear();
+    return d;
+}
+SceneDescription sky_scene()
+{
+    SceneDescription d = smooth_scene();
+    d.meshes.pop_back();  // the panel
+    d.lights = {sky_of({0.5f, 0.7f, 0.9f})};
+    return d;
+}
+// More lamps than are chosen by one number, and one of them hardly shines.
+SceneDescription many_lamps()
+{
+    SceneDescription d = smooth_scene();
+    d.meshes.pop_back();
+    for (int i = 0; i < 20; ++i) {
+        const double x = -1.9 + 0.2 * i;
+        const float power = i == 7 ? 1e-5f : 2 + 0.1f * static_cast<float>(i);
+        d.meshes.push_back(make_mesh(make_quad({x, 1.2, -0.3}, {x + 0.1, 1.2, -0.3}, {x + 0.1, 1.2, 0.3}, {x, 1.2, 0.3},
+                                               make_emitter("lamp" + std::to_string(i), {power, 2, 1}))));
+    }
+    return d;
+}
+
+struct Case {
+    const char* name;
+    SceneDescription scene;
+};
+std::vector<Case> cases() { return {{"smooth", smooth_scene()}, {"sky", sky_scene()}, {"lamps", many_lamps()}}; }
+
+void expect_same(const Case& c, const RenderRequest& r, const std::string& how)
+{
+    ASSERT_TRUE(DiffuseScene::of(build_scene(c.scene))) << c.name;
+    RenderRequest with_aovs = r;
+    with_aovs.aovs = true;
+    const Rendered eight = render(c.scene, r), one = render(c.scene, with_aovs);
+    EXPECT_TRUE(same_bits(eight.film, one.film)) << c.name << ", " << how;
+    EXPECT_EQ(eight.counters.bounce_rays, one.counters.bounce_rays) << c.name << ", " << how;
+    EXPECT_EQ(eight.counters.shadow_rays, one.counters.shadow_rays) << c.name << ", " << how;
+    EXPECT_GT(tally(eight.film).mean, 0) << c.name << ", " << how;
+}
+
+TEST(Diffuse, HasTheBitsOfTheLoopForAll)
+{
+    for (const Case& c : cases()) {
+        RenderRequest r;
+        r.settings.kernel.batch = 100;  // no multiple of eight
+        expect_same(c, r, "plain");
+        r.settings.kernel.sampler = SamplerKind::independent;
+        expect_same(c, r, "independent numbers");
+    }
+}
+
+TEST(Diffuse, HasThemWithAnyTechnique)
+{
+    for (const Case& c : cases())
+        for (const bool nee : {true, false})
+            for (const bool mis : {true, false})
+                for (const bool plan : {true, false})
+                    for (const uint32_t depth : {0u, 1u, 3u}) {
+                        Path path{.max_depth = depth, .roulette_depth = 2, .direct = {nee, mis}};
+                        path.split = path.roulette_by_pixel = plan;
+                        RenderRequest r;
+                        r.spp = {4};
+                        r.settings.integrator = path;
+                        expect_same(c, r, std::to_string(nee) + std::to_string(mis) + std::to_string(plan));
+                    }
+}
+
+TEST(Diffuse, HasThemForEachPartOfTheLight)
+{
+    for (const Case& c : cases())
+        for (const Switch part : {Switch::direct, Switch::indirect, Switch::emitters}) {
+            Switches switches;
+            switches.set(part, false);
+            RenderRequest r;
+            r.settings.integrator = make_integrator("path", {.switches = switches});
+            expect_same(c, r, std::string(switch_names[static_cast<size_t>(part)]));
+        }
+}
+
+// What the eight lanes know nothing of is left to the loop for all.
+TEST(Diffuse, IsForPlainScenesAlone)
+{
+    for (const auto& [name, d] : all_test_scenes())
+        EXPECT_EQ(DiffuseScene::of(build_scene(d, test_picture)).has_value(), std::string(name) == "cornell") << name;
+    SceneDescription d = smooth_scene();
+    d.lights.push_back(sky_of({1, 1, 1}));
+    EXPECT_FALSE(DiffuseScene::of(build_scene(d))) << "a lamp and a sky";
+    d = smooth_scene();
+    d.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0, 3, 0}));
+    EXPECT_FALSE(DiffuseScene::of(build_scene(d))) << "a point";
+}
+
+}  // namespace
+}  // namespace lancer
