@@ -29,9 +29,12 @@ auto with_warnings(const Diagnostics& diagnostics, F&& f)
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet)
 {
     Prepared p;
-    p.images = std::make_unique<ImageSource>(options.threads.value_or(available_threads()));
+    const unsigned threads = options.threads.value_or(available_threads());
+    p.images = std::make_unique<ImageSource>(threads);
     const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.images->request(file)); };
-    with_warnings(diagnostics, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
+    with_warnings(diagnostics, [&] {
+        with_threads(threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
+    });
     p.settings = resolve_settings(options, p.description.render);
     // Where Scene::begin looks for them.
     for (size_t i = 0; i < switch_names.size(); ++i)

@@ -74,6 +74,11 @@ public:
         if (fresh) warnings_.push_back({where, message, 0});
         warnings_[it->second].count += count;
     }
+    // The warnings of another.
+    void append(const Diagnostics& other)
+    {
+        for (const Warning& w : other.warnings_) warning(w.where, w.message, w.count);
+    }
     bool has_errors() const { return errors_ > 0; }
     const std::vector<Warning>& warnings() const { return warnings_; }
     // The kind is that of the first error.

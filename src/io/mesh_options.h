@@ -10,7 +10,10 @@ class AssetFolder;
 struct MeshOptions {
     const AssetFolder* assets = nullptr;  // material files and textures must lie in it; null: anywhere
     RasterSource pictures = {};           // asked for each texture as soon as it is known; may be empty
-    bool uvs = false;                     // keep texture coordinates even if no material of the file reads a texture
+    size_t parallel_from =
+        size_t{32} << 20;  // bytes of a file from which on all threads parse it, in parts of so many:
+    size_t chunk = size_t{1} << 20;
+    bool uvs = false;  // keep texture coordinates even if no material of the file reads a texture
 };
 
 }  // namespace lancer

@@ -9,33 +9,12 @@
 namespace lancer {
 namespace {
 
-struct Statement {
-    ObjStatement kind;
-    std::string_view arguments;
-};
-
 // A comment after numbers may stand close, but "1.#QNAN" is one word, so that the message can name it.
 std::string_view without_comment(std::string_view s)
 {
     size_t at = s.find('#');
     while (at != std::string_view::npos && at > 0 && s[at - 1] == '.') at = s.find('#', at + 1);
     return trim(s.substr(0, at));
-}
-
-Statement parse_statement(std::string_view line)
-{
-    const std::string_view word = take_word(line);
-    if (word == "v") return {ObjStatement::vertex, without_comment(line)};
-    if (word == "f") return {ObjStatement::face, without_comment(line)};
-    if (word == "vn") return {ObjStatement::normal, without_comment(line)};
-    if (word == "vt") return {ObjStatement::texcoord, without_comment(line)};
-    if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
-    if (word == "usemtl") return {ObjStatement::use_material, name_argument(line)};
-    if (word == "mtllib") return {ObjStatement::library, name_argument(line)};
-    if (word == "l" || word == "p") return {ObjStatement::line_or_point, {}};
-    for (const char* known : {"g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
-        if (word == known) return {ObjStatement::ignored, {}};
-    return {ObjStatement::unknown, word};
 }
 
 // A slash without a number behind it is left out: the parser would take the next corner's number instead.
@@ -82,7 +61,7 @@ private:
     };
 
     void count_elements();
-    void check_line(const Statement& statement);
+    void check_line(const ObjStatementText& statement);
     void check_vertex(std::string_view arguments);
     bool check_numbers(std::string_view& arguments, const char* statement);
     void check_face(std::string_view corners);
@@ -151,7 +130,7 @@ void Scanner::count_elements()
     summary_.texcoords = texcoord_.all;
 }
 
-void Scanner::check_line(const Statement& statement)
+void Scanner::check_line(const ObjStatementText& statement)
 {
     switch (statement.kind) {
         case ObjStatement::vertex:
@@ -296,6 +275,22 @@ void Scanner::check_limits()
 
 }  // namespace
 
+ObjStatementText parse_statement(std::string_view line)
+{
+    const std::string_view word = take_word(line);
+    if (word == "v") return {ObjStatement::vertex, without_comment(line)};
+    if (word == "f") return {ObjStatement::face, without_comment(line)};
+    if (word == "vn") return {ObjStatement::normal, without_comment(line)};
+    if (word == "vt") return {ObjStatement::texcoord, without_comment(line)};
+    if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
+    if (word == "usemtl") return {ObjStatement::use_material, name_argument(line)};
+    if (word == "mtllib") return {ObjStatement::library, name_argument(line)};
+    if (word == "l" || word == "p") return {ObjStatement::line_or_point, {}};
+    for (const char* known : {"g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
+        if (word == known) return {ObjStatement::ignored, {}};
+    return {ObjStatement::unknown, word};
+}
+
 std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& file, Diagnostics& diagnostics,
                                    const ObjLimits& limits)
 {
@@ -306,7 +301,7 @@ uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
 {
     TextLines lines(text);
     while (lines.next()) {
-        const Statement s = parse_statement(lines.line());
+        const ObjStatementText s = parse_statement(lines.line());
         const bool counts = !s.arguments.empty() || kind == ObjStatement::texcoord;
         if (s.kind == kind && counts && index-- == 0) return lines.number();
     }
@@ -316,7 +311,7 @@ uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
 ObjFeed::int_type ObjFeed::underflow()
 {
     while (lines_.next()) {
-        const Statement s = parse_statement(lines_.line());
+        const ObjStatementText s = parse_statement(lines_.line());
         const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord;
         if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv) continue;
         const bool coordinates = s.kind == ObjStatement::vertex || s.kind == ObjStatement::normal;

@@ -46,6 +46,13 @@ std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& fil
 enum class ObjStatement { vertex, normal, texcoord, face, use_material, library, line_or_point, ignored, unknown };
 uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index);
 
+// A line by its first word; of an unknown statement the arguments are that word.
+struct ObjStatementText {
+    ObjStatement kind;
+    std::string_view arguments;
+};
+ObjStatementText parse_statement(std::string_view line);
+
 // The statements v, vn, f and usemtl of a text that passed scan_obj, without comments and continuations, materials
 // as numbers (index into ObjSummary::materials). With uvs also vt: two numbers, beyond float for one that is not
 // usable.
