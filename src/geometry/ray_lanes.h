@@ -42,23 +42,18 @@ struct RayOctet {
     }
 };
 
-// Of each ray whether accelerators accept it: is_traceable() of a single one, t_min being what it is for all.
-inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)
+// Of each ray whether accelerators accept it: is_traceable() of a single one.
+inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_min, Float8 t_max)
 {
     const auto limited = [](const Vec3T<Float8>& v) {
         const Float8 limit = all_lanes(largest_traceable);
         return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
     };
     const Float8 zero{};
-    return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) &
-           (t_max >= all_lanes(Ray{}.t_min));
+    return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) & (t_min >= zero) &
+           (t_min < all_lanes(std::numeric_limits<float>::infinity())) & (t_max >= t_min);
 }
-inline Mask8 is_traceable(const RayOctet& r)
-{
-    const Float8 zero{};
-    return is_traceable(r.org, r.dir, r.t_max) & (r.t_min >= zero) &
-           (r.t_min < all_lanes(std::numeric_limits<float>::infinity())) & (r.t_max >= r.t_min);
-}
+inline Mask8 is_traceable(const RayOctet& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
 
 // Writes the wanted rays, in order, and says how many; their keys stay what they are.
 inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)

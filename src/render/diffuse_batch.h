@@ -239,7 +239,7 @@ inline void DiffuseBatch::sample_direct(const Vertices& v)
     const Vec3x8 d = end - v.origin;
     const Float8 distance = length(d);
     const Vec3x8 dir = d / distance;
-    const uint32_t traceable = bits(is_traceable(v.origin, dir, distance));
+    const uint32_t traceable = bits(is_traceable(v.origin, dir, all_lanes(Ray{}.t_min), distance));
     spoil(wanted & ~traceable, v.path.slot);
     shadows_.push(wanted & traceable, v.origin, dir, distance, {radiance, v.path.slot});
 }
@@ -270,7 +270,8 @@ inline void DiffuseBatch::scatter(Vertices& v)
         const Vec3x8 wi = normalize(frame.to_world(local));
         Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
         if (!is_certain) goes &= roulette.get2_x(next.sample) < q;
-        const uint32_t wanted = bits(goes) & v.hit, traceable = bits(is_traceable(v.origin, wi, no_end));
+        const uint32_t wanted = bits(goes) & v.hit,
+                       traceable = bits(is_traceable(v.origin, wi, all_lanes(Ray{}.t_min), no_end));
         spoil(wanted & ~traceable, next.slot);
         next.pdf = local.z * (1 / pi);
         next_.push(wanted & traceable, v.origin, wi, no_end, next);
