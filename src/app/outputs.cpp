@@ -18,8 +18,8 @@ namespace {
 // Whether a switch leaves the mean of the picture alone.
 bool is_technique(Switch x)
 {
-    return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::split ||
-           x == Switch::roulette;
+    return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::light_tree ||
+           x == Switch::split || x == Switch::roulette;
 }
 
 // Whatever keeps the mean of the picture from the truth, however many samples it has.

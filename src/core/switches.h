@@ -16,6 +16,7 @@ enum class Switch {
     fresnel,       // smooth boundaries reflect and refract by the Fresnel equations; off: glass only refracts
     soft_shadows,  // spheres of light cast shadows as large as they are; off: as from their centres
     always_nee,    // also where sampling the BSDF finds the same light with the same density
+    light_tree,    // of many lights one is chosen by what it may send to the place; off: by power alone
     split,         // paths split into several where that pays; see render/pilot.h
     roulette,      // by what the pixel shows; off: by the throughput alone
     stop,          // end a pixel whose mean is known well enough
@@ -23,9 +24,9 @@ enum class Switch {
     terminator,    // softer edges of shadow on smoothed meshes
     legacy,        // the ways of the two programs that this one grew from, their faults included
 };
-inline constexpr std::array<std::string_view, 14> switch_names{
-    "nee",        "mis",   "direct",   "indirect", "emitters",     "fresnel",    "soft_shadows",
-    "always_nee", "split", "roulette", "stop",     "multiscatter", "terminator", "legacy"};
+inline constexpr std::array<std::string_view, 15> switch_names{
+    "nee",        "mis",   "direct",   "indirect", "emitters",     "fresnel",    "soft_shadows", "always_nee",
+    "light_tree", "split", "roulette", "stop",     "multiscatter", "terminator", "legacy"};
 
 // What somebody said of them.
 using SaidSwitches = std::array<std::optional<bool>, switch_names.size()>;

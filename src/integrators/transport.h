@@ -60,7 +60,7 @@ void add_emission(const V& view, const State& s, const Surface& surface, DirectL
     if (!parts.has(s.leg)) return;
     const Color e = view.emission(surface);
     if (is_black(e)) return;
-    const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.ray.dir, surface) : 0;
+    const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.normal, s.ray.dir, surface) : 0;
     steps.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 

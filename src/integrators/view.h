@@ -87,7 +87,10 @@ struct View {
     {
         return scene.geometry.holes.let_pass ? sampler.key(bounce, dim) : 0;
     }
-    float pdf_light(Vec3 from, Vec3 wi, const Surface& at) const { return lancer::pdf_light(scene, from, wi, at); }
+    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
+    {
+        return lancer::pdf_light(scene, from, normal, wi, at);
+    }
     float pdf_environment(Vec3 normal, Vec3 wi) const { return lancer::pdf_environment(scene, normal, wi); }
 };
 

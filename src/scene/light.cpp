@@ -4,6 +4,7 @@
 #include "core/warp.h"
 #include "scene/environment.h"
 #include "scene/holes.h"
+#include "scene/light_tree.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -135,14 +136,44 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
     return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
 }
 
+LightTree::Choice choose_light(const LightTable& table, const Surface& from, double u)
+{
+    if (!table.tree) {
+        const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(u);
+        return {id, table.pick.probability(id)};
+    }
+    double rest = 1;
+    for (const uint32_t id : table.far) {
+        const float probability = table.pick.probability(id);
+        const auto p = static_cast<double>(probability);
+        if (u < p) return {id, probability};
+        u -= p, rest -= p;
+    }
+    if (!(rest > 0)) return {};
+    LightTree::Choice c = table.tree->choose(from.origin, from.ns, std::min(u / rest, 1 - 0x1p-53));
+    c.probability *= static_cast<float>(rest);
+    return c;
+}
+
+// With which it would have been chosen from there.
+float probability_of(const LightTable& table, uint32_t id, Vec3 from, Vec3 normal)
+{
+    if (!table.tree) return table.pick.probability(id);
+    double rest = 1;
+    for (const uint32_t other : table.far) rest -= static_cast<double>(table.pick.probability(other));
+    return rest > 0 ? table.tree->probability(id, from, normal) * static_cast<float>(rest) : 0;
+}
+
 }  // namespace
 
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
-    const LightTable& table = scene.lights;
-    if (table.pick.empty()) return {};
-    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(lengthened(pick, u.x));
-    return sample_chosen_light(scene, from, id, u, through);
+    if (scene.lights.pick.empty()) return {};
+    const auto [id, probability] = choose_light(scene.lights, from, lengthened(pick, u.x));
+    if (!(probability > 0)) return {};
+    auto s = sample_given_light(scene, from, id, u, through);
+    if (s) s->pdf *= probability;
+    return s;
 }
 
 std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
@@ -184,10 +215,10 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     return s;
 }
 
-float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at)
+float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)
 {
     if (at.light == Scene::none) return 0;
-    const float choice = scene.lights.pick.probability(at.light);
+    const float choice = probability_of(scene.lights, at.light, from, normal);
     if (std::holds_alternative<TriangleLight>(scene.lights.lights[at.light])) {
         const Vec3 d = at.p - from;
         const float c = std::abs(dot(wi, at.n));

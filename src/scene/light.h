@@ -1,6 +1,7 @@
 // Lights, and how to choose and sample one. Pharr, Jakob, Humphreys, 4th ed., chapter 12.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 
 namespace lancer {
 
+class LightTree;
 struct Scene;
 struct Surface;
 
@@ -39,6 +41,10 @@ struct LightTable {
     std::vector<Light> lights;  // point and directional ones first
     uint32_t deltas = 0;        // how many these are
     Discrete pick;              // by power
+    // Of many lights those that are somewhere are chosen by what they may send to a place; their indices in it are
+    // those in `lights`. The others, infinitely far away, are chosen by power, as is whether it is one of them.
+    std::shared_ptr<const LightTree> tree;  // null: all by power
+    std::vector<uint32_t> far;              // the others; only filled beside a tree
 };
 
 struct LightSample {
@@ -51,13 +57,13 @@ struct LightSample {
     bool delta = false;  // no BSDF sample can meet it
 };
 
-// A light chosen by power and a point on it, as seen from where rays leave the surface on the side of from.n. Nothing
-// if it cannot send light there. through: light shall also come through the surface; what lies behind it is then
-// sampled as seen from where rays leave on the other side.
+// A light chosen by power or by the tree, and a point on it, as seen from where rays leave the surface on the side of
+// from.n. Nothing if it cannot send light there. through: light shall also come through the surface; what lies behind
+// it is then sampled as seen from where rays leave on the other side.
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u,
                                         bool through = false);
 
-// The same of light `id`, which was chosen before with its probability.
+// The same of light `id`, which was chosen before by its power.
 std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                                bool through = false);
 
@@ -69,8 +75,8 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
 std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
 
 // Density, per solid angle at `from`, with which sample_light() would have found the emitter at `at`, hit along wi
-// (unit); 0 if it is in no list of lights. from: the origin of the ray that hit it.
-float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at);
+// (unit); 0 if it is in no list of lights. from: the origin of the ray that hit it; normal: the shading normal there.
+float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at);
 
 // The same for a ray that left the scene. normal: the shading normal where it started.
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi);

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "scene/environment.h"
+#include "scene/light_tree.h"
 
 namespace lancer {
 namespace {
@@ -56,6 +57,7 @@ public:
         list_meshes();
         list_environment();
         scene_.lights.pick = Discrete(powers_);
+        if (scene_.light_tree) grow_tree();
     }
 
 private:
@@ -138,6 +140,60 @@ private:
         scene_.environment_light = next();
         add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
     }
+
+    // By power alone where lights are few: one more or less then costs less than to look at all of them.
+    void grow_tree()
+    {
+        constexpr uint32_t many = 64;
+        std::vector<uint32_t> far;
+        for (uint32_t id = 0; id < next(); ++id)
+            if (is_far(scene_.lights.lights[id])) far.push_back(id);
+        if (next() - far.size() <= many) return;
+        std::vector<LightBounds> bounds(next());
+        constexpr uint32_t block = 1024;
+        parallel_for((next() + block - 1) / block, [&](size_t b) {
+            const uint32_t begin = static_cast<uint32_t>(b) * block;
+            for (uint32_t id = begin; id < std::min(begin + block, next()); ++id) {
+                if (is_far(scene_.lights.lights[id])) continue;
+                bounds[id] = std::visit([&](const auto& light) { return bounds_of(light); }, scene_.lights.lights[id]);
+                bounds[id].power = powers_[id];
+            }
+        });
+        scene_.lights.tree = std::make_shared<const LightTree>(bounds);
+        scene_.lights.far = std::move(far);
+    }
+    static bool is_far(const Light& light)
+    {
+        return std::holds_alternative<DirectionalLight>(light) || std::holds_alternative<EnvironmentLight>(light);
+    }
+    LightBounds bounds_of(const PointLight& light) const
+    {
+        LightBounds b;
+        b.normals.angle = pi_d;
+        b.box.grow(to_double(light.position));
+        return b;
+    }
+    LightBounds bounds_of(const SphereLight& light) const
+    {
+        LightBounds b;
+        b.box = bounds(scene_.geometry.spheres[light.sphere]);
+        b.normals.angle = pi_d;
+        return b;
+    }
+    LightBounds bounds_of(const TriangleLight& light) const
+    {
+        const uint32_t material = scene_.shading[light.mesh].material_of(light.triangle);
+        LightBounds b;
+        b.both_sides = scene_.emission[material].both_sides;
+        for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) {
+            const TrianglePoint at = triangle_point(scene_, light.instance, light.mesh, light.triangle, corner);
+            b.box.grow(to_double(at.p));
+            b.normals.include({to_double(at.n), 0});
+        }
+        return b;
+    }
+    static LightBounds bounds_of(const DirectionalLight&) { return {}; }
+    static LightBounds bounds_of(const EnvironmentLight&) { return {}; }
 
     Scene& scene_;
     std::vector<double> powers_;  // of each light

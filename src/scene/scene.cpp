@@ -28,6 +28,7 @@ public:
         scene_.file = d_.file;
         scene_.terminator_fix = d_.render.is_on(Switch::terminator);
         scene_.soft_shadows = d_.render.is_on(Switch::soft_shadows);
+        scene_.light_tree = d_.render.is_on(Switch::light_tree);
         scene_.legacy = d_.render.is_on(Switch::legacy);
         scene_.normalisation = normalise(frame());
         add_spheres();

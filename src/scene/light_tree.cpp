@@ -1,0 +1,200 @@
+#include "scene/light_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lancer {
+namespace {
+
+constexpr uint32_t bins = 12;
+
+Vec3d center_of(const LightBounds& b) { return b.box.center(); }
+
+LightBounds bounds_of(std::span<const uint32_t> ids, std::span<const LightBounds> lights)
+{
+    LightBounds all;
+    for (const uint32_t id : ids) all.include(lights[id]);
+    return all;
+}
+
+// Cuts a group of two or more in two, where the cost of both is least or in halves; returns how many are in the first.
+size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, bool in_halves)
+{
+    Bounds centers;
+    for (const uint32_t id : ids) centers.grow(center_of(lights[id]));
+    const Vec3d extent = centers.upper - centers.lower;
+    const int axis = largest_axis(extent);
+    const auto middle = [&] {
+        const auto half = ids.begin() + static_cast<std::ptrdiff_t>(ids.size() / 2);
+        std::nth_element(ids.begin(), half, ids.end(), [&](uint32_t a, uint32_t b) {
+            const double x = center_of(lights[a])[axis], y = center_of(lights[b])[axis];
+            return x != y ? x < y : a < b;
+        });
+        return ids.size() / 2;
+    };
+    if (in_halves || !(extent[axis] > 0) || ids.size() <= 4) return middle();
+    const auto bin_of = [&](uint32_t id) {
+        const double at = (center_of(lights[id])[axis] - centers.lower[axis]) / extent[axis];
+        return std::min(bins - 1, static_cast<uint32_t>(at * bins));
+    };
+    std::array<LightBounds, bins> in;
+    std::array<size_t, bins> count{};
+    for (const uint32_t id : ids) {
+        const uint32_t bin = bin_of(id);
+        in[bin].include(lights[id]);
+        ++count[bin];
+    }
+    std::array<double, bins> above{};  // cost of the bins from i on
+    LightBounds so_far;
+    for (uint32_t i = bins - 1; i > 0; --i) {
+        so_far.include(in[i]);
+        above[i] = so_far.box.empty() ? 0 : so_far.cost(axis);
+    }
+    so_far = {};
+    uint32_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    size_t below = 0;
+    for (uint32_t i = 1; i < bins; ++i) {
+        so_far.include(in[i - 1]);
+        below += count[i - 1];
+        if (below == 0 || below == ids.size()) continue;
+        const double cost = so_far.cost(axis) + above[i];
+        if (cost < least) least = cost, best = i;
+    }
+    if (best == 0) return middle();
+    const auto second = std::stable_partition(ids.begin(), ids.end(), [&](uint32_t id) { return bin_of(id) < best; });
+    return static_cast<size_t>(second - ids.begin());
+}
+
+}  // namespace
+
+LightTree::LightTree(std::span<const LightBounds> lights) : place_of_(lights.size(), none)
+{
+    std::vector<uint32_t> ids;
+    double total = 0;
+    for (uint32_t id = 0; id < lights.size(); ++id) {
+        if (!(lights[id].power > 0)) continue;
+        ids.push_back(id);
+        total += lights[id].power;
+    }
+    if (ids.empty()) return;
+    scale_ = 1 / total;
+    build(ids, lights, none, 0);
+}
+
+uint32_t LightTree::build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent, uint32_t depth)
+{
+    constexpr uint32_t deep = 16;  // from here on in halves, so that no arrangement of lights makes a list of the tree
+    const auto number = static_cast<uint32_t>(nodes_.size());
+    nodes_.emplace_back().parent = parent;
+    // The largest group is cut until there are eight.
+    std::array<std::span<uint32_t>, float_lanes> groups;
+    groups[0] = ids;
+    size_t count = 1;
+    while (count < groups.size()) {
+        const auto largest = std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(count),
+                                              [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        if (largest->size() < 2) break;
+        const std::span<uint32_t> whole = *largest;
+        const size_t first = cut(whole, lights, depth > deep);
+        *largest = whole.first(first);
+        groups[count++] = whole.subspan(first);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const auto place = static_cast<uint32_t>(number * float_lanes + i);
+        set(nodes_[number], i, bounds_of(groups[i], lights), scale_);
+        if (groups[i].size() == 1) {
+            nodes_[number].child[i] = is_leaf | groups[i][0];
+            place_of_[groups[i][0]] = place;
+        } else {
+            const uint32_t child = build(groups[i], lights, place, depth + 1);
+            nodes_[number].child[i] = child;
+        }
+    }
+    return number;
+}
+
+void LightTree::set(Node& node, size_t lane, const LightBounds& b, double scale)
+{
+    const Vec3d c = b.box.center(), half = (b.box.upper - b.box.lower) / 2.0;
+    const auto to = [lane](Float8& of, double x) { of[lane] = static_cast<float>(x); };
+    to(node.center.x, c.x), to(node.center.y, c.y), to(node.center.z, c.z);
+    to(node.axis.x, b.normals.axis.x), to(node.axis.y, b.normals.axis.y), to(node.axis.z, b.normals.axis.z);
+    to(node.radius2, dot(half, half));
+    to(node.cos_angle, std::cos(b.normals.angle)), to(node.sin_angle, std::sin(b.normals.angle));
+    // However weak a light is beside the others, it is found.
+    to(node.power, std::max(b.power * scale, 1e-30));
+    node.both_sides[lane] = b.both_sides ? -1 : 0;
+}
+
+// How much may come from each child, about: power by squared distance, times the least angles' cosines at both ends.
+Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
+{
+    const Float8 zero{}, one = all_lanes(1.0f);
+    const auto all = [](Vec3 v) { return Vec3x8{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; };
+    const auto sin_of = [&](Float8 cos) { return sqrt(max(zero, one - cos * cos)); };
+    // cos of the larger of a - b and 0, for angles in [0, pi].
+    const auto cos_less = [&](Float8 sin_a, Float8 cos_a, Float8 sin_b, Float8 cos_b) {
+        return select(cos_a > cos_b, one, cos_a * cos_b + sin_a * sin_b);
+    };
+    const Vec3x8 to = node.center - all(place);
+    const Float8 distance2 = dot(to, to);
+    const Vec3x8 w = to / sqrt(max(distance2, all_lanes(std::numeric_limits<float>::min())));
+    const Mask8 inside = distance2 < node.radius2;
+    const Float8 sin2_ball = select(inside, zero, node.radius2 / distance2);
+    const Float8 sin_ball = sqrt(sin2_ball), cos_ball = select(inside, -one, sqrt(max(zero, one - sin2_ball)));
+    const Float8 facing = -dot(w, node.axis), cos_w = select(node.both_sides, abs(facing), facing),
+                 sin_w = sin_of(cos_w);
+    const Mask8 within = cos_w > node.cos_angle;
+    const Float8 cos_x = select(within, one, cos_w * node.cos_angle + sin_w * node.sin_angle);
+    const Float8 sin_x = select(within, zero, sin_w * node.cos_angle - cos_w * node.sin_angle);
+    const Float8 cos_light = max(zero, cos_less(sin_x, cos_x, sin_ball, cos_ball));
+    const Float8 cos_i = abs(dot(w, all(normal)));
+    const Float8 cos_place = max(zero, cos_less(sin_of(cos_i), cos_i, sin_ball, cos_ball));
+    const Float8 smallest = all_lanes(std::numeric_limits<float>::min());
+    const Float8 weight = node.power * cos_light * cos_place / max(smallest, max(distance2, node.radius2));
+    return select(node.power > zero, weight, zero);
+}
+
+LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
+{
+    if (nodes_.empty()) return {};
+    double probability = 1;
+    for (uint32_t number = 0;;) {
+        const Node& node = nodes_[number];
+        const Float8 weights = weigh(node, place, normal);
+        double sum = 0;
+        for (size_t i = 0; i < float_lanes; ++i) sum += static_cast<double>(weights[i]);
+        if (!(sum > 0) || !(sum < std::numeric_limits<double>::infinity())) return {};
+        double x = u * sum;
+        size_t lane = 0;
+        for (size_t i = 0; i < float_lanes; ++i) {
+            if (!(weights[i] > 0)) continue;
+            lane = i;
+            if (x < static_cast<double>(weights[i])) break;
+            x -= static_cast<double>(weights[i]);
+        }
+        const double weight = static_cast<double>(weights[lane]);
+        u = std::clamp(x / weight, 0.0, 1 - 0x1p-53);
+        probability *= weight / sum;
+        if (node.child[lane] & is_leaf) return {node.child[lane] & ~is_leaf, static_cast<float>(probability)};
+        number = node.child[lane];
+    }
+}
+
+float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
+{
+    double probability = 1;
+    for (uint32_t at = place_of_[light]; at != none; at = nodes_[at / float_lanes].parent) {
+        const Float8 weights = weigh(nodes_[at / float_lanes], place, normal);
+        double sum = 0;
+        for (size_t i = 0; i < float_lanes; ++i) sum += static_cast<double>(weights[i]);
+        if (!(sum > 0)) return 0;
+        probability *= static_cast<double>(weights[at % float_lanes]) / sum;
+    }
+    return place_of_[light] == none ? 0 : static_cast<float>(probability);
+}
+
+}  // namespace lancer

@@ -1,0 +1,55 @@
+// A tree over many lights that chooses one by what it may send to a place: by power, distance and both cosines, as far
+// as the bounds of groups tell them. Nodes have up to eight children, which are weighed at once.
+// Conty Estevez and Kulla 2018; Physically Based Rendering, 4th ed., section 12.6.3.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/vec_lanes.h"
+#include "scene/light_bounds.h"
+
+namespace lancer {
+
+class LightTree {
+public:
+    // Lights are known by their index; at least one. Those without power are never chosen.
+    explicit LightTree(std::span<const LightBounds> lights);
+
+    struct Choice {
+        uint32_t light = 0;
+        float probability = 0;  // 0: nothing reaches the place
+    };
+    // For a place and its normal, of which the sign does not matter. u in [0, 1).
+    Choice choose(Vec3 place, Vec3 normal, double u) const;
+    // With which choose() finds a light.
+    float probability(uint32_t light, Vec3 place, Vec3 normal) const;
+
+    size_t node_count() const { return nodes_.size(); }
+
+private:
+    static constexpr uint32_t none = UINT32_MAX;
+
+    struct alignas(32) Node {
+        Vec3x8 center{}, axis{};
+        Float8 radius2{};                 // of a ball around the box
+        Float8 cos_angle{}, sin_angle{};  // of the cone of normals
+        Float8 power{};                   // 0 where there is no child
+        Mask8 both_sides{};
+        std::array<uint32_t, float_lanes> child{};  // a node, or is_leaf | a light
+        uint32_t parent = none;                     // its place there: node * 8 + lane
+    };
+    static constexpr uint32_t is_leaf = 1u << 31;
+
+    uint32_t build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent, uint32_t depth);
+    static void set(Node& node, size_t lane, const LightBounds& b, double scale);
+    static Float8 weigh(const Node& node, Vec3 place, Vec3 normal);
+
+    std::vector<Node> nodes_;
+    std::vector<uint32_t> place_of_;  // of each light: node * 8 + lane
+    double scale_ = 1;                // of powers
+};
+
+}  // namespace lancer
