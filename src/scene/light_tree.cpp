@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace lancer {
 namespace {
@@ -123,6 +125,7 @@ void LightTree::set(Node& node, size_t lane, const LightBounds& b, double scale)
     to(node.center.x, c.x), to(node.center.y, c.y), to(node.center.z, c.z);
     to(node.axis.x, b.normals.axis.x), to(node.axis.y, b.normals.axis.y), to(node.axis.z, b.normals.axis.z);
     to(node.radius2, dot(half, half));
+    to(node.inverse_radius2, 1 / std::max(dot(half, half), double{std::numeric_limits<float>::min()}));
     to(node.cos_angle, std::cos(b.normals.angle)), to(node.sin_angle, std::sin(b.normals.angle));
     // However weak a light is beside the others, it is found.
     to(node.power, std::max(b.power * scale, 1e-30));
@@ -141,9 +144,10 @@ Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
     };
     const Vec3x8 to = node.center - all(place);
     const Float8 distance2 = dot(to, to);
-    const Vec3x8 w = to / sqrt(max(distance2, all_lanes(std::numeric_limits<float>::min())));
+    const Float8 inverse = one / sqrt(max(distance2, all_lanes(std::numeric_limits<float>::min())));
+    const Vec3x8 w = to * inverse;
     const Mask8 inside = distance2 < node.radius2;
-    const Float8 sin2_ball = select(inside, zero, node.radius2 / distance2);
+    const Float8 inverse2 = inverse * inverse, sin2_ball = select(inside, zero, node.radius2 * inverse2);
     const Float8 sin_ball = sqrt(sin2_ball), cos_ball = select(inside, -one, sqrt(max(zero, one - sin2_ball)));
     const Float8 facing = -dot(w, node.axis), cos_w = select(node.both_sides, abs(facing), facing),
                  sin_w = sin_of(cos_w);
@@ -153,10 +157,25 @@ Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
     const Float8 cos_light = max(zero, cos_less(sin_x, cos_x, sin_ball, cos_ball));
     const Float8 cos_i = abs(dot(w, all(normal)));
     const Float8 cos_place = max(zero, cos_less(sin_of(cos_i), cos_i, sin_ball, cos_ball));
-    const Float8 smallest = all_lanes(std::numeric_limits<float>::min());
-    const Float8 weight = node.power * cos_light * cos_place / max(smallest, max(distance2, node.radius2));
+    const Float8 weight = node.power * cos_light * cos_place * select(inside, node.inverse_radius2, inverse2);
     return select(node.power > zero, weight, zero);
 }
+
+namespace {
+
+// Sums of the lanes up to and including each.
+Float8 sums_up_to(Float8 x)
+{
+    const auto shifted = [](Float8 v, auto by) -> Float8 {
+        return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(v), decltype(by)::value));
+    };
+    x += shifted(x, std::integral_constant<int, 4>{});
+    x += shifted(x, std::integral_constant<int, 8>{});
+    const Float8 low = _mm256_permute2f128_ps(x, x, 0x08);  // zero, and the lower half above it
+    return x + Float8(_mm256_permute_ps(low, 0xff));
+}
+
+}  // namespace
 
 LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
 {
@@ -164,21 +183,21 @@ LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
     double probability = 1;
     for (uint32_t number = 0;;) {
         const Node& node = nodes_[number];
-        const Float8 weights = weigh(node, place, normal);
-        double sum = 0;
-        for (size_t i = 0; i < float_lanes; ++i) sum += static_cast<double>(weights[i]);
-        if (!(sum > 0) || !(sum < std::numeric_limits<double>::infinity())) return {};
-        double x = u * sum;
-        size_t lane = 0;
-        for (size_t i = 0; i < float_lanes; ++i) {
-            if (!(weights[i] > 0)) continue;
-            lane = i;
-            if (x < static_cast<double>(weights[i])) break;
-            x -= static_cast<double>(weights[i]);
-        }
-        const double weight = static_cast<double>(weights[lane]);
-        u = std::clamp(x / weight, 0.0, 1 - 0x1p-53);
-        probability *= weight / sum;
+        const Float8 weights = weigh(node, place, normal), sums = sums_up_to(weights);
+        std::array<float, float_lanes + 1> edges{};
+        _mm256_storeu_ps(&edges[1], sums);
+        const float sum = edges[float_lanes];
+        if (!(sum > 0) || !(sum < std::numeric_limits<float>::infinity())) return {};
+        // Without jumps: nobody can predict them. The first lane whose sum is beyond x has a weight; the last that has
+        // one is for an x that was rounded up.
+        const float x = static_cast<float>(u * static_cast<double>(sum));
+        const uint32_t beyond = bits(sums > all_lanes(x)) & bits(weights > Float8{});
+        const uint32_t with_weight = bits(weights > Float8{});
+        const auto lane =
+            static_cast<size_t>(beyond != 0 ? std::countr_zero(beyond) : 31 - std::countl_zero(with_weight));
+        const auto weight = static_cast<double>(weights[lane]);
+        u = std::clamp((u * static_cast<double>(sum) - static_cast<double>(edges[lane])) / weight, 0.0, 1 - 0x1p-53);
+        probability *= weight / static_cast<double>(sum);
         if (node.child[lane] & is_leaf) return {node.child[lane] & ~is_leaf, static_cast<float>(probability)};
         number = node.child[lane];
     }
@@ -189,10 +208,9 @@ float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
     double probability = 1;
     for (uint32_t at = place_of_[light]; at != none; at = nodes_[at / float_lanes].parent) {
         const Float8 weights = weigh(nodes_[at / float_lanes], place, normal);
-        double sum = 0;
-        for (size_t i = 0; i < float_lanes; ++i) sum += static_cast<double>(weights[i]);
+        const float sum = sums_up_to(weights)[float_lanes - 1];
         if (!(sum > 0)) return 0;
-        probability *= static_cast<double>(weights[at % float_lanes]) / sum;
+        probability *= static_cast<double>(weights[at % float_lanes]) / static_cast<double>(sum);
     }
     return place_of_[light] == none ? 0 : static_cast<float>(probability);
 }

@@ -34,9 +34,9 @@ private:
 
     struct alignas(32) Node {
         Vec3x8 center{}, axis{};
-        Float8 radius2{};                 // of a ball around the box
-        Float8 cos_angle{}, sin_angle{};  // of the cone of normals
-        Float8 power{};                   // 0 where there is no child
+        Float8 radius2{}, inverse_radius2{};  // of a ball around the box
+        Float8 cos_angle{}, sin_angle{};      // of the cone of normals
+        Float8 power{};                       // 0 where there is no child
         Mask8 both_sides{};
         std::array<uint32_t, float_lanes> child{};  // a node, or is_leaf | a light
         uint32_t parent = none;                     // its place there: node * 8 + lane
