@@ -45,7 +45,8 @@ private:
     void note(std::span<const Ray> rays, bool occlusion, Coherence coherence) const
     {
         const size_t first = recording_.rays.size();
-        std::copy_if(rays.begin(), rays.end(), std::back_inserter(recording_.rays), is_traceable);
+        std::copy_if(rays.begin(), rays.end(), std::back_inserter(recording_.rays),
+                     [](const Ray& r) { return is_traceable(r); });
         const size_t count = recording_.rays.size() - first;
         if (count) recording_.batches.push_back({occlusion, coherence, depth_, first, count});
     }
@@ -86,10 +87,11 @@ Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<
     Recorder recorder(stage.renderer.accelerator());
     const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.render.kernel);
     Film film = stage.film();
+    const PathPlan& plan = stage.renderer.plan(stage.camera, film.width, film.height);
     Workspace workspace;
     Counters counters;
     for (const Tile& tile : tiles) {
-        kernel(stage.camera, film, tile, {0, spp}, workspace, counters);
+        kernel(plan, stage.camera, film, tile, {0, spp}, workspace, counters);
         if (enough && enough(recorder.recording())) break;
     }
     return recorder.take();
