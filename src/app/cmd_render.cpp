@@ -39,6 +39,7 @@ private:
     void write(const Film& film);
     void write_stats();
     void say_settings() const;
+    void say_plan(const PathPlan& plan) const;
     void say_summary() const;
     void say_dropped() const;
 
@@ -152,6 +153,8 @@ void Run::render(const Renderer& renderer)
         };
         const double start = wall_seconds();
         signals_.poll();
+        if (options_.verbose && std::holds_alternative<Path>(renderer.integrator()))
+            say_plan(renderer.plan(camera, s.width, s.height));
         SampleRange range;
         for (uint32_t blocks = 1; range.end < s.spp; blocks = std::min(2 * blocks, most_blocks_per_pass)) {
             range = {range.end, std::min(s.spp - range.end, blocks * samples_per_block) + range.end};
@@ -199,6 +202,13 @@ void Run::say_settings() const
                     c.file.c_str(), c.triangles, c.meshes, c.instances, c.spheres, c.planes, c.lights, c.materials));
     print_note(reproducing_options(settings_) +
                format_text(" --spp %u --threads %u", settings_.spp, settings_.threads));
+}
+
+void Run::say_plan(const PathPlan& plan) const
+{
+    print_note(format_text("plan: %u rays on from the first surface that spreads light; roulette by ", plan.split) +
+               (plan.worth.empty() ? std::string("the throughput")
+                                   : format_text("what squares of %u pixels show", plan.cell)));
 }
 
 void Run::say_dropped() const

@@ -12,7 +12,7 @@ struct MeshOptions {
     RasterSource pictures = {};           // asked for each texture as soon as it is known; may be empty
     size_t parallel_from =
         size_t{32} << 20;  // bytes of a file from which on all threads parse it, in parts of so many:
-    size_t chunk = size_t{1} << 20;
+    size_t chunk = size_t{1} << 18;
     bool uvs = false;  // keep texture coordinates even if no material of the file reads a texture
 };
 
