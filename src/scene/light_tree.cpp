@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace lancer {
 namespace {
@@ -163,16 +161,13 @@ Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
 
 namespace {
 
-// Sums of the lanes up to and including each.
-Float8 sums_up_to(Float8 x)
+// Where the parts of the lanes end that lie side by side. In double: beside a strong light float sums would lose what
+// is weaker by 2^-24, which then is never chosen, though it may be the only one that is not hidden.
+std::array<double, float_lanes + 1> edges_of(Float8 weights)
 {
-    const auto shifted = [](Float8 v, auto by) -> Float8 {
-        return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(v), decltype(by)::value));
-    };
-    x += shifted(x, std::integral_constant<int, 4>{});
-    x += shifted(x, std::integral_constant<int, 8>{});
-    const Float8 low = _mm256_permute2f128_ps(x, x, 0x08);  // zero, and the lower half above it
-    return x + Float8(_mm256_permute_ps(low, 0xff));
+    std::array<double, float_lanes + 1> edges{};
+    for (size_t i = 0; i < float_lanes; ++i) edges[i + 1] = edges[i] + static_cast<double>(weights[i]);
+    return edges;
 }
 
 }  // namespace
@@ -183,21 +178,17 @@ LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
     double probability = 1;
     for (uint32_t number = 0;;) {
         const Node& node = nodes_[number];
-        const Float8 weights = weigh(node, place, normal), sums = sums_up_to(weights);
-        std::array<float, float_lanes + 1> edges{};
-        _mm256_storeu_ps(&edges[1], sums);
-        const float sum = edges[float_lanes];
-        if (!(sum > 0) || !(sum < std::numeric_limits<float>::infinity())) return {};
-        // Without jumps: nobody can predict them. The first lane whose sum is beyond x has a weight; the last that has
-        // one is for an x that was rounded up.
-        const float x = static_cast<float>(u * static_cast<double>(sum));
-        const uint32_t beyond = bits(sums > all_lanes(x)) & bits(weights > Float8{});
-        const uint32_t with_weight = bits(weights > Float8{});
-        const auto lane =
-            static_cast<size_t>(beyond != 0 ? std::countr_zero(beyond) : 31 - std::countl_zero(with_weight));
+        const Float8 weights = weigh(node, place, normal);
+        const auto edges = edges_of(weights);
+        const double sum = edges.back(), x = u * sum;
+        if (!(sum > 0) || !(sum < std::numeric_limits<double>::infinity())) return {};
+        // Without jumps: nobody can predict them. Back where x was rounded up to the end.
+        size_t lane = 0;
+        for (size_t i = 1; i < float_lanes; ++i) lane += edges[i] <= x ? 1 : 0;
+        while (!(weights[lane] > 0)) --lane;
         const auto weight = static_cast<double>(weights[lane]);
-        u = std::clamp((u * static_cast<double>(sum) - static_cast<double>(edges[lane])) / weight, 0.0, 1 - 0x1p-53);
-        probability *= weight / static_cast<double>(sum);
+        u = std::clamp((x - edges[lane]) / weight, 0.0, 1 - 0x1p-53);
+        probability *= weight / sum;
         if (node.child[lane] & is_leaf) return {node.child[lane] & ~is_leaf, static_cast<float>(probability)};
         number = node.child[lane];
     }
@@ -208,9 +199,9 @@ float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
     double probability = 1;
     for (uint32_t at = place_of_[light]; at != none; at = nodes_[at / float_lanes].parent) {
         const Float8 weights = weigh(nodes_[at / float_lanes], place, normal);
-        const float sum = sums_up_to(weights)[float_lanes - 1];
+        const double sum = edges_of(weights).back();
         if (!(sum > 0)) return 0;
-        probability *= static_cast<double>(weights[at % float_lanes]) / static_cast<double>(sum);
+        probability *= static_cast<double>(weights[at % float_lanes]) / sum;
     }
     return place_of_[light] == none ? 0 : static_cast<float>(probability);
 }

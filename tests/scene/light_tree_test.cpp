@@ -90,6 +90,38 @@ TEST(LightTree, ReachesEveryLightThatShinesThere)
     EXPECT_GT(lit, 10000u);
 }
 
+// Beside seven that are 10^9 times as strong: its part of [0, 1) is small, not gone.
+TEST(LightTree, ChoosesTheWeakestInItsPart)
+{
+    std::vector<LightBounds> lights(8);
+    for (size_t i = 0; i < lights.size(); ++i) {
+        lights[i].box.grow(Vec3d{std::cos(static_cast<double>(i)), 1, std::sin(static_cast<double>(i))});
+        lights[i].normals.angle = pi_d;
+        lights[i].power = 1e9;
+    }
+    for (size_t weak = 0; weak < lights.size(); ++weak) {
+        std::vector<LightBounds> these = lights;
+        these[weak].power = 1;
+        const LightTree tree(these);
+        // The lower end of its part, by halving: to the left others are chosen that stand before it.
+        double found = 0;
+        for (int i = 0; i < 4000000 && found == 0; ++i) {
+            const double u = i * 2.5e-7;
+            const LightTree::Choice at = tree.choose({}, {0, 1, 0}, u), next = tree.choose({}, {0, 1, 0}, u + 2.5e-7);
+            if (at.light == next.light && u > 0 && u + 5e-7 < 1) continue;
+            double low = u, high = u + 2.5e-7;
+            for (int k = 0; k < 60 && found == 0; ++k) {
+                const double middle = 0.5 * (low + high);
+                const uint32_t light = tree.choose({}, {0, 1, 0}, middle).light;
+                if (light == weak) found = 1;
+                (light == at.light ? low : high) = middle;
+            }
+            if (tree.choose({}, {0, 1, 0}, u).light == weak) found = 1;
+        }
+        EXPECT_GT(found, 0) << weak;
+    }
+}
+
 // However they lie: a row in which each is far beyond the one before, and all in one place.
 TEST(LightTree, StandsAnyArrangement)
 {
