@@ -10,6 +10,17 @@
 namespace lancer {
 namespace {
 
+// To those that there are, or as a new one.
+void add(std::vector<ObjSummary::Name>& names, std::string_view name, uint32_t line, uint64_t count)
+{
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const ObjSummary::Name& n) { return n.name == name; });
+    if (found != names.end())
+        found->count += count;
+    else
+        names.push_back({std::string(name), line, count});
+}
+
 // What a part holds, by a look at the first letters of its lines.
 struct Contents {
     bool is_plain = true;
@@ -23,7 +34,6 @@ struct Contents {
 private:
     void look_at_face(std::string_view corners);
     void look_at_other(std::string_view line);
-    static void add(std::vector<ObjSummary::Name>& names, std::string_view name, uint32_t line, uint64_t count = 1);
 };
 
 Contents::Contents(std::string_view text)
@@ -77,21 +87,11 @@ void Contents::look_at_other(std::string_view line)
     const ObjStatementText s = parse_statement(line);
     if (s.kind == ObjStatement::ignored) return;
     if (s.kind == ObjStatement::use_material)
-        add(materials, s.arguments, lines);
+        add(materials, s.arguments, lines, 1);
     else if (s.kind == ObjStatement::library)
-        add(libraries, s.arguments, lines);
+        add(libraries, s.arguments, lines, 1);
     else
         is_plain = false;
-}
-
-void Contents::add(std::vector<ObjSummary::Name>& names, std::string_view name, uint32_t line, uint64_t count)
-{
-    const auto found =
-        std::find_if(names.begin(), names.end(), [&](const ObjSummary::Name& n) { return n.name == name; });
-    if (found != names.end())
-        found->count += count;
-    else
-        names.push_back({std::string(name), line, count});
 }
 
 std::vector<std::string_view> cut(std::string_view text, size_t chunk)
@@ -129,14 +129,7 @@ std::optional<ObjChunks> ObjChunks::survey(std::string_view text, size_t chunk)
             else
                 s.materials[at->second].count += n.count;
         }
-        for (const ObjSummary::Name& n : c.libraries) {
-            const auto same = [&](const ObjSummary::Name& l) { return l.name == n.name; };
-            const auto found = std::find_if(s.libraries.begin(), s.libraries.end(), same);
-            if (found == s.libraries.end())
-                s.libraries.push_back({n.name, lines + n.line, n.count});
-            else
-                found->count += n.count;
-        }
+        for (const ObjSummary::Name& n : c.libraries) add(s.libraries, n.name, lines + n.line, n.count);
         lines += c.lines;
     }
     constexpr ObjLimits limits;
