@@ -68,7 +68,7 @@ public:
     };
     StretchedLanes stretch(Float8 u) const
     {
-        const auto four = [&](__m128 of, uint32_t* index) -> Float4 {
+        const auto four = [&](Float4 of, uint32_t* index) -> Float4 {
             const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
             Double4 below{}, above = all_lanes(cumulative_[0]);
             Mask4 at{};
@@ -82,9 +82,8 @@ public:
             return _mm256_cvtpd_ps((x - below) / (above - below));
         };
         StretchedLanes s;
-        const Float4 low = four(_mm256_castps256_ps128(u), s.index.data());
-        const Float4 high = four(_mm256_extractf128_ps(u, 1), s.index.data() + double_lanes);
-        s.u = min(Float8(_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)), all_lanes(largest_below_1));
+        const Float4 low = four(lower(u), s.index.data()), high = four(upper(u), s.index.data() + double_lanes);
+        s.u = min(joined(low, high), all_lanes(largest_below_1));
         return s;
     }
     float probability(uint32_t i) const

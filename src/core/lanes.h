@@ -26,6 +26,11 @@ inline constexpr uint32_t float_lanes = 8;
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
 inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
+// The lower four lanes and the upper four.
+inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
+inline Float4 lower(Float8 x) { return _mm256_castps256_ps128(x); }
+inline Float4 upper(Float8 x) { return _mm256_extractf128_ps(x, 1); }
+
 // From four floats, as they are and in double.
 inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
@@ -114,5 +119,12 @@ inline uint32_t bits_eq(const std::array<uint32_t, 8>& a, uint32_t b)
     return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
 }
 inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
+
+// f(lane) for each bit that is set.
+template <class F>
+void for_bits(uint32_t bits, F&& f)
+{
+    for (; bits != 0; bits &= bits - 1) f(static_cast<uint32_t>(std::countr_zero(bits)));
+}
 
 }  // namespace lancer

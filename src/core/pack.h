@@ -16,7 +16,6 @@ public:
     {
     }
     // Writes eight numbers, of which the wanted ones come first.
-    void store(float* to, Float8 x) const { _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(x, order_)); }
     void store(uint32_t* to, UInt8 x) const
     {
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
@@ -36,7 +35,6 @@ private:
     __m256i order_;
 };
 
-inline Float8 load8_anywhere(const float* from) { return _mm256_loadu_ps(from); }
 inline UInt8 load8_anywhere(const uint32_t* from)
 {
     return reinterpret_cast<UInt8>(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)));

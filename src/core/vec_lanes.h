@@ -32,11 +32,26 @@ inline Mask8 is_black(const Vec3x8& c)
 }
 inline Vec3 lane(const Vec3x8& v, size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
 
-// The lower four lanes and the upper four.
-inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
 inline Vec3x8 joined(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
 {
     return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+}
+
+// Eight rows of four numbers, the first of all in one register, and so on.
+struct RowLanes {
+    Vec3x8 xyz;
+    Float8 w;
+};
+// row(i): the i-th.
+template <class Row>
+RowLanes turned_rows(const Row& row)
+{
+    const auto pair = [&](size_t i) { return joined(row(i), row(i + 4)); };
+    const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+    const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
+    const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
+    return {{_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xee), _mm256_shuffle_ps(zw0, zw2, 0x44)},
+            _mm256_shuffle_ps(zw0, zw2, 0xee)};
 }
 
 }  // namespace lancer

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -27,15 +26,9 @@ struct RayOctet {
     explicit RayOctet(std::span<const Ray> rays)
     {
         const auto ray = [&](size_t i) -> const Ray& { return rays[std::min(i, rays.size() - 1)]; };
-        const auto rows = [&](size_t i, auto of) {
-            return _mm256_insertf128_ps(_mm256_castps128_ps256(of(ray(i))), of(ray(i + 4)), 1);
-        };
         const auto turn = [&](auto of, Vec3T<Float8>& v, Float8& behind) {
-            const __m256 a = rows(0, of), b = rows(1, of), c = rows(2, of), d = rows(3, of);
-            const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
-            const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
-            v.x = _mm256_shuffle_ps(xy0, xy2, 0x44), v.y = _mm256_shuffle_ps(xy0, xy2, 0xee);
-            v.z = _mm256_shuffle_ps(zw0, zw2, 0x44), behind = _mm256_shuffle_ps(zw0, zw2, 0xee);
+            const RowLanes rows = turned_rows([&](size_t i) { return of(ray(i)); });
+            v = rows.xyz, behind = rows.w;
         };
         turn([](const Ray& r) { return org_and_t_min(r); }, org, t_min);
         turn([](const Ray& r) { return dir_and_t_max(r); }, dir, t_max);
@@ -63,8 +56,8 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
         const __m256 xy0 = _mm256_unpacklo_ps(v.x, v.y), xy2 = _mm256_unpackhi_ps(v.x, v.y);
         const __m256 zw0 = _mm256_unpacklo_ps(v.z, behind), zw2 = _mm256_unpackhi_ps(v.z, behind);
         const auto store = [&](size_t i, __m256 two) {
-            _mm_store_ps(rows[first + i].data(), _mm256_castps256_ps128(two));
-            _mm_store_ps(rows[first + i + 4].data(), _mm256_extractf128_ps(two, 1));
+            _mm_store_ps(rows[first + i].data(), lower(two));
+            _mm_store_ps(rows[first + i + 4].data(), upper(two));
         };
         store(0, _mm256_shuffle_ps(xy0, zw0, 0x44)), store(1, _mm256_shuffle_ps(xy0, zw0, 0xee));
         store(2, _mm256_shuffle_ps(xy2, zw2, 0x44)), store(3, _mm256_shuffle_ps(xy2, zw2, 0xee));
@@ -72,11 +65,10 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
     turn(org, all_lanes(Ray{}.t_min), 0);
     turn(dir, t_max, float_lanes);
     size_t count = 0;
-    for (; wanted != 0; wanted &= wanted - 1, ++count) {
-        const auto i = static_cast<size_t>(std::countr_zero(wanted));
+    for_bits(wanted, [&](uint32_t i) {
         _mm_storeu_ps(&to[count].org.x, _mm_load_ps(rows[i].data()));
-        _mm_storeu_ps(&to[count].dir.x, _mm_load_ps(rows[float_lanes + i].data()));
-    }
+        _mm_storeu_ps(&to[count++].dir.x, _mm_load_ps(rows[float_lanes + i].data()));
+    });
     return count;
 }
 

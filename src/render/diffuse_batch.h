@@ -2,8 +2,6 @@
 // integrator, and the same bits of each sample, eight paths at a time.
 #pragma once
 
-#include <bit>
-
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path.h"
@@ -17,13 +15,6 @@ struct DiffusePath {
     const Path& path;
     const DiffuseScene& scene;
 };
-
-// f(lane) for each bit that is set.
-template <class F>
-void for_bits(uint32_t bits, F&& f)
-{
-    for (; bits != 0; bits &= bits - 1) f(static_cast<uint32_t>(std::countr_zero(bits)));
-}
 
 class DiffuseBatch {
 public:

@@ -30,19 +30,9 @@ struct DiffuseScene {
     static std::optional<DiffuseScene> of(const Scene& scene);
 };
 
-// Eight rows, a number of each to a register.
-struct RowLanes {
-    Vec3x8 xyz;
-    Float8 w;
-};
 inline RowLanes turned(const std::array<const DiffuseScene::Row*, float_lanes>& rows)
 {
-    const auto pair = [&](size_t i) { return joined(load4(&rows[i]->x), load4(&rows[i + 4]->x)); };
-    const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
-    const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
-    const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
-    return {{_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xee), _mm256_shuffle_ps(zw0, zw2, 0x44)},
-            _mm256_shuffle_ps(zw0, zw2, 0xee)};
+    return turned_rows([&](size_t i) { return load4(&rows[i]->x); });
 }
 
 }  // namespace lancer

@@ -142,16 +142,15 @@ LightTree::Choice choose_light(const LightTable& table, const Surface& from, dou
         const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(u);
         return {id, table.pick.probability(id)};
     }
-    double rest = 1;
     for (const uint32_t id : table.far) {
         const float probability = table.pick.probability(id);
         const auto p = static_cast<double>(probability);
         if (u < p) return {id, probability};
-        u -= p, rest -= p;
+        u -= p;
     }
-    if (!(rest > 0)) return {};
-    LightTree::Choice c = table.tree->choose(from.origin, from.ns, std::min(u / rest, 1 - 0x1p-53));
-    c.probability *= static_cast<float>(rest);
+    if (!(table.tree_share > 0)) return {};
+    LightTree::Choice c = table.tree->choose(from.origin, from.ns, std::min(u / table.tree_share, 1 - 0x1p-53));
+    c.probability *= static_cast<float>(table.tree_share);
     return c;
 }
 
@@ -159,9 +158,8 @@ LightTree::Choice choose_light(const LightTable& table, const Surface& from, dou
 float probability_of(const LightTable& table, uint32_t id, Vec3 from, Vec3 normal)
 {
     if (!table.tree) return table.pick.probability(id);
-    double rest = 1;
-    for (const uint32_t other : table.far) rest -= static_cast<double>(table.pick.probability(other));
-    return rest > 0 ? table.tree->probability(id, from, normal) * static_cast<float>(rest) : 0;
+    if (!(table.tree_share > 0)) return 0;
+    return table.tree->probability(id, from, normal) * static_cast<float>(table.tree_share);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct LightTable {
     // those in `lights`. The others, infinitely far away, are chosen by power, as is whether it is one of them.
     std::shared_ptr<const LightTree> tree;  // null: all by power
     std::vector<uint32_t> far;              // the others; only filled beside a tree
+    double tree_share = 0;                  // the probability that it is none of these
 };
 
 struct LightSample {

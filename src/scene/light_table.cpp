@@ -160,6 +160,9 @@ private:
             }
         });
         scene_.lights.tree = std::make_shared<const LightTree>(bounds);
+        scene_.lights.tree_share = 1;
+        for (const uint32_t id : far)
+            scene_.lights.tree_share -= static_cast<double>(scene_.lights.pick.probability(id));
         scene_.lights.far = std::move(far);
     }
     static bool is_far(const Light& light)

@@ -34,9 +34,7 @@ inline Float4 first_weight(Float4 u, Float4 v)
 }
 inline Float8 first_weight(Float8 u, Float8 v)
 {
-    const auto half = [&](auto of) { return first_weight(of(u), of(v)); };
-    return joined(half([](Float8 x) -> Float4 { return _mm256_castps256_ps128(x); }),
-                  half([](Float8 x) -> Float4 { return _mm256_extractf128_ps(x, 1); }));
+    return joined(first_weight(lower(u), lower(v)), first_weight(upper(u), upper(v)));
 }
 
 // A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
