@@ -81,9 +81,9 @@ public:
             for (size_t i = 0; i < accelerators.size(); ++i) {
                 if (!accels[i]) continue;
                 size_t count = rays.size();
-                if (accelerators[i].kind == AccelKind::box) count = std::min(count, affordable);
-                if (accelerators[i].kind == AccelKind::list)
-                    count = std::min(count, options_.full ? size_t{20'000} : affordable);
+                if (accelerators[i].tries_all) count = std::min(count, affordable);
+                if (accelerators[i].kind == AccelKind::list && options_.full)
+                    count = std::min<size_t>(rays.size(), 20'000);
                 for (const Asked asked : {Asked::singly, Asked::in_batches})
                     compare_one(name, g, accelerators[i], *accels[i], kind, asked, std::span(rays).first(count),
                                 expected);

@@ -19,8 +19,6 @@ namespace {
 
 constexpr uint64_t most_by_loop = 1000;  // triangles: what tries all of them is not asked about more
 
-bool tries_all(AccelKind kind) { return kind == AccelKind::list || kind == AccelKind::box; }
-
 // Of one accelerator and one kind of ray: what the law is fitted to.
 struct Series {
     std::vector<double> sizes, values;
@@ -61,7 +59,7 @@ public:
         std::vector<std::pair<std::string, std::unique_ptr<Accelerator>>> accels;
         for (const AccelName& a : accelerators) {
             const std::string accel(a.name);
-            if (!options_.wants_accel(accel) || (tries_all(a.kind) && triangles > most_by_loop)) continue;
+            if (!options_.wants_accel(accel) || (a.tries_all && triangles > most_by_loop)) continue;
             const double start = all_ns();
             accels.emplace_back(accel, make_accelerator(a.kind, g, "avx2"));
             built(name, size, triangles, accel, 1e-9 * (all_ns() - start), accels.back().second->stats());

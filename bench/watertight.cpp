@@ -55,7 +55,6 @@ private:
     void one(const std::string& name, const std::string& where, const Geometry& g, const AccelName& a,
              const Accelerator& accel, const RaysFromInside& rays, Asked asked)
     {
-        const bool looks_at_all = a.kind == AccelKind::list || a.kind == AccelKind::box;
         const auto triangles = static_cast<double>(g.meshes[0].triangles.size());
         const std::string way(name_of(asked));
         Json& row = report_.add("watertight", joined({name, where, std::string(a.name), way}));
@@ -66,7 +65,7 @@ private:
         std::string line = format_text("%-44s", row["name"].get<std::string>().c_str());
         for (const Aim aim : aims) {
             uint64_t count = rays_of(aim, options_.full) / (asked == Asked::singly ? 1 : 10);
-            if (looks_at_all)
+            if (a.tries_all)
                 count = std::min(count, static_cast<uint64_t>(1 + (options_.full ? 4e8 : 4e6) / triangles));
             const uint64_t lost = count_misses(accel, rays, aim, asked, 0, count);
             const std::string kind(name_of(aim));

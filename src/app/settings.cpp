@@ -10,7 +10,7 @@ const std::vector<std::string_view> integrator_names = names_of_integrators();
 const std::vector<std::string_view> sampler_names{"sobol", "independent"};
 const std::vector<std::string_view> filter_names{"box", "gaussian", "blackman-harris", "narrow-gaussian", "centre"};
 const std::vector<std::string_view> accel_names = [] {
-    std::vector<std::string_view> names;
+    std::vector<std::string_view> names{name_of(AccelKind::automatic)};
     for (const AccelName& a : accelerators) names.push_back(a.name);
     return names;
 }();
@@ -97,7 +97,8 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
 {
     RenderSettings r;
     r.integrator = make_integrator(s.integrator, {.max_depth = s.max_depth, .switches = s.switches});
-    r.accel = accelerators[index_of(accel_names, s.accel)].kind;
+    const size_t accel = index_of(accel_names, s.accel);
+    r.accel = accel == 0 ? AccelKind::automatic : accelerators[accel - 1].kind;
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
     r.kernel.seed = s.seed;

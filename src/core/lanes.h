@@ -65,6 +65,10 @@ inline Double4 select(Mask4 m, Double4 yes, Double4 no)
 inline Mask4 select(Mask4 m, Mask4 yes, Mask4 no) { return (m & yes) | (~m & no); }
 inline Float8 select(Mask8 m, Float8 yes, Float8 no) { return _mm256_blendv_ps(no, yes, reinterpret_cast<__m256>(m)); }
 inline Float4 select(Mask4f m, Float4 yes, Float4 no) { return _mm_blendv_ps(no, yes, reinterpret_cast<__m128>(m)); }
+inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
+{
+    return reinterpret_cast<UInt8>(select(m, reinterpret_cast<Float8>(yes), reinterpret_cast<Float8>(no)));
+}
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
 // Of four doubles, for what is done with four floats.
 inline Mask4f narrowed(Mask4 m)
@@ -119,6 +123,13 @@ inline uint32_t bits_eq(const std::array<uint32_t, 8>& a, uint32_t b)
     return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
 }
 inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
+
+// The other way round.
+inline Mask8 lanes_of(uint32_t bits)
+{
+    const Mask8 bit{1, 2, 4, 8, 16, 32, 64, 128};
+    return (bit & static_cast<int>(bits)) == bit;
+}
 
 // f(lane) for each bit that is set.
 template <class F>

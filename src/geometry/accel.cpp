@@ -5,6 +5,7 @@
 #include "geometry/bvh8.h"
 #include "geometry/embree.h"
 #include "geometry/list.h"
+#include "geometry/list8.h"
 #include "geometry/median.h"
 #include "geometry/tree_accelerator.h"
 
@@ -13,8 +14,12 @@ namespace lancer {
 std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& geometry, const std::string& isa)
 {
     switch (kind) {
+        case AccelKind::automatic:
+            return make_accelerator(fastest_accelerator(geometry), geometry, isa);
         case AccelKind::list:
             return std::make_unique<List>(geometry);
+        case AccelKind::list8:
+            return std::make_unique<TreeAccelerator<List8>>(geometry);
         case AccelKind::box:
             return std::make_unique<TreeAccelerator<Box>>(geometry);
         case AccelKind::median:
@@ -27,6 +32,21 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
             break;
     }
     return make_embree(geometry, isa);
+}
+
+AccelKind fastest_accelerator(const Geometry& g)
+{
+    size_t triangles = 0;
+    for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
+    const bool is_plain = g.instances.empty() && g.spheres.empty() && g.planes.empty();
+    return is_plain && triangles <= List8::part_size ? AccelKind::list8 : AccelKind::embree;
+}
+
+std::string_view name_of(AccelKind kind)
+{
+    for (const AccelName& a : accelerators)
+        if (a.kind == kind) return a.name;
+    return "auto";
 }
 
 }  // namespace lancer

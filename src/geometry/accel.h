@@ -48,17 +48,27 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-enum class AccelKind { embree, list, box, median, bvh2, bvh8 };
+// automatic: the one that fastest_accelerator() says.
+enum class AccelKind { automatic, embree, list, list8, box, median, bvh2, bvh8 };
 
-// All of them, the default first.
+// All that there are.
 struct AccelName {
     std::string_view name;
     AccelKind kind;
+    bool tries_all = false;  // of the triangles, for each ray
 };
 inline constexpr std::array accelerators{
-    AccelName{"embree", AccelKind::embree}, AccelName{"list", AccelKind::list}, AccelName{"box", AccelKind::box},
-    AccelName{"median", AccelKind::median}, AccelName{"bvh2", AccelKind::bvh2}, AccelName{"bvh8", AccelKind::bvh8},
+    AccelName{"embree", AccelKind::embree},     AccelName{"list", AccelKind::list, true},
+    AccelName{"list8", AccelKind::list8, true}, AccelName{"box", AccelKind::box, true},
+    AccelName{"median", AccelKind::median},     AccelName{"bvh2", AccelKind::bvh2},
+    AccelName{"bvh8", AccelKind::bvh8},
 };
+
+// By what was measured (docs/benchmarks.md): list8 for at most 64 triangles and nothing else, else Embree. Depends on
+// the geometry alone.
+AccelKind fastest_accelerator(const Geometry& geometry);
+// "auto" of automatic.
+std::string_view name_of(AccelKind kind);
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.
 // Throws Error (failed) if the structure cannot be built. Not from inside a parallel loop.

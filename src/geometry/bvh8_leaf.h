@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "geometry/edge_lanes.h"
 #include "geometry/ray_lanes.h"
 #include "geometry/triangle_float.h"
 
@@ -47,7 +48,7 @@ public:
         uint32_t inside = bits_le(zero, least) | bits_le(most, zero);
         if (!inside) return 0;
         if (const uint32_t on_edge = inside & (bits_eq(least, zero) | bits_eq(most, zero)))
-            inside &= ~on_edge | confirm(on_edge, {ax, ay, bx, by, cx, cy});
+            inside &= ~on_edge | contain_origin(on_edge, {ax, ay, bx, by, cx, cy});
         return within(leaf, a, inside, t_max, known, t);
     }
 
@@ -55,12 +56,6 @@ private:
     struct Point {
         Float8 x, y, z;  // along the sheared axes
     };
-    struct Sheared {
-        Float8 ax, ay, bx, by, cx, cy;
-    };
-    // Those of the lanes whose triangles contain the origin by the signs in double.
-    static uint32_t confirm(uint32_t lanes, const Sheared& s);
-
     // Of the lanes those that meet their planes in [t_min, t_max]. In float by differences of the corners, which are
     // almost exact; where its own bound of the error is too wide for that, or the place too close to where the ray
     // starts (the plane of a needle errs by more than rays start off it), in double.

@@ -10,6 +10,7 @@
 #include "geometry/accel.h"
 #include "geometry/binary_builder.h"
 #include "geometry/object_boxes.h"
+#include "geometry/octet_tree.h"
 #include "geometry/refine_all.h"
 
 namespace lancer {
@@ -38,29 +39,22 @@ public:
     bool any(const Ray& ray) const override
     {
         if (!is_traceable(ray)) return false;
-        const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
-            return s.tree.any(local, [&](uint32_t number, float t) {
-                const TriangleSet::Id id = s.triangles.id(number);
-                return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
-            });
-        };
-        for (uint32_t i = 0; i < g_.planes.size(); ++i)
-            if (first_stop<Kind::plane>(g_, i, ray)) return true;
-        if (plain_ && space(*plain_, ray, Hit::no_instance)) return true;
-        return objects_.any(ray, [&](uint32_t object, uint32_t) {
-            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
-            const Ray local = into_mesh(ray, object);
-            return is_traceable(local) && space(*placed_[g_.instances[object].mesh], local, object);
-        });
+        return stops_at_plane(ray) || (plain_ && stops_in(*plain_, ray, ray, Hit::no_instance)) || stops_at_object(ray);
     }
     void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const override
     {
-        for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
+        if constexpr (OctetTree<Tree>)
+            find_by_octets(rays, hits);
+        else
+            for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
         refine_all(g_, rays, hits);
     }
     void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
     {
-        for (size_t i = 0; i < rays.size(); ++i) occluded[i] = TreeAccelerator::any(rays[i]);
+        if constexpr (OctetTree<Tree>)
+            any_by_octets(rays, occluded);
+        else
+            for (size_t i = 0; i < rays.size(); ++i) occluded[i] = TreeAccelerator::any(rays[i]);
     }
     AccelStats stats() const override
     {
@@ -83,34 +77,124 @@ private:
     {
         Hit best;
         if (!is_traceable(ray)) return best;
-        Ray rest = ray;
-        const auto is_nearer = [&](const Hit& hit) {
-            return !best || hit.t < best.t || (hit.t == best.t && precedes(hit, best));
-        };
-        const auto shape = [&](const Hit& hit) {
-            if (!hit || !is_nearer(hit)) return;
-            best = hit;
-            rest.t_max = hit.t;
-        };
-        const auto space = [&](const Space& s, const Ray& local, uint32_t instance) {
-            s.tree.closest(local, rest.t_max, [&](uint32_t number, float t) {
-                const TriangleSet::Id id = s.triangles.id(number);
-                const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
-                if (!is_nearer(hit) || lets_pass(ray, hit)) return false;
-                best = hit;
-                return true;
-            });
-        };
-        for (uint32_t i = 0; i < g_.planes.size(); ++i) shape(first_stop<Kind::plane>(g_, i, rest));
-        if (plain_) space(*plain_, ray, Hit::no_instance);
-        objects_.closest(ray, rest.t_max, [&](uint32_t object, uint32_t, float) {
-            if (is_sphere(object))
-                shape(first_stop<Kind::sphere>(g_, sphere(object), rest));
-            else if (Ray local = into_mesh(ray, object); is_traceable(local))
-                space(*placed_[g_.instances[object].mesh], local, object);
-            return rest.t_max;
-        });
+        find_plane(ray, best);
+        if (plain_) find_in(*plain_, ray, ray, Hit::no_instance, best);
+        find_object(ray, best);
         return best;
+    }
+    void find_by_octets(std::span<const Ray> rays, std::span<Hit> hits) const
+    {
+        std::fill(hits.begin(), hits.end(), Hit{});
+        if (plain_)
+            for_octets(rays, [&](std::span<const uint32_t> which) {
+                const OctetRay octet(rays, which);
+                NearestOctet best{.t = octet.t_max};
+                plain_->tree.closest(octet, best, [&](Mask8 met, uint32_t number, Float8 t) {
+                    return met & ~passed(rays, which, met, number, t);
+                });
+                for (size_t i = 0; i < which.size(); ++i) {
+                    if (best.number[i] == NearestOctet::none) continue;
+                    const TriangleSet::Id id = plain_->triangles.id(best.number[i]);
+                    hits[which[i]] = {best.t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
+                }
+            });
+        if (is_plain()) return;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            if (!is_traceable(rays[i])) continue;
+            find_plane(rays[i], hits[i]);
+            find_object(rays[i], hits[i]);
+        }
+    }
+    void any_by_octets(std::span<const Ray> rays, std::span<uint8_t> occluded) const
+    {
+        std::fill(occluded.begin(), occluded.end(), uint8_t{0});
+        if (!is_plain())
+            for (size_t i = 0; i < rays.size(); ++i)
+                occluded[i] = is_traceable(rays[i]) && (stops_at_plane(rays[i]) || stops_at_object(rays[i]));
+        if (plain_)
+            for_octets(rays, [&](std::span<const uint32_t> which) {
+                const uint32_t stopped = plain_->tree.any(
+                    OctetRay(rays, which),
+                    [&](Mask8 met, uint32_t number, Float8 t) { return met & ~passed(rays, which, met, number, t); });
+                for_bits(stopped, [&](uint32_t i) { occluded[which[i]] = 1; });
+            });
+    }
+    // Those of the lanes that go through a hole where they meet a triangle of plain_.
+    Mask8 passed(std::span<const Ray> rays, std::span<const uint32_t> which, Mask8 met, uint32_t number, Float8 t) const
+    {
+        if (!g_.holes.let_pass) return Mask8{};
+        const TriangleSet::Id id = plain_->triangles.id(number);
+        uint32_t through = 0;
+        for_bits(bits(met), [&](uint32_t i) {
+            const Hit hit{t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
+            through |= uint32_t{lets_pass(rays[which[i]], hit)} << i;
+        });
+        return lanes_of(through);
+    }
+
+    bool is_plain() const { return g_.planes.empty() && g_.instances.empty() && g_.spheres.empty(); }
+    static bool is_nearer(const Hit& hit, const Hit& best)
+    {
+        return !best || hit.t < best.t || (hit.t == best.t && precedes(hit, best));
+    }
+    static Ray up_to(const Ray& ray, const Hit& best)
+    {
+        Ray rest = ray;
+        if (best) rest.t_max = best.t;
+        return rest;
+    }
+    void find_plane(const Ray& ray, Hit& best) const
+    {
+        for (uint32_t i = 0; i < g_.planes.size(); ++i) take(first_stop<Kind::plane>(g_, i, up_to(ray, best)), best);
+    }
+    static void take(const Hit& hit, Hit& best)
+    {
+        if (hit && is_nearer(hit, best)) best = hit;
+    }
+    // local: the ray in the space of the triangles.
+    void find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
+    {
+        float t_max = up_to(ray, best).t_max;
+        s.tree.closest(local, t_max, [&](uint32_t number, float t) {
+            const TriangleSet::Id id = s.triangles.id(number);
+            const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
+            if (!is_nearer(hit, best) || lets_pass(ray, hit)) return false;
+            best = hit;
+            return true;
+        });
+    }
+    void find_object(const Ray& ray, Hit& best) const
+    {
+        float t_max = up_to(ray, best).t_max;
+        objects_.closest(ray, t_max, [&](uint32_t object, uint32_t, float) {
+            if (is_sphere(object))
+                take(first_stop<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
+            else if (const Ray local = into_mesh(ray, object); is_traceable(local))
+                find_in(*placed_[g_.instances[object].mesh], ray, local, object, best);
+            return up_to(ray, best).t_max;
+        });
+    }
+
+    bool stops_at_plane(const Ray& ray) const
+    {
+        for (uint32_t i = 0; i < g_.planes.size(); ++i)
+            if (first_stop<Kind::plane>(g_, i, ray)) return true;
+        return false;
+    }
+    bool stops_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance) const
+    {
+        return s.tree.any(local, [&](uint32_t number, float t) {
+            const TriangleSet::Id id = s.triangles.id(number);
+            return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
+        });
+    }
+    bool stops_at_object(const Ray& ray) const
+    {
+        return objects_.any(ray, [&](uint32_t object, uint32_t) {
+            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
+            const Ray local = into_mesh(ray, object);
+            return is_traceable(local) && stops_in(*placed_[g_.instances[object].mesh], ray, local, object);
+        });
     }
 
     // Of equally far hits the one that a loop over everything would come by first wins.

@@ -8,9 +8,10 @@
 namespace lancer {
 namespace {
 
-// The scene stands where it will stay.
-std::unique_ptr<Accelerator> build_accelerator(Scene& scene, const RenderSettings& settings)
+// The scene stands where it will stay. Settles which accelerator is meant.
+std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& settings)
 {
+    if (settings.accel == AccelKind::automatic) settings.accel = fastest_accelerator(scene.geometry);
     bind_holes(scene);
     return make_accelerator(settings.accel, scene.geometry, settings.isa);
 }

@@ -16,7 +16,7 @@ namespace lancer {
 
 struct RenderSettings {
     AnyIntegrator integrator = Path{};
-    AccelKind accel = AccelKind::embree;
+    AccelKind accel = AccelKind::automatic;
     std::string isa = "avx2";
     KernelSettings kernel;
 };
@@ -53,6 +53,8 @@ public:
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }
     const Accelerator& accelerator() const { return *accel_; }
+    // Never automatic.
+    AccelKind accelerator_kind() const { return settings_.accel; }
 
 private:
     Scene scene_;

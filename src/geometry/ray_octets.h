@@ -1,0 +1,63 @@
+// Rays by eights that go along the same axis most, so that what turns a triangle's axes to theirs is done once for all.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "geometry/ray_lanes.h"
+
+namespace lancer {
+
+// Eight rays in a space of which the third axis is that along which they all go most.
+struct OctetRay {
+    std::array<size_t, 3> axes;   // the order, as AxisOrder
+    Vec3x8 scene_org, scene_dir;  // in the scene's own order
+    Vec3x8 org;
+    Float8 sx, sy, sz;  // along the third axis: dir as its third number is 1, and 1 / that number
+    Float8 length_z;    // of dir
+    Float8 t_min, t_max;
+    Mask8 valid;  // traceable; only what is there
+
+    // One to eight of the rays, all of one largest_axis().
+    OctetRay(std::span<const Ray> rays, std::span<const uint32_t> which)
+    {
+        const auto ray = [&](size_t i) -> const Ray& { return rays[which[std::min(i, which.size() - 1)]]; };
+        const RowLanes from = turned_rows([&](size_t i) { return org_and_t_min(ray(i)); });
+        const RowLanes to = turned_rows([&](size_t i) { return dir_and_t_max(ray(i)); });
+        const auto count = static_cast<int>(which.size());
+        valid = is_traceable(from.xyz, to.xyz, from.w, to.w) & (Mask8{0, 1, 2, 3, 4, 5, 6, 7} < count);
+        const auto& order = axis_order(ray(0).dir).axes;
+        axes = {order[0], order[1], order[2]};
+        const auto turned = [&](const Vec3x8& v) {
+            const std::array<Float8, 3> a{v.x, v.y, v.z};
+            return Vec3x8{a[axes[0]], a[axes[1]], a[axes[2]]};
+        };
+        scene_org = from.xyz, scene_dir = to.xyz;
+        org = turned(from.xyz);
+        const Vec3x8 dir = turned(to.xyz);
+        sz = 1.0f / dir.z, sx = dir.x * sz, sy = dir.y * sz;
+        length_z = abs(dir.z);
+        t_min = from.w, t_max = to.w;
+    }
+};
+
+// f(which) for one to eight rays of one largest_axis() at a time, until all had their turn.
+template <class F>
+void for_octets(std::span<const Ray> rays, const F& f)
+{
+    constexpr size_t most = 512;
+    std::array<std::array<uint32_t, most>, 3> of_axis;
+    for (size_t first = 0; first < rays.size(); first += most) {
+        std::array<size_t, 3> count{};
+        for (size_t i = first; i < std::min(first + most, rays.size()); ++i) {
+            const size_t axis = axis_order(rays[i].dir).axes[2];
+            of_axis[axis][count[axis]++] = static_cast<uint32_t>(i);
+        }
+        for (size_t axis = 0; axis < 3; ++axis)
+            for (size_t i = 0; i < count[axis]; i += float_lanes)
+                f(std::span<const uint32_t>(of_axis[axis]).subspan(i, std::min<size_t>(float_lanes, count[axis] - i)));
+    }
+}
+
+}  // namespace lancer
