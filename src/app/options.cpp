@@ -73,10 +73,11 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
     add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
-    add_name(p, "--accel",
-             "Who finds what rays meet: Embree, trees of our own, or lists of everything; auto is the fastest: list8 for "
-             "up to 64 triangles, else Embree (auto)",
-             accel_names, o.accel);
+    add_name(
+        p, "--accel",
+        "Who finds what rays meet: Embree, trees of our own, or lists of everything; auto is the fastest: list8 for "
+        "up to 64 triangles, else Embree (auto)",
+        accel_names, o.accel);
     add_name(p, "--isa", "Instructions of Embree; others round differently (avx2)", isa_names, o.isa);
     p.group("How it runs");
     add_threads(p, o.threads);
