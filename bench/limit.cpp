@@ -35,10 +35,40 @@ double mean_luminance(const Film& film)
     return sum / static_cast<double>(film.pixels.size());
 }
 
+// Two pictures of one thing by random numbers of their own.
+using Pair = std::array<Film, 2>;
+
+Film render(const Stage& stage, uint32_t spp)
+{
+    Film film = stage.film();
+    stage.renderer.pass(stage.camera, film, stage.tiles(), {0, spp});
+    return film;
+}
+
+// Relative mean squared error of each picture of a pair, from how they differ, which no reference is needed for: the
+// mean of (a - b)^2 / 2 over r^2 + 0.01. r: mean of all pictures that there are.
+double error_of(const Pair& pair, const std::vector<const Pair*>& all)
+{
+    double sum = 0;
+    for (size_t i = 0; i < pair[0].pixels.size(); ++i) {
+        const Color a = pair[0].pixels[i].mean(), b = pair[1].pixels[i].mean();
+        Color r;
+        for (const Pair* p : all)
+            for (const Film& film : *p) r += film.pixels[i].mean() / static_cast<float>(2 * all.size());
+        const auto part = [](float x, float y, float z) {
+            const double d = static_cast<double>(x) - static_cast<double>(y), m = static_cast<double>(z);
+            return d * d / 2 / (m * m + 0.01);
+        };
+        sum += part(a.r, b.r, r.r) + part(a.g, b.g, r.g) + part(a.b, b.b, r.b);
+    }
+    return sum / (3 * static_cast<double>(pair[0].pixels.size()));
+}
+
 void measure_scene(const BenchScene& scene, const Options& options, Report& report)
 {
     const SceneDescription description = scene.load();
-    const Stage stage(description, scene.options(options.full ? 192 : 96));
+    PictureOptions picture = scene.options(options.full ? 192 : 96);
+    const Stage stage(description, picture);
     const uint32_t spp = samples_per_block;
     const Geometry& g = stage.scene.geometry;
     const std::vector<Tile> tiles = stage.tiles();
@@ -50,16 +80,10 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     const std::optional<BareLoop> loop = BareLoop::make(description, stage, bare);
 
     const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
-    double render_mean = 0, loop_mean = 0;
     std::vector<Hit> hits(rays.closest.size());
     std::vector<uint8_t> occluded(rays.any.size());
     std::vector<Contestant> contestants{
-        {"render", samples,
-         [&] {
-             Film film = stage.film();
-             stage.renderer.pass(stage.camera, film, tiles, {0, spp});
-             render_mean = mean_luminance(film);
-         }},
+        {"render", samples, [&] { render(stage, spp); }},
         {"rays",
          samples,
          {},
@@ -68,20 +92,36 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
              bare.closest(rays.closest, hits, Way::packet8, Coherence::incoherent);
              bare.any(rays.any, occluded, Way::packet8, Coherence::incoherent);
          }}};
-    if (loop) contestants.push_back({"bare-loop", samples, [&] { loop_mean = loop->render(tiles, spp); }});
-
+    if (loop) contestants.push_back({"bare-loop", samples, [&] { loop->render(spp, 0); }});
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
+
+    std::optional<Pair> rendered, looped;
+    std::array<double, 2> error{};
+    if (loop) {
+        picture.seed = 1;
+        rendered = {render(stage, spp), render(Stage(description, picture), spp)};
+        looped = {loop->render(spp, 0), loop->render(spp, 1)};
+        error = {error_of(*rendered, {&*rendered, &*looped}), error_of(*looped, {&*rendered, &*looped})};
+    }
     const auto best = [](const Timing& t) { return *std::min_element(t.cpu.begin(), t.cpu.end()); };
     for (size_t i = 0; i < contestants.size(); ++i) {
         Json& row = report.add("limit", joined({scene.name, contestants[i].name}), timings[i], 1);
         row["threads"] = options.threads;
-        row["mesh"] = scene.name, row["accel"] = "embree", row["way"] = contestants[i].name;
+        row["mesh"] = scene.name, row["accel"] = std::string(name_of(stage.renderer.accelerator_kind())),
+        row["way"] = contestants[i].name;
         row["rays_per_sample"] = static_cast<double>(rays.closest.size() + rays.any.size()) / samples;
         row["best"] = best(timings[i]);
         // Of the render's CPU time, best against best.
         row["share"] = best(timings[i]) / best(timings[0]);
         if (!g.spheres.empty() || !g.planes.empty()) row["left_out"] = "spheres and planes";  // of what Embree traces
-        if (contestants[i].name == "bare-loop") row["mean_ratio"] = loop_mean / render_mean;
+        if (i == 0 && loop) row["error"] = error[0];
+        if (contestants[i].name == "bare-loop") {
+            row["error"] = error[1];
+            // Plain Monte Carlo halves the squared error in twice the time: the quotient of their products.
+            row["time_to_equal_error"] = error[1] * best(timings[i]) / (error[0] * best(timings[0]));
+            row["mean_ratio"] = (mean_luminance((*looped)[0]) + mean_luminance((*looped)[1])) /
+                                (mean_luminance((*rendered)[0]) + mean_luminance((*rendered)[1]));
+        }
         add_ratio(row, "render", timings[0], timings[i], 1);
         print_row(row);
     }

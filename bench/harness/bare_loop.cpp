@@ -117,10 +117,10 @@ Color BareLoop::direct(Vec3 p, Vec3 error, Vec3 n, const Sampler& sampler, uint3
     return faces_[mesh][triangle].emission * (cos_here / pdf * power_heuristic(pdf, pdf_cosine_hemisphere(cos_here)));
 }
 
-Color BareLoop::sample(uint32_t x, uint32_t y, uint32_t index) const
+Color BareLoop::sample(uint32_t x, uint32_t y, uint32_t index, uint64_t seed) const
 {
     const KernelSettings& k = stage_->render.kernel;
-    const Sampler sampler(k.sampler, k.seed, uint64_t{y} * stage_->settings.width + x, index, 0);
+    const Sampler sampler(k.sampler, seed, uint64_t{y} * stage_->settings.width + x, index, 0);
     const Vec2 offset = k.filter.sample(sampler.get2(0, Dim::pixel));
     Ray ray = stage_->camera.ray({static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y},
                                  sampler.get2(0, Dim::lens));
@@ -154,17 +154,23 @@ Color BareLoop::sample(uint32_t x, uint32_t y, uint32_t index) const
     }
 }
 
-double BareLoop::render(const std::vector<Tile>& tiles, uint32_t spp) const
+Film BareLoop::render(uint32_t spp, uint64_t seed) const
 {
-    std::vector<double> sums(tiles.size());
-    double count = 0;
-    for (const Tile& t : tiles) count += static_cast<double>(t.width()) * t.height() * spp;
+    Film film = stage_->film();
+    const std::vector<Tile> tiles = stage_->tiles();
     parallel_for(tiles.size(), [&](size_t i) {
         for (uint32_t y = tiles[i].y0; y < tiles[i].y1; ++y)
-            for (uint32_t x = tiles[i].x0; x < tiles[i].x1; ++x)
-                for (uint32_t s = 0; s < spp; ++s) sums[i] += static_cast<double>(luminance(sample(x, y, s)));
+            for (uint32_t x = tiles[i].x0; x < tiles[i].x1; ++x) {
+                Pixel& pixel = film.pixels[film.index(x, y)];
+                for (uint32_t s = 0; s < spp; ++s) {
+                    const Color c = sample(x, y, s, seed);
+                    pixel.sum[0] += static_cast<double>(c.r), pixel.sum[1] += static_cast<double>(c.g);
+                    pixel.sum[2] += static_cast<double>(c.b);
+                }
+                pixel.n = spp;
+            }
     });
-    return std::accumulate(sums.begin(), sums.end(), 0.0) / count;
+    return film;
 }
 
 }  // namespace lancer::bench

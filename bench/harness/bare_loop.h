@@ -21,9 +21,9 @@ public:
                                         const BareEmbree& embree);
 
     // Radiance of one sample: the same light as the product's, by other random numbers.
-    Color sample(uint32_t x, uint32_t y, uint32_t index) const;
-    // Mean luminance of samples [0, spp) of all pixels of the tiles. In parallel.
-    double render(const std::vector<Tile>& tiles, uint32_t spp) const;
+    Color sample(uint32_t x, uint32_t y, uint32_t index, uint64_t seed) const;
+    // Samples [0, spp) of all pixels. In parallel.
+    Film render(uint32_t spp, uint64_t seed) const;
 
 private:
     struct Face {

@@ -81,6 +81,22 @@ std::string shared_file(const std::string& name, const std::string& cache)
     return unpacked;
 }
 
+std::string shared_scene(const std::string& name, const std::string& cache)
+{
+    const std::string file = shared_file(name, cache);
+    if (file.empty()) return {};
+    const fs::path from = (fs::path(shared_scenes()) / name).parent_path();
+    const fs::path to = fs::path(cache) / "scenes" / from.filename(), scene = to / fs::path(name).filename();
+    if (fs::exists(scene)) return scene;
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(from))
+        if (entry.path().extension() != ".xz")
+            fs::copy(entry.path(), to / entry.path().filename(),
+                     fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    fs::copy_file(file, scene, fs::copy_options::overwrite_existing);  // last: where it is, all is
+    return scene;
+}
+
 std::vector<MeshChoice> choose_meshes(const Options& options)
 {
     std::vector<MeshChoice> all;

@@ -24,5 +24,8 @@ std::vector<MeshChoice> choose_meshes(const Options& options);
 std::string shared_scenes();
 // A file in it, unpacked into the cache folder if only its .xz is there; empty if neither is.
 std::string shared_file(const std::string& name, const std::string& cache);
+// A scene in it with what lies beside it, materials and pictures: what is packed and what is not come together in the
+// cache folder. Empty if it is not there.
+std::string shared_scene(const std::string& name, const std::string& cache);
 
 }  // namespace lancer::bench

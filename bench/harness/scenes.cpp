@@ -49,6 +49,28 @@ SceneDescription load_statues(const std::string& file)
     return d;
 }
 
+struct Room {
+    std::string name;
+    CameraDescription camera;
+};
+std::vector<Room> rooms()
+{
+    return {{"sponza", anchor_camera({-2, 10, -35}, {-2, 18, 30}, 75)},
+            {"country-kitchen", anchor_camera({1.211, 1.805, 3.852}, {0.773, 1.763, 2.954}, 60)}};
+}
+SceneDescription load_room(const std::string& file, const Room& room)
+{
+    SceneDescription d = load_description(file);
+    d.camera = room.camera;
+    return d;
+}
+SceneDescription load_grey_room(const std::string& file, const Room& room)
+{
+    SceneDescription d = describe_mesh(*load_description(file).meshes.at(0).data, room.camera);
+    d.lights.resize(1);  // the sky, without the sun
+    return d;
+}
+
 }  // namespace
 
 PictureOptions BenchScene::options(uint32_t height) const
@@ -78,6 +100,17 @@ std::vector<BenchScene> choose_scenes(const Options& options)
     if (options.wants("statues"))
         if (const std::string file = shared_file("anchors/statues.obj", options.cache); !file.empty())
             add({"statues", 4.0 / 3, anchor_options(6), [file] { return load_statues(file); }, refs("statues"), 192});
+    // Rooms as their files have them, and all grey under an even sky. They take their time, so they have to be asked
+    // for.
+    for (const Room& room : rooms()) {
+        const std::string grey = room.name + "-grey";
+        const bool some = options.full || !options.only.empty();
+        if (!some || !(options.wants(room.name) || options.wants(grey))) continue;
+        const std::string file = shared_scene(room.name + "/" + room.name + ".obj", options.cache);
+        if (file.empty()) continue;
+        add({room.name, 4.0 / 3, anchor_options(8), [=] { return load_room(file, room); }});
+        add({grey, 4.0 / 3, anchor_options(8), [=] { return load_grey_room(file, room); }});
+    }
     return all;
 }
 
