@@ -206,6 +206,24 @@ TEST_F(Render, StatsTellWhatWasDone)
     EXPECT_EQ(s.at("passes").back().at("spp"), 40);
 }
 
+// What it chose itself it says by name, so that the command that it prints draws the same picture ever after.
+TEST_F(Render, SaysWhichAcceleratorItChose)
+{
+    const auto chosen = [&] {
+        const Said said = render({"-o", "a.exr", "--stats", "s.json", "-v"});
+        EXPECT_EQ(said.code, 0) << said.err;
+        const auto s = nlohmann::json::parse(read_bytes(file("s.json")));
+        const std::string name = s.at("settings").at("accel");
+        EXPECT_EQ(metadata("a.exr", "accel"), name);
+        expect_words(said.err, "--accel " + name + " ");
+        return name;
+    };
+    EXPECT_EQ(chosen(), "embree");
+    write("few.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("scene.toml", "version = 1\n[[mesh]]\nfile = 'few.obj'\n[[light]]\ntype = 'environment'\nradiance = 1\n");
+    EXPECT_EQ(chosen(), "list8");
+}
+
 TEST_F(Render, MetadataTellHowToMakeItAgain)
 {
     ASSERT_EQ(render({"-o", "a.exr", "--seed", "3"}).code, 0);

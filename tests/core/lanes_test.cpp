@@ -14,6 +14,16 @@ namespace {
 
 uint32_t bits_of(float x) { return std::bit_cast<uint32_t>(x); }
 
+TEST(Lanes, MasksAreTheirBits)
+{
+    const UInt8 yes{1, 2, 3, 4, 5, 6, 7, 8}, no{};
+    for (uint32_t set = 0; set < 256; ++set) {
+        EXPECT_EQ(bits(lanes_of(set)), set);
+        const UInt8 chosen = select(lanes_of(set), yes, no);
+        for (uint32_t i = 0; i < float_lanes; ++i) EXPECT_EQ(chosen[i], set >> i & 1 ? i + 1 : 0) << set;
+    }
+}
+
 TEST(Lanes, SamplersGiveTheSameNumbers)
 {
     Random random(1);
