@@ -246,7 +246,7 @@ int Run::execute()
         const auto renderer = timed("build accelerator", [&] {
             return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_);
         });
-        settings_.accel = prepared_.settings.accel;
+        settings_.accel = name_of(renderer->accelerator_kind());  // not automatic any more
         describe(*renderer);
         if (options_.verbose) say_settings();
         render(*renderer);

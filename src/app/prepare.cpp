@@ -58,7 +58,6 @@ std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& optio
     auto renderer = with_warnings(diagnostics, [&] {
         return std::make_unique<Renderer>(std::move(p.scene), to_render_settings(p.settings, batch), &diagnostics);
     });
-    p.settings.accel = name_of(renderer->accelerator_kind());
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
     if (options.strict && !p.warnings.empty())

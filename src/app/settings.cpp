@@ -97,8 +97,7 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
 {
     RenderSettings r;
     r.integrator = make_integrator(s.integrator, {.max_depth = s.max_depth, .switches = s.switches});
-    const size_t accel = index_of(accel_names, s.accel);
-    r.accel = accel == 0 ? AccelKind::automatic : accelerators[accel - 1].kind;
+    r.accel = accelerator_of(s.accel);
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
     r.kernel.seed = s.seed;

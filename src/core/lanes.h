@@ -131,6 +131,9 @@ inline Mask8 lanes_of(uint32_t bits)
     return (bit & static_cast<int>(bits)) == bit;
 }
 
+// The first n.
+inline Mask8 first_lanes(size_t n) { return Mask8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<int>(n); }
+
 // f(lane) for each bit that is set.
 template <class F>
 void for_bits(uint32_t bits, F&& f)

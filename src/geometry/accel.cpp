@@ -49,4 +49,11 @@ std::string_view name_of(AccelKind kind)
     return "auto";
 }
 
+AccelKind accelerator_of(std::string_view name)
+{
+    for (const AccelName& a : accelerators)
+        if (a.name == name) return a.kind;
+    return AccelKind::automatic;
+}
+
 }  // namespace lancer

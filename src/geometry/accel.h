@@ -67,8 +67,9 @@ inline constexpr std::array accelerators{
 // By what was measured (docs/benchmarks.md): list8 for at most 64 triangles and nothing else, else Embree. Depends on
 // the geometry alone.
 AccelKind fastest_accelerator(const Geometry& geometry);
-// "auto" of automatic.
+// "auto" of automatic; and back, automatic of what is no other's name.
 std::string_view name_of(AccelKind kind);
+AccelKind accelerator_of(std::string_view name);
 
 // isa: for Embree, one of sse2, sse4.2, avx, avx2, avx512; pinned, as other instruction sets round other bits.
 // Throws Error (failed) if the structure cannot be built. Not from inside a parallel loop.

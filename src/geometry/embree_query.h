@@ -103,7 +103,7 @@ private:
     {
         const RayOctet l(rays);
         const Mask8 lanes = Mask8{0, 1, 2, 3, 4, 5, 6, 7};
-        const Mask8 ok = is_traceable(l) & (lanes < static_cast<int>(rays.size()));
+        const Mask8 ok = is_traceable(l) & first_lanes(rays.size());
         const Float8 zero{}, one = all_lanes(1.0f);
         const auto put = [&](float* to, Float8 x, Float8 idle) { _mm256_store_ps(to, select(ok, x, idle)); };
         // Idle lanes meet nothing whoever looks.

@@ -65,11 +65,12 @@ const List8::Triangle& List8::numbered(uint32_t number) const
                              [](const Triangle& t, uint32_t n) { return t.number < n; });
 }
 
-uint32_t List8::decide(const Triangle& triangle, const OctetRay& r, uint32_t lanes, NearestOctet& best, Float8& t) const
+uint32_t List8::decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+                       Float8& t) const
 {
     const auto distance = [&r](const Triangle& to, size_t i) {
         const auto& [a, b, c] = to.places;
-        return distance_to_plane(lane(r.scene_org, i), lane(r.scene_dir, i), static_cast<int>(r.axes[2]), a, b, c);
+        return distance_to_plane(lane(r.rays.org, i), lane(r.rays.dir, i), static_cast<int>(r.axes[2]), a, b, c);
     };
     uint32_t met = 0;
     for_bits(lanes, [&](uint32_t i) {
@@ -77,7 +78,7 @@ uint32_t List8::decide(const Triangle& triangle, const OctetRay& r, uint32_t lan
         const bool is_first = best.number[i] == NearestOctet::none;
         // What is compared is rounded alike: of two in one place the first stays.
         if (!is_first) best.t[i] = distance(numbered(best.number[i]), i);
-        met |= uint32_t{t[i] >= r.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;
+        met |= uint32_t{t[i] >= r.rays.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;
     });
     return met;
 }

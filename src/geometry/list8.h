@@ -20,23 +20,21 @@ public:
     void closest(const Ray& ray, float& t_max, const Found& found) const
     {
         const uint32_t first = 0;
-        const OctetRay r({&ray, 1}, {&first, 1});
+        const ShearedOctet r({&ray, 1}, {&first, 1});
         NearestOctet best{.t = all_lanes(t_max)};
-        closest(r, best,
-                [&](Mask8 met, uint32_t number, Float8 t) { return only_first(met[0] && found(number, t[0])); });
+        closest(r, best, [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); });
         t_max = best.t[0];
     }
     template <class Found>
     bool any(const Ray& ray, const Found& found) const
     {
         const uint32_t first = 0;
-        return any(OctetRay({&ray, 1}, {&first, 1}), [&](Mask8 met, uint32_t number, Float8 t) {
-                   return only_first(met[0] && found(number, t[0]));
-               }) != 0;
+        return any(ShearedOctet({&ray, 1}, {&first, 1}),
+                   [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); }) != 0;
     }
 
     template <class Counts>
-    void closest(const OctetRay& r, NearestOctet& best, const Counts& counts) const
+    void closest(const ShearedOctet& r, NearestOctet& best, const Counts& counts) const
     {
         for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
@@ -48,9 +46,9 @@ public:
         });
     }
     template <class Counts>
-    uint32_t any(const OctetRay& r, const Counts& counts) const
+    uint32_t any(const ShearedOctet& r, const Counts& counts) const
     {
-        NearestOctet reach{.t = r.t_max};
+        NearestOctet reach{.t = r.rays.t_max};
         Mask8 open = r.valid;
         for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
@@ -97,12 +95,10 @@ private:
         Mask8 touch() const { return (least == Float8{}) | (most == Float8{}); }
     };
 
-    static Mask8 only_first(bool is) { return Mask8{is ? -1 : 0}; }
-
     // f(triangle, lanes) for the triangles, in order, that the lines of some rays go through: of those lanes. Until f
     // says false. First which they are, of many, then what is to be done with them: so no branch waits for arithmetic.
     template <class F>
-    void for_candidates(const OctetRay& r, const F& f) const
+    void for_candidates(const ShearedOctet& r, const F& f) const
     {
         Points points;
         std::array<Mask8, part_size> lanes;
@@ -124,7 +120,7 @@ private:
                 if (!f(*which[i], lanes[i])) return;
         }
     }
-    static void shear(const Part& part, const OctetRay& r, Points& points)
+    static void shear(const Part& part, const ShearedOctet& r, Points& points)
     {
         const float *x = part.corners[r.axes[0]].data(), *y = part.corners[r.axes[1]].data(),
                     *z = part.corners[r.axes[2]].data();
@@ -138,7 +134,7 @@ private:
 
     // Those of the lanes inside that meet the triangle in [t_min, best.t], or before it where best.t is of another one:
     // see LeafRay.
-    Mask8 reached(const Triangle& triangle, const OctetRay& r, Mask8 lanes, NearestOctet& best, Float8& t) const
+    Mask8 reached(const Triangle& triangle, const ShearedOctet& r, Mask8 lanes, NearestOctet& best, Float8& t) const
     {
         const Triangle::Along &x = triangle.along[r.axes[0]], &y = triangle.along[r.axes[1]],
                               &z = triangle.along[r.axes[2]];
@@ -150,14 +146,15 @@ private:
         const Float8 of_slope = all_lanes(x.size) * abs(r.sx) + all_lanes(y.size) * abs(r.sy) + all_lanes(z.size);
         const Float8 error = gamma(8) * abs(scale) * (of_place + abs(t) * of_slope * r.length_z);
         const Float8 low = t - error, high = t + error;
-        lanes &= ~((high < r.t_min) | (low > best.t));
-        const Mask8 sure = (error < t * 0x1p-17f) & (low > r.t_min) & (high < best.t);
+        lanes &= ~((high < r.rays.t_min) | (low > best.t));
+        const Mask8 sure = (error < t * 0x1p-17f) & (low > r.rays.t_min) & (high < best.t);
         const uint32_t unsure = bits(lanes & ~sure);
         if (unsure == 0) return lanes;
         return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, t));
     }
     // The same of what float cannot tell.
-    uint32_t decide(const Triangle& triangle, const OctetRay& r, uint32_t lanes, NearestOctet& best, Float8& t) const;
+    uint32_t decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+                    Float8& t) const;
     const Triangle& numbered(uint32_t number) const;
 
     std::vector<Part> parts_;

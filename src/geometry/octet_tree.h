@@ -14,14 +14,14 @@ struct NearestOctet {
 };
 
 // A TriangleTree that offers, too:
-//   void closest(const OctetRay&, NearestOctet& best, const Counts& counts) const;
+//   void closest(const ShearedOctet&, NearestOctet& best, const Counts& counts) const;
 //       nearer ones than `best`. counts(met, number, t): which of the lanes that meet the triangle at t count it.
-//   uint32_t any(const OctetRay&, const Counts& counts) const;
+//   uint32_t any(const ShearedOctet&, const Counts& counts) const;
 //       bit i: ray i meets one that counts
 // The answer for a ray is that of the single one, whatever the others.
 template <class T>
 concept OctetTree = TriangleTree<T> &&
-    requires(const T t, const OctetRay& rays, NearestOctet& best, Mask8 (*counts)(Mask8, uint32_t, Float8))
+    requires(const T t, const ShearedOctet& rays, NearestOctet& best, Mask8 (*counts)(Mask8, uint32_t, Float8))
 {
     t.closest(rays, best, counts);
     {

@@ -24,8 +24,20 @@ struct RayOctet {
 
     // One to eight of them; the last one fills the lanes that are left.
     explicit RayOctet(std::span<const Ray> rays)
+        : RayOctet(rays.size(), [&](size_t i) -> const Ray& { return rays[i]; })
     {
-        const auto ray = [&](size_t i) -> const Ray& { return rays[std::min(i, rays.size() - 1)]; };
+    }
+    // Those of the rays, likewise.
+    RayOctet(std::span<const Ray> rays, std::span<const uint32_t> which)
+        : RayOctet(which.size(), [&](size_t i) -> const Ray& { return rays[which[i]]; })
+    {
+    }
+
+private:
+    template <class At>
+    RayOctet(size_t count, const At& at)
+    {
+        const auto ray = [&](size_t i) -> const Ray& { return at(std::min(i, count - 1)); };
         const auto turn = [&](auto of, Vec3T<Float8>& v, Float8& behind) {
             const RowLanes rows = turned_rows([&](size_t i) { return of(ray(i)); });
             v = rows.xyz, behind = rows.w;

@@ -9,36 +9,30 @@
 
 namespace lancer {
 
-// Eight rays in a space of which the third axis is that along which they all go most.
-struct OctetRay {
-    std::array<size_t, 3> axes;   // the order, as AxisOrder
-    Vec3x8 scene_org, scene_dir;  // in the scene's own order
+// Eight rays in a space of which the third axis is that along which they all go most; as ShearedRay of
+// triangle_float.h.
+struct ShearedOctet {
+    RayOctet rays;               // in the scene's own space
+    Mask8 valid;                 // those that are there and traceable
+    std::array<size_t, 3> axes;  // the order, as AxisOrder
     Vec3x8 org;
     Float8 sx, sy, sz;  // along the third axis: dir as its third number is 1, and 1 / that number
     Float8 length_z;    // of dir
-    Float8 t_min, t_max;
-    Mask8 valid;  // traceable; only what is there
 
     // One to eight of the rays, all of one largest_axis().
-    OctetRay(std::span<const Ray> rays, std::span<const uint32_t> which)
+    ShearedOctet(std::span<const Ray> all, std::span<const uint32_t> which)
+        : rays(all, which), valid(is_traceable(rays) & first_lanes(which.size()))
     {
-        const auto ray = [&](size_t i) -> const Ray& { return rays[which[std::min(i, which.size() - 1)]]; };
-        const RowLanes from = turned_rows([&](size_t i) { return org_and_t_min(ray(i)); });
-        const RowLanes to = turned_rows([&](size_t i) { return dir_and_t_max(ray(i)); });
-        const auto count = static_cast<int>(which.size());
-        valid = is_traceable(from.xyz, to.xyz, from.w, to.w) & (Mask8{0, 1, 2, 3, 4, 5, 6, 7} < count);
-        const auto& order = axis_order(ray(0).dir).axes;
+        const auto& order = axis_order(all[which[0]].dir).axes;
         axes = {order[0], order[1], order[2]};
         const auto turned = [&](const Vec3x8& v) {
             const std::array<Float8, 3> a{v.x, v.y, v.z};
             return Vec3x8{a[axes[0]], a[axes[1]], a[axes[2]]};
         };
-        scene_org = from.xyz, scene_dir = to.xyz;
-        org = turned(from.xyz);
-        const Vec3x8 dir = turned(to.xyz);
+        org = turned(rays.org);
+        const Vec3x8 dir = turned(rays.dir);
         sz = 1.0f / dir.z, sx = dir.x * sz, sy = dir.y * sz;
         length_z = abs(dir.z);
-        t_min = from.w, t_max = to.w;
     }
 };
 

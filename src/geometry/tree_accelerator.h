@@ -87,8 +87,8 @@ private:
         std::fill(hits.begin(), hits.end(), Hit{});
         if (plain_)
             for_octets(rays, [&](std::span<const uint32_t> which) {
-                const OctetRay octet(rays, which);
-                NearestOctet best{.t = octet.t_max};
+                const ShearedOctet octet(rays, which);
+                NearestOctet best{.t = octet.rays.t_max};
                 plain_->tree.closest(octet, best, [&](Mask8 met, uint32_t number, Float8 t) {
                     return met & ~passed(rays, which, met, number, t);
                 });
@@ -114,7 +114,7 @@ private:
         if (plain_)
             for_octets(rays, [&](std::span<const uint32_t> which) {
                 const uint32_t stopped = plain_->tree.any(
-                    OctetRay(rays, which),
+                    ShearedOctet(rays, which),
                     [&](Mask8 met, uint32_t number, Float8 t) { return met & ~passed(rays, which, met, number, t); });
                 for_bits(stopped, [&](uint32_t i) { occluded[which[i]] = 1; });
             });
@@ -137,10 +137,11 @@ private:
     {
         return !best || hit.t < best.t || (hit.t == best.t && precedes(hit, best));
     }
+    static float reach(const Ray& ray, const Hit& best) { return best ? best.t : ray.t_max; }
     static Ray up_to(const Ray& ray, const Hit& best)
     {
         Ray rest = ray;
-        if (best) rest.t_max = best.t;
+        rest.t_max = reach(ray, best);
         return rest;
     }
     void find_plane(const Ray& ray, Hit& best) const
@@ -154,7 +155,7 @@ private:
     // local: the ray in the space of the triangles.
     void find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
-        float t_max = up_to(ray, best).t_max;
+        float t_max = reach(ray, best);
         s.tree.closest(local, t_max, [&](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
@@ -165,13 +166,13 @@ private:
     }
     void find_object(const Ray& ray, Hit& best) const
     {
-        float t_max = up_to(ray, best).t_max;
+        float t_max = reach(ray, best);
         objects_.closest(ray, t_max, [&](uint32_t object, uint32_t, float) {
             if (is_sphere(object))
                 take(first_stop<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
             else if (const Ray local = into_mesh(ray, object); is_traceable(local))
                 find_in(*placed_[g_.instances[object].mesh], ray, local, object, best);
-            return up_to(ray, best).t_max;
+            return reach(ray, best);
         });
     }
 
