@@ -38,13 +38,6 @@ double mean_luminance(const Film& film)
 // Two pictures of one thing by random numbers of their own.
 using Pair = std::array<Film, 2>;
 
-Film render(const Stage& stage, uint32_t spp)
-{
-    Film film = stage.film();
-    stage.renderer.pass(stage.camera, film, stage.tiles(), {0, spp});
-    return film;
-}
-
 // Relative mean squared error of each picture of a pair, from how they differ, which no reference is needed for: the
 // mean of (a - b)^2 / 2 over r^2 + 0.01. r: mean of all pictures that there are.
 double error_of(const Pair& pair, const std::vector<const Pair*>& all)
@@ -83,7 +76,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     std::vector<Hit> hits(rays.closest.size());
     std::vector<uint8_t> occluded(rays.any.size());
     std::vector<Contestant> contestants{
-        {"render", samples, [&] { render(stage, spp); }},
+        {"render", samples, [&] { stage.draw(spp); }},
         {"rays",
          samples,
          {},
@@ -99,7 +92,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     std::array<double, 2> error{};
     if (loop) {
         picture.seed = 1;
-        rendered = {render(stage, spp), render(Stage(description, picture), spp)};
+        rendered = {stage.draw(spp), Stage(description, picture).draw(spp)};
         looped = {loop->render(spp, 0), loop->render(spp, 1)};
         error = {error_of(*rendered, {&*rendered, &*looped}), error_of(*looped, {&*rendered, &*looped})};
     }

@@ -43,11 +43,7 @@ struct Painter {
     Film film;
     uint32_t spp;
 
-    void draw()
-    {
-        film = stage->film();
-        stage->renderer.pass(stage->camera, film, stage->tiles(), {0, spp});
-    }
+    void draw() { film = stage->draw(spp); }
     // From camera rays all over the picture, at so many to a sample. Not from a piece of the picture: before the first
     // one its paths are planned, which by the slowest accelerators alone takes hours.
     double expected_ns() const

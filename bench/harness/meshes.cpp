@@ -16,26 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SharedMesh {
-    const char *name, *file;
-    // Where there is something to see; else the camera is fitted.
-    std::optional<CameraDescription> camera = {};
+    std::string name, file;
+    std::optional<CameraDescription> camera = {};  // else it is fitted
 };
-
-CameraDescription camera_at(Vec3d position, Vec3d target, double fov_deg)
-{
-    CameraDescription c;
-    c.position = position, c.target = target, c.fov_deg = fov_deg;
-    return c;
-}
 
 std::vector<SharedMesh> shared_meshes()
 {
-    return {{"bunny", "meshes/stanford-bunny.obj"},
-            {"armadillo", "meshes/armadillo.obj"},
-            {"ogre", "meshes/ogre.obj"},
-            {"sponza", "sponza/sponza.obj", camera_at({-2, 10, -35}, {-2, 18, 30}, 75)},
-            {"country-kitchen", "country-kitchen/country-kitchen.obj",
-             camera_at({1.211, 1.805, 3.852}, {0.773, 1.763, 2.954}, 60)}};
+    std::vector<SharedMesh> all{{"bunny", "meshes/stanford-bunny.obj"},
+                                {"armadillo", "meshes/armadillo.obj"},
+                                {"ogre", "meshes/ogre.obj"}};
+    for (const SharedRoom& room : shared_rooms()) all.push_back({room.name, room.file, room.camera});
+    return all;
 }
 
 SceneDescription load_grey(const std::string& file, const std::optional<CameraDescription>& camera = {})
@@ -58,6 +49,20 @@ void unpack(const std::string& from, const std::string& to)
 }
 
 }  // namespace
+
+CameraDescription camera_at(Vec3d position, Vec3d target, double fov_deg)
+{
+    CameraDescription c;
+    c.position = position, c.target = target, c.fov_deg = fov_deg;
+    return c;
+}
+
+std::vector<SharedRoom> shared_rooms()
+{
+    return {{"sponza", "sponza/sponza.obj", camera_at({-2, 10, -35}, {-2, 18, 30}, 75)},
+            {"country-kitchen", "country-kitchen/country-kitchen.obj",
+             camera_at({1.211, 1.805, 3.852}, {0.773, 1.763, 2.954}, 60)}};
+}
 
 std::string shared_scenes()
 {

@@ -11,6 +11,16 @@
 
 namespace lancer::bench {
 
+// A pinhole camera with y up.
+CameraDescription camera_at(Vec3d position, Vec3d target, double fov_deg);
+
+// A room of the shared scenes, seen from where there is something to see.
+struct SharedRoom {
+    std::string name, file;
+    CameraDescription camera;
+};
+std::vector<SharedRoom> shared_rooms();
+
 struct MeshChoice {
     std::string name;
     std::function<SceneDescription()> load;  // with a camera and light; throws Error

@@ -21,24 +21,17 @@ PictureOptions anchor_options(uint32_t max_depth)
     return o;
 }
 
-CameraDescription anchor_camera(Vec3d position, Vec3d target, double fov_deg)
-{
-    CameraDescription c;
-    c.position = position, c.target = target, c.fov_deg = fov_deg;
-    return c;
-}
-
 SceneDescription load_anchor_cornell(const std::string& file)
 {
     SceneDescription d = load_description(file);
-    d.camera = anchor_camera({2.78, 2.73, -8}, {2.78, 2.73, 0}, 39.3077);
+    d.camera = camera_at({2.78, 2.73, -8}, {2.78, 2.73, 0}, 39.3077);
     return d;
 }
 
 SceneDescription load_statues(const std::string& file)
 {
     SceneDescription d = load_description(file);
-    d.camera = anchor_camera({0, 2.6, 7}, {0, 0.85, 0}, 38);
+    d.camera = camera_at({0, 2.6, 7}, {0, 0.85, 0}, 38);
     MaterialDescription grey;
     grey.name = "grey", grey.base_color = {0.7f, 0.7f, 0.7f};
     d.materials = {grey};
@@ -49,22 +42,13 @@ SceneDescription load_statues(const std::string& file)
     return d;
 }
 
-struct Room {
-    std::string name;
-    CameraDescription camera;
-};
-std::vector<Room> rooms()
-{
-    return {{"sponza", anchor_camera({-2, 10, -35}, {-2, 18, 30}, 75)},
-            {"country-kitchen", anchor_camera({1.211, 1.805, 3.852}, {0.773, 1.763, 2.954}, 60)}};
-}
-SceneDescription load_room(const std::string& file, const Room& room)
+SceneDescription load_room(const std::string& file, const SharedRoom& room)
 {
     SceneDescription d = load_description(file);
     d.camera = room.camera;
     return d;
 }
-SceneDescription load_grey_room(const std::string& file, const Room& room)
+SceneDescription load_grey_room(const std::string& file, const SharedRoom& room)
 {
     SceneDescription d = describe_mesh(*load_description(file).meshes.at(0).data, room.camera);
     d.lights.resize(1);  // the sky, without the sun
@@ -102,11 +86,11 @@ std::vector<BenchScene> choose_scenes(const Options& options)
             add({"statues", 4.0 / 3, anchor_options(6), [file] { return load_statues(file); }, refs("statues"), 192});
     // Rooms as their files have them, and all grey under an even sky. They take their time, so they have to be asked
     // for.
-    for (const Room& room : rooms()) {
+    for (const SharedRoom& room : shared_rooms()) {
         const std::string grey = room.name + "-grey";
         const bool some = options.full || !options.only.empty();
         if (!some || !(options.wants(room.name) || options.wants(grey))) continue;
-        const std::string file = shared_scene(room.name + "/" + room.name + ".obj", options.cache);
+        const std::string file = shared_scene(room.file, options.cache);
         if (file.empty()) continue;
         add({room.name, 4.0 / 3, anchor_options(8), [=] { return load_room(file, room); }});
         add({grey, 4.0 / 3, anchor_options(8), [=] { return load_grey_room(file, room); }});

@@ -31,6 +31,13 @@ Stage::Stage(const SceneDescription& description, const Settings& s, std::unique
 {
 }
 
+Film Stage::draw(uint32_t spp) const
+{
+    Film drawn = film();
+    renderer.pass(camera, drawn, tiles(), {0, spp});
+    return drawn;
+}
+
 SceneDescription load_description(const std::string& file, const PictureOptions& options)
 {
     Diagnostics diagnostics;

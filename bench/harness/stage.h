@@ -31,6 +31,8 @@ public:
     // The whole picture, in tiles as the program makes them.
     std::vector<Tile> tiles() const { return make_tiles(settings.crop, RenderOptions{}.tile); }
     Film film() const { return {settings.width, settings.height, settings.crop}; }
+    // The picture at so many samples per pixel.
+    Film draw(uint32_t spp) const;
 };
 
 // A scene file or a mesh as the program would take it. Throws Error, also if it is not there.
