@@ -32,6 +32,17 @@ struct Geometry {
     Holes holes;
 };
 
+// Whether there are more triangles than the caches next to the processor hold, so that it pays to ask for those that
+// were hit before they are looked at. For a batch, not for each ray.
+inline bool outgrows_caches(const Geometry& g)
+{
+    constexpr size_t most = 8192;
+    size_t count = 0;
+    for (const Mesh& m : g.meshes)
+        if (count += m.triangles.size(); count > most) return true;
+    return false;
+}
+
 // t and uv of a hit from its primitive alone, in double and then rounded: the same bits whichever accelerator found
 // it. Only (instance, geometry, primitive, kind, exit) of `hit` are read.
 inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)

@@ -1,5 +1,6 @@
 #include "geometry/refine_all.h"
 
+#include "core/prefetch.h"
 #include "geometry/ray_lanes.h"
 #include "geometry/triangle_lanes.h"
 
@@ -33,10 +34,24 @@ void refine_four(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hi
     }
 }
 
+// In a large mesh each of them is a line of memory that no cache has; asked for one after the other, the next would
+// wait for the one before.
+void fetch_corners(const Geometry& g, std::span<const Hit> hits)
+{
+    for (const Hit& hit : hits)
+        if (hit.kind == Kind::triangle) prefetch(&g.meshes[hit.geometry].triangles[hit.primitive]);
+    for (const Hit& hit : hits) {
+        if (hit.kind != Kind::triangle) continue;
+        const Mesh& m = g.meshes[hit.geometry];
+        for (const uint32_t corner : m.triangles[hit.primitive]) prefetch(&m.positions[corner]);
+    }
+}
+
 }  // namespace
 
 void refine_all(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits)
 {
+    if (outgrows_caches(g)) fetch_corners(g, hits);
     for_triangles(
         hits, [&](const FourHits& which) { refine_four(g, rays, hits, which); },
         [&](size_t i) { hits[i] = refine(g, rays[i], hits[i]); });

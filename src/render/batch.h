@@ -121,6 +121,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         for (const State& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
         accel.closest(w.rays, w.hits, coherence);
+        fetch_shading(view.scene, w.hits);
         if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
 
         w.queue.next.clear();

@@ -47,6 +47,7 @@ public:
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             w_.hits.resize(now_.size());
             accel_.closest(now_.rays(), w_.hits, depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
+            fetch_shading(view_.scene, w_.hits);
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
             for (size_t first = 0; first < now_.size(); first += float_lanes) shade(first);

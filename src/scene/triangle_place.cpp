@@ -1,5 +1,6 @@
 #include "scene/triangle_place.h"
 
+#include "core/prefetch.h"
 #include "geometry/triangle_lanes.h"
 #include "scene/scene.h"
 
@@ -94,6 +95,29 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     if (const double lns = length(ns); lns > 0) s.ns = to_float(ns * (1 / lns));
     if (dot(s.n, s.ns) < 0) s.n = -s.n;  // the normals of the file say which side is the front
     return s;
+}
+
+void fetch_shading(const Scene& scene, std::span<const Hit> hits)
+{
+    if (!outgrows_caches(scene.geometry)) return;
+    const auto for_meshes = [&](const auto& f) {
+        for (const Hit& hit : hits)
+            if (hit.kind == Kind::triangle) f(scene.shading[hit.geometry], hit.primitive);
+    };
+    for_meshes([](const MeshShading& s, uint32_t triangle) {
+        if (!s.face_material.empty()) prefetch(&s.face_material[triangle]);
+        if (!s.emitter_rank.empty()) prefetch(&s.emitter_rank[triangle]);
+        if (!s.normals.empty()) prefetch(&s.normal_triangles[triangle]);
+        if (!s.uvs.empty()) prefetch(&s.uv_triangles[triangle]);
+    });
+    for_meshes([](const MeshShading& s, uint32_t triangle) {
+        const auto corners = [&](const auto& list, const auto& triangles, uint32_t none) {
+            if (list.empty() || triangles[triangle][0] == none) return;
+            for (const uint32_t corner : triangles[triangle]) prefetch(&list[corner]);
+        };
+        corners(s.normals, s.normal_triangles, MeshData::no_normal);
+        corners(s.uvs, s.uv_triangles, MeshData::no_uv);
+    });
 }
 
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)

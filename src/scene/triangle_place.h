@@ -75,6 +75,10 @@ struct PlacesOfFour {
 };
 PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
 
+// Asks for all that places_of() and surface_at() will read of the triangles that were hit, so that they need not wait
+// for one line of memory after the other.
+void fetch_shading(const Scene& scene, std::span<const Hit> hits);
+
 // places[i]: of hits[i], where that is a triangle; others stay as they are.
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places);
 
