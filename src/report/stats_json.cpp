@@ -84,11 +84,16 @@ std::string to_json(const RunStats& s)
     for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
     for (const auto& p : s.passes) passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", p.error}});
     const Json interval = s.estimated_high > 0 ? Json{s.estimated_low, s.estimated_high} : Json(nullptr);
-    const Json all{{"schema", "lancer.stats/1"}, {"context", context_of(s)},
-                   {"scene", scene_of(s.scene)}, {"settings", settings_of(s.settings)},
-                   {"phases", phases},           {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
-                   {"rays", rays_of(s)},         {"samples", samples_of(s)},
-                   {"passes", passes},           {"estimated_error", s.estimated_error},
+    const Json all{{"schema", "lancer.stats/1"},
+                   {"context", context_of(s)},
+                   {"scene", scene_of(s.scene)},
+                   {"settings", settings_of(s.settings)},
+                   {"phases", phases},
+                   {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
+                   {"rays", rays_of(s)},
+                   {"samples", samples_of(s)},
+                   {"passes", passes},
+                   {"estimated_error", s.estimated_error},
                    {"estimated_interval", interval},
                    {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
                    {"partial", s.partial}};
