@@ -143,10 +143,10 @@ MethodFigures figures_of(const Study& study, const StudyScene& scene, const Stud
     }
     figures.time = curve_over_time(curves, figures.first_s, figures.last_s);
     figures.samples = curve_over_samples(curves_of(runs, Along::samples, &ErrorPoint::relmse));
-    const double limit = noise_limit(scene);
-    figures.slope_samples = slope_of(runs, Along::samples, limit);
-    figures.slope_time = slope_of(runs, Along::time, limit);
-    for (const double target : study_targets) figures.times.push_back(time_to(curves, target, limit, !method.biased()));
+    figures.slope_samples = slope_of(runs, Along::samples, slope_limit(scene));
+    figures.slope_time = slope_of(runs, Along::time, slope_limit(scene));
+    for (const double target : study_targets)
+        figures.times.push_back(time_to(curves, target, noise_limit(scene), !method.biased()));
     return figures;
 }
 

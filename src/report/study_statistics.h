@@ -20,6 +20,9 @@ inline constexpr std::array study_targets{1e-1, 1e-2, 1e-3};
 // two add up: differences there say nothing about methods.
 inline double noise_limit(const StudyScene& scene) { return 2 * scene.reference_noise_relmse; }
 
+// A slope is fitted above this relMSE: there the noise of the reference flattens the curve by less than a tenth.
+inline double slope_limit(const StudyScene& scene) { return 10 * scene.reference_noise_relmse; }
+
 struct CurvePoint {
     double x = 0, median = 0;
     Interval band;
