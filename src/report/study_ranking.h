@@ -25,7 +25,8 @@ struct Comparison {
                         // seed was drawn disturbed both. 0 and infinity: the range goes beyond what was measured.
 };
 
-// 1 / (relMSE * time), a method's worth in samples of pure chance, at one time.
+// 1 / (relMSE * time): what a method makes of a second. The same at all times for plain Monte Carlo, so it is told with
+// its time.
 struct Efficiency {
     double seconds =
         0;             // the longest time at which every run of this method and of the baseline was measured; NaN: none
