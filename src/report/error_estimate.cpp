@@ -11,11 +11,35 @@ constexpr double epsilon = 0.01;  // as in the metrics
 
 std::array<double, 3> channels(Color c) { return {double{c.r}, double{c.g}, double{c.b}}; }
 
+// About what each pixel would show without noise: the mean of its neighbours, without itself. A sample that sticks out
+// is not divided by itself, and light that few samples find counts as often as they find it.
+std::vector<std::array<double, 3>> calm_means(const Film& film)
+{
+    const size_t width = film.crop.width(), height = film.crop.height();
+    std::vector<std::array<double, 3>> means(film.pixels.size()), calm(film.pixels.size());
+    for (size_t i = 0; i < means.size(); ++i) means[i] = channels(film.whole(i).mean());
+    for (size_t y = 0; y < height; ++y)
+        for (size_t x = 0; x < width; ++x) {
+            std::array<double, 3> around{};
+            double n = 0;
+            for (size_t v = y == 0 ? 0 : y - 1; v < std::min(height, y + 2); ++v)
+                for (size_t u = x == 0 ? 0 : x - 1; u < std::min(width, x + 2); ++u) {
+                    if (u == x && v == y) continue;
+                    for (size_t c = 0; c < 3; ++c) around[c] += means[v * width + u][c];
+                    ++n;
+                }
+            for (double& sum : around) sum /= n;
+            calm[y * width + x] = n > 0 ? around : means[y * width + x];
+        }
+    return calm;
+}
+
 }  // namespace
 
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
+    const auto calm = calm_means(film);
     double sum = 0;
     size_t known = 0;
     for (size_t i = 0; i < halves_.size(); ++i) {
@@ -31,7 +55,7 @@ void HalfBuffers::look(const Film& film)
                 double error = 0;
                 for (size_t c = 0; c < 3; ++c) {
                     const double second = (n * all[c] - before * first[c]) / since, apart = first[c] - second;
-                    error += apart * apart / (all[c] * all[c] + epsilon) / 3;
+                    error += apart * apart / (calm[i][c] * calm[i][c] + epsilon) / 3;
                 }
                 half.error = static_cast<float>(error * before * since / (n * n));
             }
@@ -49,6 +73,7 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
     double sum = 0, squares = 0;
     size_t known = 0;
     const double r = replicates;
+    const auto calm = calm_means(film);
     for (size_t i = 0; i < film.pixels.size(); ++i) {
         const auto first = film.replicates.begin() + static_cast<std::ptrdiff_t>(i * replicates);
         const std::span<const ReplicateSum> all(first, first + replicates);
@@ -58,7 +83,8 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
             double mean = 0, apart = 0;
             for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
             for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
-            error += apart / (r - 1) / r / (mean * mean + epsilon) / 3;
+            const double variance = apart / (r - 1) / r;  // of the mean
+            error += variance / (calm[i][c] * calm[i][c] + epsilon) / 3;
         }
         sum += error, squares += error * error;
         ++known;
