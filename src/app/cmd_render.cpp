@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/live_view.h"
 #include "app/outputs.h"
 #include "app/prepare.h"
 #include "app/progress.h"
@@ -145,10 +146,12 @@ void Run::render(const Renderer& renderer)
     if (s.switches[Switch::stop]) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
+    LiveView live_view(options_, film, stats_.scene.warnings);
     timed("render", [&] {
         Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp, film.pixels.size());
-        const auto tile_done = [&] {
+        const auto tile_done = [&](const Tile& tile) {
             signals_.poll();
+            live_view.tile_done(film, tile, progress);
             progress.tile_done();
         };
         const double start = wall_seconds();

@@ -106,6 +106,9 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     add_picture_options(p, o.picture);
     p.value("--progress", "auto|plain|json|none", "auto is a line on a terminal, else plain (auto)",
             [&](const std::string& t) { o.progress = to_progress(t); });
+    p.value("--display-server", "HOST[:PORT]",
+            "Show the picture while it grows in tev, an image viewer that listens there (port 14158)",
+            [&](const std::string& t) { o.display = to_display_address(t); });
     p.value("--tile", "N", "Side of a tile in pixels; pictures do not depend on it (16)",
             [&](const std::string& t) { o.tile = to_count("--tile", t, 1, 4096); });
     p.value("--batch", "N", "Paths traced together; pictures do not depend on it (256)",

@@ -32,6 +32,11 @@ struct PictureOptions {
 
 enum class ProgressKind { automatic, plain, json, none };
 
+struct DisplayAddress {
+    std::string host;  // name or numeric address, without brackets
+    uint16_t port = 0;
+};
+
 struct RenderOptions {
     PictureOptions picture;
     std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
@@ -45,6 +50,7 @@ struct RenderOptions {
     bool dither = false;
     bool ascii_ppm = false;
     std::string stats;  // empty: none
+    std::optional<DisplayAddress> display;
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
     std::string command_line;  // as it was given
