@@ -103,18 +103,29 @@ TEST_F(Shown, NamesThatDoNotResolve)
     expect_warning(name, "no viewer at " + name + ":14158: ");
 }
 
+// Said while the render goes on. Who closes at once may be gone before the picture is opened, or some time later.
 TEST_F(Shown, AViewerThatLeavesIsSaidAtOnce)
 {
-    MockViewer viewer(Manner::closes_at_once);
-    Program program(folder_, {"scene.toml", "-s", "2000000000", "--size", "32x32", "-o", "a.exr", "--progress", "none",
-                              "--display-server", viewer.address()});
-    ASSERT_TRUE(program.wait_for_message("it closed the connection"));
-    program.send(SIGINT);
-    const Said said = program.wait();
-    EXPECT_EQ(said.code, 130);
-    EXPECT_EQ(count_of(said.err, "--display-server"), 1u) << said.err;
-    EXPECT_EQ(said.out, "a.exr\n");
-    EXPECT_GT(image("a.exr").at(0, 0).b, 0);
+    for (const Manner manner : {Manner::leaves_after_an_update, Manner::closes_at_once}) {
+        MockViewer viewer(manner);
+        Program program(folder_, {"scene.toml", "-s", "2000000000", "--size", "32x32", "-o", "a.exr", "--progress",
+                                  "none", "--display-server", viewer.address()});
+        if (manner == Manner::leaves_after_an_update) {
+            ASSERT_TRUE(program.wait_for_message("lost the viewer at " + viewer.address() + " after "));
+            expect_words(program.err(), " updates: it closed the connection; the files will have the rest");
+        } else {
+            ASSERT_TRUE(program.wait_for_message("it closed the connection"));
+        }
+        // Still rendering: a state that did not exist at the time of the warning.
+        program.send(SIGUSR1);
+        ASSERT_TRUE(program.wait_for_message("snapshot written"));
+        program.send(SIGINT);
+        const Said said = program.wait();
+        EXPECT_EQ(said.code, 130);
+        EXPECT_EQ(count_of(said.err, "--display-server"), 1u) << said.err;
+        EXPECT_EQ(said.out, "a.exr\n");
+        EXPECT_GT(image("a.exr").at(0, 0).b, 0);
+    }
 }
 
 TEST_F(Shown, AViewerThatDoesNotRead)

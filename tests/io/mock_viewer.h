@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -137,7 +138,7 @@ inline void read_packet(const std::string& packet, Viewed& viewed)
     p.end();
 }
 
-enum class Manner { reads, closes_at_once, never_reads };
+enum class Manner { reads, leaves_after_an_update, closes_at_once, never_reads };
 
 // Serves one connection on a thread of its own.
 class MockViewer {
@@ -176,19 +177,20 @@ private:
     {
         const int connection = accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC);
         if (connection < 0) return;
-        if (manner == Manner::reads) read(connection);
+        if (manner == Manner::reads) read(connection, std::numeric_limits<size_t>::max());
+        if (manner == Manner::leaves_after_an_update) read(connection, 1);
         if (manner == Manner::never_reads) {
             while (accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC) >= 0) {
             }  // until the end
         }
         close(connection);
     }
-    void read(int connection)
+    void read(int connection, size_t most_updates)
     {
         std::vector<char> buffer(1 << 16);
         size_t at = 0;
         std::string& bytes = viewed_.bytes;
-        for (;;) {
+        while (updates_ < most_updates) {
             const ssize_t n = recv(connection, buffer.data(), buffer.size(), 0);
             if (n <= 0) break;
             bytes.append(buffer.data(), static_cast<size_t>(n));
@@ -205,7 +207,7 @@ private:
                 return;
             }
         }
-        if (at != bytes.size()) viewed_.fault = "the last packet is not whole";
+        if (updates_ < most_updates && at != bytes.size()) viewed_.fault = "the last packet is not whole";
     }
 
     BoundSocket listener_;
