@@ -5,10 +5,12 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/error_log.h"
 #include "app/live_view.h"
 #include "app/outputs.h"
 #include "app/prepare.h"
 #include "app/progress.h"
+#include "app/render_limits.h"
 #include "app/signals.h"
 #include "app/system_info.h"
 #include "app/version.h"
@@ -16,13 +18,14 @@
 #include "core/parallel.h"
 #include "geometry/embree.h"
 #include "io/atomic_file.h"
+#include "report/error_estimate.h"
 #include "scene/camera.h"
 
 namespace lancer {
 namespace {
 
-// A tile of a pass is not left before it is done, so that a pass must not take long.
-constexpr uint32_t most_blocks_per_pass = 16;
+// Where nothing but time or error is to stop a render.
+constexpr uint32_t unlimited_spp = 1u << 28;
 
 // One run of the command. Its figures grow as it goes.
 class Run {
@@ -36,7 +39,10 @@ private:
     void load();
     void describe(const Renderer& renderer);
     void render(const Renderer& renderer);
-    void add_pass(const Film& film, const PassResult& result, SampleRange range, double since);
+    void add_pass(const Film& film, const PassResult& result, SampleRange range, const RenderLimits& limits);
+    void estimate_error(const Film& film);
+    void end_at(Stop stop, uint32_t spp);
+    std::string settings_hash(uint32_t spp) const;
     void write(const Film& film);
     void write_stats();
     void say_settings() const;
@@ -50,6 +56,8 @@ private:
     Prepared prepared_;
     Settings settings_;
     RunStats stats_;
+    HalfBuffers halves_;
+    std::optional<ErrorLog> log_;
     Normalisation normalisation_;  // of the scene, once it is built
 };
 
@@ -70,6 +78,7 @@ void Run::load()
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     spare_inputs(options_, prepared_.description);
     settings_ = prepared_.settings;
+    if ((options_.time || options_.error) && !options_.picture.spp) settings_.spp = unlimited_spp;
     settings_.tonemap = options_.tonemap.value_or(settings_.tonemap);
     if (options_.crop) {
         settings_.crop = *options_.crop;
@@ -77,6 +86,8 @@ void Run::load()
             throw Error(ErrorKind::usage, {},
                         format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
     }
+    log_.emplace(options_);
+    log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
 }
 
 void Run::describe(const Renderer& renderer)
@@ -106,6 +117,7 @@ void Run::describe(const Renderer& renderer)
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,
+                       .replicates = s.replicates,
                        .max_depth = max_depth_of(renderer.integrator()),
                        .threads = s.threads,
                        .tile = options_.tile,
@@ -119,22 +131,51 @@ void Run::describe(const Renderer& renderer)
                        .isa = s.isa,
                        .switches = s.switches,
                        .biases = biases_of(renderer.integrator()),
-                       .hash = to_hex(hash_bytes(reproducing_options(s) + " --camera " + options_.picture.scene.camera +
-                                                 " --spp " + std::to_string(s.spp)))};
+                       .hash = settings_hash(s.spp)};
 }
 
-void Run::add_pass(const Film& film, const PassResult& result, SampleRange range, double since)
+std::string Run::settings_hash(uint32_t spp) const
+{
+    return to_hex(hash_bytes(reproducing_options(settings_) + " --camera " + options_.picture.scene.camera + " --spp " +
+                             std::to_string(spp)));
+}
+
+void Run::estimate_error(const Film& film)
+{
+    halves_.look(film);
+    if (const auto error = halves_.rel_mse()) stats_.estimated_error = std::sqrt(*error);
+    if (film.replicates.empty()) return;
+    const auto from_replicates = estimate_from_replicates(film, settings_.replicates);
+    if (!from_replicates) return;
+    stats_.estimated_error = std::sqrt(from_replicates->rel_mse);
+    stats_.estimated_low = std::sqrt(from_replicates->interval.low);
+    stats_.estimated_high = std::sqrt(from_replicates->interval.high);
+}
+
+void Run::add_pass(const Film& film, const PassResult& result, SampleRange range, const RenderLimits& limits)
 {
     stats_.counters += result.counters;
-    stats_.render_s = wall_seconds() - since;
-    stats_.estimated_error = std::sqrt(estimate_rel_mse(film));
+    stats_.render_s = limits.wall_seconds();
     stats_.samples = 0;
-    for (const Pixel& p : film.pixels) stats_.samples += p.n;
+    for (size_t i = 0; i < film.pixels.size(); ++i) stats_.samples += film.whole(i).n;
     // Counted, not asked of the pass: an interrupt may come after its last tile.
     stats_.partial = stats_.samples + stats_.counters.dropped < samples_wanted(film, settings_.spp);
     // Where no pixel wants more, all have what they would have in the end.
     const uint32_t spp = stats_.partial ? range.end : settings_.spp;
-    if (result.complete) stats_.passes.push_back({spp, stats_.render_s, stats_.estimated_error});
+    estimate_error(film);
+    if (!result.complete) return;
+    stats_.passes.push_back({spp, stats_.render_s, stats_.estimated_error});
+    if (limits.is_mark(spp) && log_->is_wanted()) log_->add(to_image(film), stats_, limits.cpu_seconds());
+}
+
+// The picture is whole as it is.
+void Run::end_at(Stop stop, uint32_t spp)
+{
+    stats_.partial = false;
+    if (stop != Stop::samples) stats_.stopped_by = stop == Stop::time ? "time" : "error";
+    if (stop == Stop::samples && settings_.spp != unlimited_spp) return;
+    stats_.settings.spp = spp;
+    stats_.settings.hash = settings_hash(spp);
 }
 
 void Run::render(const Renderer& renderer)
@@ -145,33 +186,51 @@ void Run::render(const Renderer& renderer)
     if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
     if (s.switches[Switch::stop]) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
+    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
     LiveView live_view(options_, film, stats_.scene.warnings);
+    RenderLimits limits(
+        {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
+    if (limits.has_stop_rule()) film.keep_blocks_open();
     timed("render", [&] {
-        Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp, film.pixels.size());
+        Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp == unlimited_spp ? 0 : s.spp,
+                          film.pixels.size(), options_.time);
+        std::stop_source enough;
+        const std::stop_callback on_interrupt(signals_.stop(), [&] { enough.request_stop(); });
         const auto tile_done = [&](const Tile& tile) {
             signals_.poll();
             live_view.tile_done(film, tile, progress);
+            if (limits.is_out_of_time()) enough.request_stop();
             progress.tile_done();
         };
-        const double start = wall_seconds();
         signals_.poll();
         if (options_.verbose && std::holds_alternative<Path>(renderer.integrator()))
             say_plan(renderer.plan(camera, s.width, s.height));
         SampleRange range;
-        for (uint32_t blocks = 1; range.end < s.spp; blocks = std::min(2 * blocks, most_blocks_per_pass)) {
-            range = {range.end, std::min(s.spp - range.end, blocks * samples_per_block) + range.end};
+        while (range.end < s.spp) {
+            range = {range.end, limits.next_end(range.end)};
             progress.begin_pass(range, tiles.size());
-            const PassResult result = renderer.pass(camera, film, tiles, range, signals_.stop(), tile_done);
-            add_pass(film, result, range, start);
-            if (!result.complete) break;
+            limits.begin_pass();
+            const PassResult result = renderer.pass(camera, film, tiles, range, enough.get_token(), tile_done);
+            limits.end_pass();
+            add_pass(film, result, range, limits);
+            if (signals_.interrupted()) break;
+            const uint32_t spp = range.end;
             // Where no pixel wants more the rest is done, too.
             if (!stats_.partial) progress.begin_pass(range = {s.spp, s.spp}, tiles.size());
             progress.end_pass(stats_.estimated_error, stats_.rays());
+            const std::optional<double> error =
+                stats_.estimated_error > 0 ? std::optional(stats_.estimated_error) : std::nullopt;
+            if (const auto stop = limits.reached(range.end, error)) {
+                end_at(*stop, spp);
+                if (*stop != Stop::samples && log_->is_wanted() && !(result.complete && limits.is_mark(spp)))
+                    log_->add(to_image(film), stats_, limits.cpu_seconds());
+                break;
+            }
             if (signals_.take_snapshot_request() && stats_.partial) {
                 progress.clear();
                 write(film);
-                print_note(format_text("snapshot written at %u of %u spp", range.end, s.spp));
+                print_note(format_text("snapshot written at %u spp", spp));
             }
         }
     });
@@ -230,9 +289,19 @@ void Run::say_summary() const
 {
     const Counters& c = stats_.counters;
     const double rays = static_cast<double>(stats_.rays());
-    print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s, error < ~%.3g", stats_.rays(),
-                           c.camera_rays, c.bounce_rays, c.shadow_rays,
-                           stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0, stats_.estimated_error));
+    const std::string error = stats_.estimated_high > 0
+                                  ? format_text(", error %.3g [%.3g, %.3g]", stats_.estimated_error,
+                                                stats_.estimated_low, stats_.estimated_high)
+                              : stats_.estimated_error > 0 ? format_text(", error < ~%.3g", stats_.estimated_error)
+                                                           : std::string();
+    print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats_.rays(), c.camera_rays,
+                           c.bounce_rays, c.shadow_rays, stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0) +
+               error);
+    if (!stats_.stopped_by.empty())
+        print_note(format_text("stopped by --%s at %u spp", stats_.stopped_by.c_str(), stats_.settings.spp));
+    if (const auto& m = log_->last())
+        print_note(format_text("against %s: rmse %.3g, relmse %.3g, without the worst 0.1 %% of pixels %.3g",
+                               options_.reference.c_str(), m->rmse, m->relmse, m->relmse_trimmed));
     std::string phases;
     for (const auto& p : stats_.phases)
         phases += (phases.empty() ? "" : ", ") + p.name + format_text(" %.2f", p.wall_s);

@@ -77,7 +77,7 @@ void LiveView::tile_done(const Film& film, const Tile& tile, Progress& progress)
         }
         for (uint32_t y = tile.y0; y < tile.y1; ++y)
             for (uint32_t x = tile.x0; x < tile.x1; ++x)
-                image_.at(static_cast<int32_t>(x), static_cast<int32_t>(y)) = film.at(x, y).mean();
+                image_.at(static_cast<int32_t>(x), static_cast<int32_t>(y)) = film.whole(film.index(x, y)).mean();
         const auto band_of = [this](uint32_t y) { return (static_cast<int32_t>(y) - image_.data.y0) / rows_; };
         for (auto i = band_of(tile.y0); i <= band_of(tile.y1 - 1); ++i) news_in_[static_cast<size_t>(i)] = true;
     }

@@ -73,6 +73,24 @@ Tile to_crop(const std::string& text)
     return {c[0], c[1], c[2], c[3]};
 }
 
+double to_seconds(const std::string& option, const std::string& text)
+{
+    constexpr std::array<std::pair<std::string_view, double>, 4> units{
+        {{"ms", 1e-3}, {"s", 1}, {"m", 60}, {"h", 3600}}};
+    std::string_view digits = text;
+    double unit = 1;
+    for (const auto& [name, seconds] : units)
+        if (text.ends_with(name)) {
+            digits.remove_suffix(name.size()), unit = seconds;
+            break;
+        }
+    double value = 0;
+    const auto [rest, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem != std::errc{} || rest != digits.data() + digits.size() || !(value > 0 && value * unit <= 1e9))
+        fail_usage(option + ": " + in_quotes(text) + " is not a time such as 90s, 1.5m, 2h or 500ms");
+    return value * unit;
+}
+
 void set_switches(const std::string& text, PictureOptions& o)
 {
     const std::vector<std::string_view> known(switch_names.begin(), switch_names.end());

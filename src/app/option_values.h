@@ -48,11 +48,12 @@ size_t to_choice(const std::string& option, const std::string& text, const std::
 // "a|b|c"
 std::string listed(const std::vector<std::string_view>& names);
 
-std::array<uint32_t, 2> to_size(const std::string& text);        // "1280x720"
-Tile to_crop(const std::string& text);                           // "x0,y0,x1,y1"
-void set_switches(const std::string& text, PictureOptions& o);   // "nee=false,mis=true"
-std::string to_output(const std::string& path);                  // ends in .exr, .png or .ppm
-DisplayAddress to_display_address(const std::string& text);      // "host", "host:14158" or "[::1]:14158"
-void add_aovs(const std::string& text, std::vector<Aov>& aovs);  // "albedo,normal" or "all"
+std::array<uint32_t, 2> to_size(const std::string& text);               // "1280x720"
+Tile to_crop(const std::string& text);                                  // "x0,y0,x1,y1"
+double to_seconds(const std::string& option, const std::string& text);  // "90", "90s", "1.5m", "2h", "500ms"
+void set_switches(const std::string& text, PictureOptions& o);          // "nee=false,mis=true"
+std::string to_output(const std::string& path);                         // ends in .exr, .png or .ppm
+void add_aovs(const std::string& text, std::vector<Aov>& aovs);         // "albedo,normal" or "all"
+DisplayAddress to_display_address(const std::string& text);             // "host", "host:14158" or "[::1]:14158"
 
 }  // namespace lancer

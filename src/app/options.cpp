@@ -70,6 +70,9 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.value("--stop-error", "X",
             "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",
             [&](const std::string& t) { o.stop_error = to_number<double>("--stop-error", t, 1e-9, 1e9, "a number"); });
+    p.value("--replicates", "R",
+            "Deal the samples to R sets of random numbers: gives the error with an interval, may add noise (1)",
+            [&](const std::string& t) { o.replicates = to_count("--replicates", t, 1, 1024); });
     p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
     add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
     add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
@@ -109,6 +112,12 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.value("--display-server", "HOST[:PORT]",
             "Show the picture while it grows in tev, an image viewer that listens there (port 14158)",
             [&](const std::string& t) { o.display = to_display_address(t); });
+    p.value("--time", "T", "Stop after T of rendering: 60s, 5m, 2h; loading does not count. Without -s only this stops",
+            [&](const std::string& t) { o.time = to_seconds("--time", t); });
+    p.value("--error", "X",
+            "Stop when the error, the root of the relative mean squared one, is estimated at X or less: 0.02. Without "
+            "-s only this stops",
+            [&](const std::string& t) { o.error = to_number<double>("--error", t, 1e-9, 1e9, "a number"); });
     p.value("--tile", "N", "Side of a tile in pixels; pictures do not depend on it (16)",
             [&](const std::string& t) { o.tile = to_count("--tile", t, 1, 4096); });
     p.value("--batch", "N", "Paths traced together; pictures do not depend on it (256)",
@@ -135,6 +144,12 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
     p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
+    p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
+            [&](const std::string& t) { o.reference = t; });
+    p.value("--reference2", "FILE", "A second one, independent of the first: their noise then cancels out",
+            [&](const std::string& t) { o.reference2 = t; });
+    p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
+            [&](const std::string& t) { o.error_log = t; });
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
 }
 
@@ -166,6 +181,12 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
+    if (!o.error_log.empty()) files.push_back(o.error_log);
+    if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
+    for (const std::string& reference : {o.reference, o.reference2})
+        for (const std::string& file : files)
+            if (!reference.empty() && place_of(reference) == place_of(file))
+                fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
     for (size_t i = 0; i < files.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (place_of(files[i]) == place_of(files[j]))

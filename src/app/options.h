@@ -23,6 +23,7 @@ struct PictureOptions {
     std::optional<uint64_t> seed;
     std::optional<uint32_t> spp, max_depth;
     std::optional<double> stop_error;
+    std::optional<uint32_t> replicates;
     std::optional<std::string> integrator, sampler, filter, accel, isa;
     SaidSwitches switches{};
     std::optional<uint32_t> threads;
@@ -49,7 +50,10 @@ struct RenderOptions {
     std::optional<ToneMap> tonemap;  // else that of the settings
     bool dither = false;
     bool ascii_ppm = false;
-    std::string stats;  // empty: none
+    std::string stats;                  // empty: none
+    std::string reference, reference2;  // empty: none
+    std::string error_log;              // likewise
+    std::optional<double> time, error;  // at which the render stops: seconds, square root of the relative error
     std::optional<DisplayAddress> display;
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;

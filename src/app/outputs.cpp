@@ -38,6 +38,7 @@ std::string bias_ledger(const RunStats& s)
         add((is_on ? "" : "no_") + std::string(switch_names[i]));
     }
     if (clamps_samples(s.settings.integrator, s.settings.switches)) add("clamp");
+    if (!s.stopped_by.empty()) add("stopped_by_" + s.stopped_by);
     if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
     return ledger.empty() ? "none" : ledger;
 }
@@ -48,6 +49,7 @@ void probe_outputs(const RenderOptions& options)
 {
     for (const std::string& path : options.outputs) const AtomicFile probe(path);
     if (!options.stats.empty()) const AtomicFile probe(options.stats);
+    if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
 }
 
 void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
@@ -62,6 +64,7 @@ void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
     };
     for (const std::string& path : options.outputs) check("--output", path);
     if (!options.stats.empty()) check("--stats", options.stats);
+    if (!options.error_log.empty()) check("--error-log", options.error_log);
 }
 
 Image to_image(const Film& film)
@@ -71,7 +74,7 @@ Image to_image(const Film& film)
                       static_cast<int32_t>(t.y1)};
     };
     Image image = make_image(window({0, 0, film.width, film.height}), window(film.crop));
-    for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.pixels[i].mean();
+    for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.whole(i).mean();
     return image;
 }
 
@@ -90,6 +93,7 @@ Metadata make_metadata(const RunStats& s)
             {"spp", integer(s.settings.spp)},
             {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
             {"seed", integer(s.settings.seed)},
+            {"replicates", integer(s.settings.replicates)},
             {"max_depth", integer(s.settings.max_depth)},
             {"threads", integer(s.settings.threads)},
             {"seconds", s.render_s},

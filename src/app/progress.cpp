@@ -21,7 +21,7 @@ std::string to_clock(double seconds)
 
 }  // namespace
 
-Progress::Progress(ProgressKind kind, uint32_t spp, uint64_t pixels)
+Progress::Progress(ProgressKind kind, uint32_t spp, uint64_t pixels, std::optional<double> time_limit)
     : style_(kind == ProgressKind::none    ? Style::none
              : kind == ProgressKind::json  ? Style::json
              : kind == ProgressKind::plain ? Style::plain
@@ -29,6 +29,7 @@ Progress::Progress(ProgressKind kind, uint32_t spp, uint64_t pixels)
                                            : Style::plain),
       spp_(spp),
       pixels_(pixels),
+      time_limit_(time_limit),
       start_(wall_seconds()),
       next_(start_ + (style_ == Style::plain ? 10 : 0.25))
 {
@@ -71,17 +72,22 @@ void Progress::clear()
     is_drawn_ = false;
 }
 
-double Progress::fraction() const
+double Progress::samples() const
 {
     const double part = static_cast<double>(tiles_done_) / static_cast<double>(tiles_);
-    return std::min(1.0, (pass_.begin + part * (pass_.end - pass_.begin)) / spp_);
+    return pass_.begin + part * (pass_.end - pass_.begin);
+}
+
+double Progress::fraction(double elapsed) const
+{
+    const double of_samples = spp_ == 0 ? 0 : samples() / spp_;
+    return std::min(1.0, std::max(of_samples, time_limit_ ? elapsed / *time_limit_ : 0));
 }
 
 void Progress::print(double now)
 {
-    const double elapsed = now - start_, done = fraction();
-    const double samples = done * spp_ * static_cast<double>(pixels_);
-    const double rate = elapsed > 0 ? samples / elapsed : 0;
+    const double elapsed = now - start_, done = fraction(elapsed);
+    const double rate = elapsed > 0 ? samples() * static_cast<double>(pixels_) / elapsed : 0;
     const bool settled = elapsed >= settling && done > 0;
     const double left = done > 0 ? elapsed * (1 - done) / done : 0;
     // Redrawing less often as time goes by: four times a second in the beginning, once a second in the end.
@@ -96,7 +102,8 @@ void Progress::print(double now)
                         error_ > 0 ? format_text("%.6g", error_).c_str() : "null"));
         return;
     }
-    std::string text = format_text("render %3.0f%% | %u/%u spp | ", std::floor(100 * done), pass_.begin, spp_);
+    std::string text = spp_ == 0 && !time_limit_ ? "render" : format_text("render %3.0f%%", std::floor(100 * done));
+    text += spp_ == 0 ? format_text(" | %u spp | ", pass_.begin) : format_text(" | %u/%u spp | ", pass_.begin, spp_);
     text += rays_per_sample_ > 0 ? format_text("%.2f Mrays/s", 1e-6 * rate * rays_per_sample_)
                                  : format_text("%.2f Msamples/s", 1e-6 * rate);
     text += " | " + to_clock(elapsed) + " elapsed, " + (settled ? to_clock(left) : "-:--") + " left";

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 
 #include "app/options.h"
 
@@ -11,8 +12,9 @@ namespace lancer {
 
 class Progress {
 public:
-    // automatic: a line on a terminal, else plain. samples: of all pixels, in the end.
-    Progress(ProgressKind kind, uint32_t spp, uint64_t pixels);
+    // automatic: a line on a terminal, else plain. spp: in the end, unless that comes after so many seconds; 0: without
+    // an end that is known.
+    Progress(ProgressKind kind, uint32_t spp, uint64_t pixels, std::optional<double> time_limit);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -25,12 +27,14 @@ public:
     void clear();
 
 private:
-    double fraction() const;
+    double samples() const;  // of a pixel, so far
+    double fraction(double elapsed) const;
     void print(double now);
 
     enum class Style { line, plain, json, none } style_;
     uint32_t spp_;
     uint64_t pixels_;
+    std::optional<double> time_limit_;
     double start_, next_;  // seconds; when the next report is due
     SampleRange pass_{};
     size_t tiles_ = 1;

@@ -79,6 +79,7 @@ Settings resolve_settings(const PictureOptions& o, const RenderDescription& scen
     s.seed = o.seed.value_or(s.seed);
     s.max_depth = o.max_depth.value_or(s.max_depth);
     s.stop_error = o.stop_error.value_or(s.stop_error);
+    s.replicates = o.replicates.value_or(s.replicates);
     s.integrator = o.integrator.value_or(s.integrator);
     s.sampler = o.sampler.value_or(s.sampler);
     s.filter = o.filter.value_or(s.filter);
@@ -101,6 +102,7 @@ RenderSettings to_render_settings(const Settings& s, uint32_t batch)
     r.isa = s.isa;
     r.kernel.sampler = s.sampler == "independent" ? SamplerKind::independent : SamplerKind::sobol;
     r.kernel.seed = s.seed;
+    r.kernel.replicates = s.replicates;
     constexpr FilterKind filters[] = {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris,
                                       FilterKind::narrow_gaussian, FilterKind::centre};
     r.kernel.filter = Filter(filters[index_of(filter_names, s.filter)]);
@@ -121,6 +123,7 @@ std::string reproducing_options(const Settings& s)
         if (const auto x = static_cast<Switch>(i); s.switches[x] != Switches::default_of(x))
             text += " --set " + std::string(switch_names[i]) + (s.switches[x] ? "=true" : "=false");
     if (s.switches[Switch::stop]) text += " --stop-error " + shortest(s.stop_error);
+    if (s.replicates != 1) text += " --replicates " + std::to_string(s.replicates);
     return text;
 }
 

@@ -22,6 +22,7 @@ struct Settings {
     uint64_t seed = 0;
     uint32_t max_depth = 0;
     double stop_error = 0.01;
+    uint32_t replicates = 1;
     std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "auto", isa = "avx2";
     Switches switches;
     PixelGrid grid = PixelGrid::centres;

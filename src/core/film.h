@@ -1,5 +1,5 @@
 // Where samples end up. Sums are double and grow in blocks of 16 samples, so that a picture in several passes has the
-// bits of one pass.
+// bits of one pass, and a sum of shards those of the whole.
 #pragma once
 
 #include <array>
@@ -54,6 +54,12 @@ struct AovPixel {
     }
 };
 
+// Light of the samples of one replicate: see KernelSettings::replicates.
+struct ReplicateSum {
+    std::array<double, 3> sum{};
+    uint32_t n = 0;
+};
+
 // Half-open rectangle of pixels in the coordinates of the whole picture, y down.
 struct Tile {
     uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -73,10 +79,32 @@ struct Film {
     std::vector<Pixel> pixels;
     std::vector<AovPixel> aovs;  // parallel to pixels if wanted, else empty: they are then not looked at
 
+    // Blocks that the last pass ended within and that the next one goes on with: parallel to pixels and to aovs, else
+    // empty: then only the first block can be gone on with, while there is nothing else in a pixel.
+    std::vector<Pixel> open;
+    std::vector<AovPixel> open_aovs;
+    // If they are wanted, all of the first pixel, then all of the next one; else empty.
+    std::vector<ReplicateSum> replicates;
+
     // Samples that each pixel shall have, if they may end early: parallel to pixels, else empty. 0: not known yet.
     std::vector<uint32_t> wanted;
 
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
+    // From now on a pass may end after any sample without a bit that differs. Aovs must be there before.
+    void keep_blocks_open() { open.resize(pixels.size()), open_aovs.resize(aovs.size()); }
+    // With what is open.
+    Pixel whole(size_t i) const
+    {
+        Pixel p = pixels[i];
+        if (!open.empty()) p += open[i];
+        return p;
+    }
+    AovPixel whole_aov(size_t i) const
+    {
+        AovPixel p = aovs[i];
+        if (!open_aovs.empty()) p += open_aovs[i];
+        return p;
+    }
     size_t index(uint32_t x, uint32_t y) const { return size_t{y - crop.y0} * crop.width() + (x - crop.x0); }
     Pixel& at(uint32_t x, uint32_t y) { return pixels[index(x, y)]; }
     const Pixel& at(uint32_t x, uint32_t y) const { return pixels[index(x, y)]; }

@@ -17,6 +17,9 @@ struct PathPlan {
     // are still one low-discrepancy sequence.
     uint32_t parts = 1;
 
+    // Samples that share the first vertices of a path: those of number i / of_path().
+    uint32_t of_path() const { return parts / split; }
+
     // Of each cell of cell x cell pixels, row by row, and each colour channel: about how much light comes along a ray,
     // as a part of what the pixel shows of it. Empty: roulette knows nothing of pixels.
     uint32_t cell = 0, columns = 0;

@@ -1,5 +1,7 @@
 #include "render/aov.h"
 
+#include "render/blocks.h"
+
 namespace lancer {
 namespace {
 
@@ -113,11 +115,17 @@ void AovListener::vertex(const State& s, const Surface& surface) const
     if (w_.slots[s.slot].sample == 0) p.material = surface.material + 1;
 }
 
-void AovListener::end_block() const
+void AovListener::begin_block(uint32_t first) const
 {
-    for (uint32_t y = tile_.y0; y < tile_.y1; ++y)
-        for (uint32_t x = tile_.x0; x < tile_.x1; ++x)
-            film_.aovs[film_.index(x, y)] += w_.aov_block[size_t{y - tile_.y0} * tile_.width() + (x - tile_.x0)];
+    Blocks blocks{film_.aovs, film_.open_aovs};
+    w_.aov_block.resize(size_t{tile_.width()} * tile_.height());
+    for_pixels(film_, tile_, [&](size_t i, size_t k) { w_.aov_block[k] = blocks.take(i, first); });
+}
+
+void AovListener::end_block(uint32_t end) const
+{
+    Blocks blocks{film_.aovs, film_.open_aovs};
+    for_pixels(film_, tile_, [&](size_t i, size_t k) { blocks.put(i, w_.aov_block[k], end); });
 }
 
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation)
@@ -132,7 +140,7 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
             plane.values.reserve(film.pixels.size());
             for (size_t k = 0; k < film.pixels.size(); ++k)
                 plane.values.push_back(
-                    static_cast<float>(value_of(aov, i, film.pixels[k], film.aovs[k], normalisation)));
+                    static_cast<float>(value_of(aov, i, film.whole(k), film.whole_aov(k), normalisation)));
         }
     }
     return planes;

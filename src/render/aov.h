@@ -34,8 +34,8 @@ public:
         if (s.depth == 0) ++pixel_of(s).samples;
     }
     void vertex(const State& s, const Surface& surface) const;
-    void begin_block() const { w_.aov_block.assign(size_t{tile_.width()} * tile_.height(), AovPixel{}); }
-    void end_block() const;
+    void begin_block(uint32_t first) const;
+    void end_block(uint32_t end) const;
 
 private:
     AovPixel& pixel_of(const State& s) const

@@ -52,12 +52,12 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                  const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
                  const Listener& listener)
 {
-    const uint64_t seed = w.is_pilot ? pilot_seed(settings.seed) : settings.seed;
+    const uint32_t of_path = view.plan.of_path();
     const auto sampler = [&](uint32_t slot, uint32_t sample, uint32_t branch) {
         const SampleId& id = w.slots[slot];
+        const uint64_t seed = w.seed_of(settings, id.sample / of_path);
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
-    const uint32_t of_path = view.plan.parts / view.plan.split;  // samples that share the first vertices of a path
     w.queue.radiance.assign(w.slots.size(), Color{});
     // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
     // first to ask for so many, and allocate.
@@ -71,14 +71,14 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
     const auto prepare_camera = [&](uint32_t first) {
         AskedNumbers<looked_ahead> asked(Dim::pixel);
         for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
-            asked.add(samplers[i - first].emplace(sampler(i, w.slots[i].sample / of_path, 0)), 0);
+            asked.add(samplers[i - first].emplace(sampler(i, settings.sample_of(w.slots[i].sample / of_path), 0)), 0);
         asked.prepare();
     };
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
         if (i % looked_ahead == 0) prepare_camera(i);
         State& s = w.states.emplace_back();
         s.slot = i;
-        s.sample = w.slots[i].sample / of_path;
+        s.sample = settings.sample_of(w.slots[i].sample / of_path);
         s.part = w.slots[i].sample % of_path;
         s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % looked_ahead];

@@ -92,8 +92,6 @@ private:
     {
         return {settings_.sampler, key, bounce, dim};
     }
-    // Samples that share the first vertices of a path.
-    uint32_t of_path() const { return view_.plan.parts / view_.plan.split; }
 
     const View& view_;
     const Accelerator& accel_;
@@ -111,15 +109,15 @@ private:
 inline void DiffuseBatch::send_from(const Camera& camera, uint32_t width, uint32_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, w_.slots.size() - first);
-    const uint64_t seed = w_.is_pilot ? pilot_seed(settings_.seed) : settings_.seed;
     PathLanes path{};
     const Float8 one = all_lanes(1.0f);
     path.throughput = {one, one, one};
     for (uint32_t i = 0; i < n; ++i) {
         const SampleId& id = w_.slots[first + i];
-        const uint64_t key = Sampler::key_of(seed, uint64_t{id.y} * width + id.x, 0);
+        const uint32_t number = id.sample / view_.plan.of_path();
+        const uint64_t key = Sampler::key_of(w_.seed_of(settings_, number), uint64_t{id.y} * width + id.x, 0);
         const Color worth = view_.plan.worth_at(id.x, id.y);
-        path.slot[i] = first + i, path.sample[i] = id.sample / of_path();
+        path.slot[i] = first + i, path.sample[i] = settings_.sample_of(number);
         path.key.low[i] = static_cast<uint32_t>(key), path.key.high[i] = static_cast<uint32_t>(key >> 32);
         path.worth.x[i] = worth.r, path.worth.y[i] = worth.g, path.worth.z[i] = worth.b;
     }
@@ -246,7 +244,7 @@ inline void DiffuseBatch::scatter(Vertices& v)
     PathLanes& next = v.path;  // from here on that of what is sent on
     if (splits) {
         for_bits(v.hit, [&](uint32_t i) {
-            next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % of_path();
+            next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % plan.of_path();
         });
         next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
     }

@@ -7,6 +7,7 @@
 
 #include "render/aov.h"
 #include "render/batch.h"
+#include "render/blocks.h"
 #include "render/kernels.h"
 
 namespace lancer {
@@ -22,7 +23,7 @@ inline Color counted(Color radiance, const KernelSettings& settings)
 // Sums samples [begin, end) of every pixel of a tile, as far as the pixel wants them, into w.block.
 template <class Integrator, class Listener>
 void trace_samples(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
-                   const Integrator& integrator, const Film& film, Tile tile, SampleRange samples, Workspace& w,
+                   const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                    Counters& counters, const Listener& listener)
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
@@ -38,6 +39,12 @@ void trace_samples(const View& view, const Accelerator& accel, const Camera& cam
             const double y = luminance(c);
             p += {{c.r, c.g, c.b}, y * y, 1};
             if (!w.last.empty()) w.last[index(w.slots[i])] = c;
+            if (!film.replicates.empty() && !w.is_pilot) {
+                const SampleId& id = w.slots[i];
+                const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
+                ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
+                r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
+            }
         }
         w.slots.clear();
     };
@@ -111,10 +118,12 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
 {
     const StopRule stop = film.wanted.empty() ? StopRule::never : settings.stop;
     if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
+    Blocks blocks{film.pixels, film.open};
     for (uint32_t first = samples.begin; first < samples.end;) {
         const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
-        w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
-        listener.begin_block();
+        w.block.resize(size_t{tile.width()} * tile.height());
+        for_pixels(film, tile, [&](size_t i, size_t k) { w.block[k] = blocks.take(i, first); });
+        listener.begin_block(first);
         const auto trace = [&](const auto& how) {
             how(view, accel, camera, settings, integrator, film, tile, SampleRange{first, last}, w, counters, listener);
         };
@@ -122,10 +131,8 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
             trace(trace_one_by_one<Integrator, Listener>);
         else
             trace(trace_samples<Integrator, Listener>);
-        for (uint32_t y = tile.y0; y < tile.y1; ++y)
-            for (uint32_t x = tile.x0; x < tile.x1; ++x)
-                film.at(x, y) += w.block[size_t{y - tile.y0} * tile.width() + (x - tile.x0)];
-        listener.end_block();
+        for_pixels(film, tile, [&](size_t i, size_t k) { blocks.put(i, w.block[k], last); });
+        listener.end_block(last);
         first = last;
     }
 }

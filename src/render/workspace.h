@@ -24,6 +24,18 @@ struct KernelSettings {
     StopRule stop = StopRule::never;  // looked at only if the film has `wanted`
     double stop_error = 0.01;         // see samples_for()
     bool clamp = false;               // each sample to [0, 1] before it is averaged; legacy
+    // Path i is number i / replicates of replicate i mod replicates, each of which has random numbers of its own: how
+    // far they lie apart tells the error without a bias, at the price that each has fewer points to spread evenly.
+    uint32_t replicates = 1;
+
+    uint32_t replicate_of(uint32_t path) const { return replicates == 1 ? 0 : path % replicates; }
+    uint32_t sample_of(uint32_t path) const { return replicates == 1 ? path : path / replicates; }
+    // Of the first replicate that of a render without. No other one's is that of a seed nearby.
+    uint64_t seed_of(uint32_t path) const
+    {
+        const uint64_t replicate = replicate_of(path);
+        return replicate == 0 ? seed : mix_bits(seed ^ mix_bits(replicate));
+    }
 };
 
 struct SampleId {
@@ -62,6 +74,12 @@ struct Workspace {
     std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
     std::vector<Color> last;          // likewise, their last samples, if these decide when pixels end
     bool is_pilot = false;            // what is traced is not for the picture and has other random numbers
+
+    uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
+    {
+        const uint64_t seed = settings.seed_of(path);
+        return is_pilot ? pilot_seed(seed) : seed;
+    }
 };
 
 // Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
@@ -71,8 +89,8 @@ struct NoListener {
     void vertex(const State&, const Surface&) const {}
     void added(const State&, Color) const {}
     void shadow(const Ray&, Color, bool) const {}
-    void begin_block() const {}
-    void end_block() const {}
+    void begin_block(uint32_t /*first sample*/) const {}
+    void end_block(uint32_t /*one past the last*/) const {}
 };
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// A report as plain data: sections of paragraphs, tables, plots and raw data. html.h writes it as a page, markdown.h as
-// text for the documentation.
+// A report as plain data: sections of paragraphs, tables, plots, pictures and raw data. html.h writes it as a page,
+// markdown.h as text for the documentation.
 #pragma once
 
 #include <string>
@@ -37,7 +37,18 @@ struct JsonData {
     std::string json;  // valid JSON
 };
 
-using Block = std::variant<Paragraph, Table, Plot, JsonData>;
+struct Picture {
+    std::string name, caption;
+    std::string png;  // the bytes of the file
+};
+
+// Pictures of one place, one at a time, chosen by name; on paper one below the other.
+struct PictureFlip {
+    std::string id;  // letters, digits and '-'; no other block of the document has it
+    std::vector<Picture> pictures;
+};
+
+using Block = std::variant<Paragraph, Table, Plot, PictureFlip, JsonData>;
 
 struct Section {
     std::string heading;

@@ -1,5 +1,5 @@
-// A report as one HTML page that needs nothing else: styles, plots and data stand in it, no script runs, nothing is
-// loaded. It is well-formed XML as well, follows the reader's choice of light or dark, and prints.
+// A report as one HTML page that needs nothing else: styles, plots, pictures and data stand in it, no script runs,
+// nothing is loaded. It is well-formed XML as well, follows the reader's choice of light or dark, and prints.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 
 namespace lancer {
 
+// Error (failed) with the name of a picture that is no PNG.
 std::string to_html(const Document& document);
 
 // JSON as it may stand in a <script> of HTML and of XML: < > & only occur within strings, where they have an escape.

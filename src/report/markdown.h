@@ -1,5 +1,5 @@
-// The words and tables of a report as Markdown, for the documentation. Plots, raw data and sections for the page
-// only are left out.
+// The words and tables of a report as Markdown, for the documentation. Plots, pictures, raw data and sections for the
+// page only are left out.
 #pragma once
 
 #include <string>

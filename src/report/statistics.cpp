@@ -28,6 +28,13 @@ Interval middle(std::vector<double> values)
     return {at(0.025), at(0.975)};
 }
 
+std::vector<double> logarithms(std::span<const double> values)
+{
+    std::vector<double> logs;
+    for (const double v : values) logs.push_back(std::log(v));
+    return logs;
+}
+
 struct Line {
     double slope = 0, offset = 0;
 };
@@ -69,13 +76,27 @@ double geometric_mean(std::span<const double> values)
 
 Interval median_interval(std::span<const double> values, uint64_t seed)
 {
-    std::vector<double> medians;
     std::vector<double> sample(values.size());
+    return resampled_interval(values.size(), seed, [&](std::span<const size_t> chosen) {
+        for (size_t i = 0; i < sample.size(); ++i) sample[i] = values[chosen[i]];
+        return median(sample);
+    });
+}
+
+Interval resampled_interval(size_t count, uint64_t seed, const ResampledStatistic& statistic)
+{
+    std::vector<double> found;
+    std::vector<size_t> chosen(count);
     for (size_t r = 0; r < resamplings; ++r) {
-        for (size_t i = 0; i < sample.size(); ++i) sample[i] = values[drawn(seed, r, i, values.size())];
-        medians.push_back(median(sample));
+        for (size_t i = 0; i < count; ++i) chosen[i] = drawn(seed, r, i, count);
+        found.push_back(statistic(chosen));
     }
-    return middle(std::move(medians));
+    return middle(std::move(found));
+}
+
+double fitted_exponent(std::span<const double> x, std::span<const double> y)
+{
+    return fit_line(logarithms(x), logarithms(y)).slope;
 }
 
 PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, uint64_t seed)
@@ -85,9 +106,7 @@ PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, uin
         !std::all_of(y.begin(), y.end(), usable) ||
         std::all_of(x.begin(), x.end(), [&](double v) { return v == x[0]; }))
         throw Error(ErrorKind::failed, {}, "a power law wants three points or more, positive, not all in one place");
-    std::vector<double> log_x, log_y;
-    for (const double v : x) log_x.push_back(std::log(v));
-    for (const double v : y) log_y.push_back(std::log(v));
+    const std::vector<double> log_x = logarithms(x), log_y = logarithms(y);
     const Line line = fit_line(log_x, log_y);
 
     // What is left over is smaller than the errors were, as the line went after them.

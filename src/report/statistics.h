@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,16 @@ struct Interval {
 
 // Of the median, 95 %, by resampling the values. Not empty.
 Interval median_interval(std::span<const double> values, uint64_t seed = 0);
+
+// Of a statistic of `count` things, 95 %, by resampling the things. It is given the numbers of those that were drawn,
+// `count` of them, some more than once; it may return infinities but no NaN. count > 0. The same seed draws the same
+// things for every statistic.
+using ResampledStatistic = std::function<double(std::span<const size_t> drawn)>;
+Interval resampled_interval(size_t count, uint64_t seed, const ResampledStatistic& statistic);
+
+// The exponent of the law y = factor * x^exponent by least squares in logarithms. x, y: positive, of the same size, at
+// least two, x not all equal.
+double fitted_exponent(std::span<const double> x, std::span<const double> y);
 
 // y = factor * x^exponent.
 struct PowerLaw {

@@ -44,6 +44,7 @@ Json settings_of(const RunStats::SettingsUsed& s)
             {"height", s.height},
             {"crop", {s.crop.x0, s.crop.y0, s.crop.x1, s.crop.y1}},
             {"spp", s.spp},
+            {"replicates", s.replicates},
             {"seed", s.seed},
             {"integrator", s.integrator},
             {"max_depth", s.max_depth},
@@ -82,11 +83,19 @@ std::string to_json(const RunStats& s)
     Json phases = Json::array(), passes = Json::array();
     for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
     for (const auto& p : s.passes) passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", p.error}});
-    const Json all{{"schema", "lancer.stats/1"}, {"context", context_of(s)},
-                   {"scene", scene_of(s.scene)}, {"settings", settings_of(s.settings)},
-                   {"phases", phases},           {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
-                   {"rays", rays_of(s)},         {"samples", samples_of(s)},
-                   {"passes", passes},           {"estimated_error", s.estimated_error},
+    const Json interval = s.estimated_high > 0 ? Json{s.estimated_low, s.estimated_high} : Json(nullptr);
+    const Json all{{"schema", "lancer.stats/1"},
+                   {"context", context_of(s)},
+                   {"scene", scene_of(s.scene)},
+                   {"settings", settings_of(s.settings)},
+                   {"phases", phases},
+                   {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
+                   {"rays", rays_of(s)},
+                   {"samples", samples_of(s)},
+                   {"passes", passes},
+                   {"estimated_error", s.estimated_error},
+                   {"estimated_interval", interval},
+                   {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
                    {"partial", s.partial}};
     // A file name need not be UTF-8; the text must be.
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

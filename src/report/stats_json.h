@@ -24,7 +24,7 @@ struct RunStats {
         std::vector<std::string> warnings;
     };
     struct SettingsUsed {
-        uint32_t width = 0, height = 0, spp = 0, max_depth = 0, threads = 0, tile = 0, batch = 0;
+        uint32_t width = 0, height = 0, spp = 0, replicates = 1, max_depth = 0, threads = 0, tile = 0, batch = 0;
         Tile crop;
         uint64_t seed = 0;
         std::string integrator, sampler, filter, accel, isa;
@@ -50,7 +50,10 @@ struct RunStats {
     Counters counters;
     uint64_t samples = 0;  // in the film
     double render_s = 0;
-    double estimated_error = 0;  // square root of estimate_rel_mse: an upper estimate
+    // Square root of the relative mean squared error as the samples tell it; 0: not known. An upper estimate from halves;
+    // with replicates without bias, and an interval.
+    double estimated_error = 0, estimated_low = 0, estimated_high = 0;
+    std::string stopped_by;  // "time", "error"; empty if neither did
     uint64_t peak_memory_bytes = 0;
     bool partial = false;
 

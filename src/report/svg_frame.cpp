@@ -126,7 +126,10 @@ void SvgFrame::marks(const std::vector<PlotMark>& marks, const Axis& axis)
         if (!fits(axis.scale, mark.value)) continue;
         const SvgPoint p = at(0, place(axis, mark.value));
         element("path", " class=\"mark\" d=\"M" + number(p.x) + "," + number(p.y) + "h" + number(plot_width) + "\"");
-        label({width - right - 4, p.y - 4}, "end halo", mark.label);
+        if (mark.label_left)
+            label({left + 4, p.y - 4}, "halo", mark.label);
+        else
+            label({width - right - 4, p.y - 4}, "end halo", mark.label);
     }
 }
 

@@ -23,6 +23,7 @@ struct Ranged {
 struct PlotMark {
     double value = 0;
     std::string label;
+    bool label_left = false;  // for plots whose data is to the right
 };
 
 struct PlotPoint {

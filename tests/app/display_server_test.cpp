@@ -57,12 +57,14 @@ protected:
 
 TEST_F(Shown, InTheEndIsThePictureThatWasWritten)
 {
-    // One pass and several, rows in one packet and in many, tiles that do not divide the picture.
+    // One pass and several, also such that end within a block of samples, rows in one packet and in many, tiles that do
+    // not divide the picture.
     const std::vector<std::vector<std::string>> cases{{"--size", "24x16", "-s", "1"},
                                                       {"--size", "50x31", "-s", "100", "--tile", "7"},
                                                       {"--size", "640x480", "-s", "1", "--tile", "100"},
                                                       {"--size", "64x48", "-s", "40", "--crop", "5,7,50,41"},
-                                                      {"--size", "48x32", "-s", "200", "--set", "stop=true"}};
+                                                      {"--size", "48x32", "-s", "200", "--set", "stop=true"},
+                                                      {"--size", "48x32", "--error", "0.3"}};
     for (std::vector<std::string> arguments : cases) {
         arguments.insert(arguments.begin(), "scene.toml");
         arguments.insert(arguments.end(), {"-q", "-o", "alone.exr"});

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
+#include "report/html_pictures.h"
 #include "report/markdown.h"
 #include "report/svg_plot.h"
 #include "support/xml_check.h"
@@ -74,6 +76,70 @@ TEST(Html, KeepsTheData)
     const std::string json = json_for_html(R"({"a":"<!--<script>&amp;"})");
     EXPECT_EQ(json.find_first_of("<>&"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(json)["a"], "<!--<script>&amp;");
+}
+
+// As much of a PNG as a page looks at.
+std::string png_of(const std::string& rest)
+{
+    return std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\1\2\0\0\0\3", 24) + rest;
+}
+
+TEST(Html, Base64OfTheStandard)
+{
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Html, PicturesStandInThePageAndAreChosenWithoutAScript)
+{
+    Document document = everything();
+    document.sections[0].blocks.push_back(
+        PictureFlip{"one", {{"a " + wild, wild, png_of("x")}, {"b", "", png_of("")}}});
+    document.sections[1].blocks.push_back(PictureFlip{"two", {{"a", "", png_of("y")}}});
+    const std::string text = to_html(document);
+    std::vector<XmlElement> images, inputs, labels;
+    std::string style;
+    for (const XmlElement& e : read_xml(text)) {
+        if (e.name == "img") images.push_back(e);
+        if (e.name == "input") inputs.push_back(e);
+        if (e.name == "label") labels.push_back(e);
+        if (e.name == "style") style = e.text;
+        if (e.name == "script") {
+            EXPECT_EQ(e.attributes.at("type"), "application/json");
+        }
+    }
+    ASSERT_EQ(images.size(), 3u);
+    EXPECT_EQ(images[0].attributes.at("alt"), "a " + wild);
+    EXPECT_EQ(images[0].attributes.at("src"), "data:image/png;base64," + base64(png_of("x")));
+    EXPECT_EQ(images[0].attributes.at("width"), "258");
+    EXPECT_EQ(images[0].attributes.at("height"), "3");
+    ASSERT_EQ(inputs.size(), 3u);
+    ASSERT_EQ(labels.size(), 3u);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(inputs[i].attributes.at("id"), labels[i].attributes.at("for"));
+        EXPECT_EQ(inputs[i].attributes.at("name"), i < 2 ? "one" : "two");
+        EXPECT_EQ(inputs[i].attributes.count("checked"), i == 1 ? 0u : 1u);  // one of each
+    }
+    EXPECT_NE(style.find(".flip input:nth-of-type(2):checked~figure:nth-of-type(2)"), std::string::npos);
+    EXPECT_EQ(style.find("nth-of-type(3)"), std::string::npos);
+    EXPECT_EQ(to_html(everything()).find(".flip"), std::string::npos);
+    EXPECT_EQ(to_markdown({"t", {document.sections[1].blocks}, {}}, 2), "");
+}
+
+TEST(Html, RefusesPicturesOfAnotherKind)
+{
+    for (const std::string& bytes :
+         {std::string("GIF89a, and more than twenty-four bytes"), png_of("").substr(0, 23)}) {
+        try {
+            to_html(Document{"t", {PictureFlip{"p", {{"crop", "", bytes}}}}, {}});
+            ADD_FAILURE();
+        } catch (const Error& e) {
+            EXPECT_STREQ(e.what(), "error: the picture 'crop' is no PNG");
+        }
+    }
 }
 
 TEST(Html, NeedsNothingElse)

@@ -151,6 +151,18 @@ TEST(SvgPlot, MarksStandAtTheirValue)
     }
 }
 
+TEST(SvgPlot, LabelsOfMarksStandOnTheSideThatIsAskedFor)
+{
+    const LinePlot plot{{"t", "d", "x", "y"}, {}, {}, {{"a", {{1, {2}}}}}, {{1, "there"}, {1.5, "here", true}}};
+    std::map<std::string, double> x;
+    for (const XmlElement& e : read_xml(to_svg(plot))) {
+        if (!e.has_class("halo")) continue;
+        x[e.text] = std::atof(e.attributes.at("x").c_str());
+        EXPECT_EQ(e.has_class("end"), e.text == "there");
+    }
+    EXPECT_LT(x.at("here") + 600, x.at("there"));
+}
+
 TEST(SvgPlot, EmptyPlotsAreWellFormed)
 {
     EXPECT_NO_THROW(read_xml(to_svg(LinePlot{})));
