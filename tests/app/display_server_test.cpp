@@ -64,7 +64,7 @@ TEST_F(Shown, InTheEndIsThePictureThatWasWritten)
                                                       {"--size", "640x480", "-s", "1", "--tile", "100"},
                                                       {"--size", "64x48", "-s", "40", "--crop", "5,7,50,41"},
                                                       {"--size", "48x32", "-s", "200", "--set", "stop=true"},
-                                                      {"--size", "48x32", "--error", "0.3"}};
+                                                      {"--size", "48x32", "-s", "24", "--error", "1e-9"}};
     for (std::vector<std::string> arguments : cases) {
         arguments.insert(arguments.begin(), "scene.toml");
         arguments.insert(arguments.end(), {"-q", "-o", "alone.exr"});
