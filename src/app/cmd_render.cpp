@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/error_log.h"
+#include "app/live_view.h"
 #include "app/outputs.h"
 #include "app/prepare.h"
 #include "app/progress.h"
@@ -187,6 +188,7 @@ void Run::render(const Renderer& renderer)
     normalisation_ = renderer.scene().normalisation;
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
     const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
+    LiveView live_view(options_, film, stats_.scene.warnings);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
     if (limits.has_stop_rule()) film.keep_blocks_open();
@@ -195,8 +197,9 @@ void Run::render(const Renderer& renderer)
                           film.pixels.size(), options_.time);
         std::stop_source enough;
         const std::stop_callback on_interrupt(signals_.stop(), [&] { enough.request_stop(); });
-        const auto tile_done = [&] {
+        const auto tile_done = [&](const Tile& tile) {
             signals_.poll();
+            live_view.tile_done(film, tile, progress);
             if (limits.is_out_of_time()) enough.request_stop();
             progress.tile_done();
         };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/paths.h"
+#include "io/display_server.h"
 #include "scene/description.h"
 
 namespace lancer {
@@ -110,6 +111,21 @@ std::string to_output(const std::string& path)
     if (extension != ".exr" && extension != ".png" && extension != ".ppm")
         fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png or .ppm");
     return path;
+}
+
+DisplayAddress to_display_address(const std::string& text)
+{
+    const std::string option = "--display-server";
+    const bool in_brackets = text.starts_with('[');
+    const size_t end = in_brackets ? text.find(']') : text.find(':');
+    const std::string host = in_brackets ? text.substr(1, end - 1) : text.substr(0, end);
+    const std::string rest = end == std::string::npos ? "" : text.substr(end + (in_brackets ? 1 : 0));
+    if (host.empty() || (in_brackets && end == std::string::npos) || (!rest.empty() && rest[0] != ':') ||
+        rest.find(':', 1) != std::string::npos)
+        fail_usage(option + ": " + in_quotes(text) +
+                   " is not HOST or HOST:PORT, such as localhost:14158 or [::1]:14158");
+    if (rest.empty()) return {host, DisplayServer::default_port};
+    return {host, static_cast<uint16_t>(to_count(option, rest.substr(1), 1, 65535))};
 }
 
 void add_aovs(const std::string& text, std::vector<Aov>& aovs)

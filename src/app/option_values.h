@@ -54,5 +54,6 @@ double to_seconds(const std::string& option, const std::string& text);  // "90",
 void set_switches(const std::string& text, PictureOptions& o);          // "nee=false,mis=true"
 std::string to_output(const std::string& path);                         // ends in .exr, .png or .ppm
 void add_aovs(const std::string& text, std::vector<Aov>& aovs);         // "albedo,normal" or "all"
+DisplayAddress to_display_address(const std::string& text);             // "host", "host:14158" or "[::1]:14158"
 
 }  // namespace lancer

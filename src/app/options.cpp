@@ -109,6 +109,9 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     add_picture_options(p, o.picture);
     p.value("--progress", "auto|plain|json|none", "auto is a line on a terminal, else plain (auto)",
             [&](const std::string& t) { o.progress = to_progress(t); });
+    p.value("--display-server", "HOST[:PORT]",
+            "Show the picture while it grows in tev, an image viewer that listens there (port 14158)",
+            [&](const std::string& t) { o.display = to_display_address(t); });
     p.value("--time", "T", "Stop after T of rendering: 60s, 5m, 2h; loading does not count. Without -s only this stops",
             [&](const std::string& t) { o.time = to_seconds("--time", t); });
     p.value("--error", "X",

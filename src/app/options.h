@@ -33,6 +33,11 @@ struct PictureOptions {
 
 enum class ProgressKind { automatic, plain, json, none };
 
+struct DisplayAddress {
+    std::string host;  // name or numeric address, without brackets
+    uint16_t port = 0;
+};
+
 struct RenderOptions {
     PictureOptions picture;
     std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
@@ -49,6 +54,7 @@ struct RenderOptions {
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise
     std::optional<double> time, error;  // at which the render stops: seconds, square root of the relative error
+    std::optional<DisplayAddress> display;
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
     std::string command_line;  // as it was given

@@ -29,7 +29,7 @@ Renderer::Renderer(Scene scene, const RenderSettings& settings, Diagnostics* dia
 Renderer::~Renderer() = default;
 
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
-                          const std::stop_token& stop, const std::function<void()>& tile_done) const
+                          const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
 {
     const PathPlan& plan = this->plan(camera, film.width, film.height);
     PassResult result;
@@ -55,7 +55,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
             result.counters += counters;
             workspaces_.push_back(std::move(w));
         }
-        if (tile_done) tile_done();
+        if (tile_done) tile_done(tiles[i]);
     });
     result.complete = !skipped;
     return result;

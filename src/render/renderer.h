@@ -39,9 +39,10 @@ public:
     // Adds samples [begin, end) of every pixel of the tiles to the film. Begin and end must be multiples of
     // samples_per_block for a picture to have the same bits however its samples are split; only the last end of all
     // may differ. Each tile must lie within film.crop, and no two may overlap. `stop` is looked at once a tile;
-    // tile_done is called after each, from any thread.
+    // tile_done is called after each, from any thread; the film has that tile's samples then, and keeps them until the
+    // pass has ended.
     PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
-                    const std::stop_token& stop = {}, const std::function<void()>& tile_done = {}) const;
+                    const std::stop_token& stop = {}, const std::function<void(const Tile&)>& tile_done = {}) const;
 
     // See lancer::replay. width, height: of the whole picture.
     Color replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,

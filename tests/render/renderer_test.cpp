@@ -133,7 +133,7 @@ TEST_P(Stopping, LeavesEachTileWholeOrUntouched)
             std::stop_source stop;
             if (after == 0) stop.request_stop();
             std::atomic<int> done{0};
-            const PassResult result = renderer.pass(camera, film, tiles, {0, 16}, stop.get_token(), [&] {
+            const PassResult result = renderer.pass(camera, film, tiles, {0, 16}, stop.get_token(), [&](const Tile&) {
                 if (++done == after) stop.request_stop();
             });
             EXPECT_FALSE(result.complete);
@@ -166,7 +166,7 @@ TEST_P(Stopping, AfterTheLastTileThePassIsComplete)
         Film film(32, 24, {0, 0, 32, 24});
         std::stop_source stop;
         std::atomic<size_t> done{0};
-        const PassResult result = renderer.pass(camera, film, tiles, {0, 16}, stop.get_token(), [&] {
+        const PassResult result = renderer.pass(camera, film, tiles, {0, 16}, stop.get_token(), [&](const Tile&) {
             if (++done == tiles.size()) stop.request_stop();
         });
         EXPECT_EQ(done, tiles.size());
