@@ -1,11 +1,25 @@
-// lancer compare: how far a picture is from one reference, or from two independent ones.
+// lancer compare: how far a picture is from one reference, or from two independent ones; where; and whether that is
+// more than noise.
 #include <array>
+#include <deque>
+#include <filesystem>
+#include <limits>
 #include <string>
 
 #include "app/commands.h"
+#include "app/compare_verdict.h"
+#include "app/compared_picture.h"
 #include "app/console.h"
 #include "app/options.h"
+#include "app/paths.h"
+#include "core/names.h"
+#include "io/atomic_file.h"
+#include "io/exr.h"
 #include "io/image_read.h"
+#include "io/png.h"
+#include "io/ppm.h"
+#include "report/error_map.h"
+#include "report/flip.h"
 #include "report/metrics.h"
 
 namespace lancer {
@@ -22,6 +36,8 @@ void print_metrics(const Metrics& m, size_t pixels)
     print_value("rmse", m.rmse);
     print_value("relmse", m.relmse);
     print_value("relmse_trimmed", m.relmse_trimmed);
+    print_value("relmse_p99", m.relmse_p99);
+    print_value("smape", m.smape);
     print_colour("mean", m.mean);
     print_colour("reference_mean", m.reference_mean);
     print_colour("mean_ratio", m.mean_ratio);
@@ -32,13 +48,102 @@ void print_metrics(const Metrics& m, size_t pixels)
                                  m.reference_non_finite));
 }
 
-// In steps of 8 bits, the curve left as it is; else in linear light.
-Image read_for(const CompareOptions& options, const std::string& path)
+void print_flip(const Flip& flip)
 {
-    Image image = read_image(path, options.steps ? Encoding::linear : Encoding::srgb);
-    if (options.steps)
-        for (Color& c : image.pixels) c *= 255.0f;
+    print_result(format_text("%-20s %.6f %s", "flip", flip.mean, flip.exposures ? "HDR" : "LDR"));
+    print_result(format_text("%-20s %.6f", "flip_weighted_median", flip.weighted_median));
+    print_result(format_text("%-20s %.6f to %.6f", "flip_range", flip.min, flip.max));
+    if (const auto& e = flip.exposures)
+        print_result(format_text("%-20s %d, %.4f to %.4f stops", "flip_exposures", e->count, e->start, e->stop));
+}
+
+// Says where two pictures are made of the same random numbers.
+void print_shared(const ComparedPicture& a, const ComparedPicture& b)
+{
+    if (const auto seed = shared_seed(a, b))
+        print_result("shared_samples       seed " + *seed + " of " + in_quotes(a.path) + " and " + in_quotes(b.path) +
+                     ": not independent, their noise is in part the same and errors come out too small");
+}
+
+// Before anything is computed.
+void check_outputs(const CompareOptions& options)
+{
+    for (const std::string& path : options.outputs) {
+        std::error_code absent;
+        for (const std::string& input : {options.picture, options.reference, options.reference2})
+            if (std::filesystem::equivalent(path, input, absent))
+                throw Error(ErrorKind::usage, {},
+                            "--output: " + in_quotes(path) + " would overwrite the input " + in_quotes(input));
+        const AtomicFile probe(path);
+    }
+}
+
+void write_map(const CompareOptions& options, const Image& picture, const Image& reference, const Flip& flip)
+{
+    const bool is_flip = options.map == ErrorMap::flip;
+    std::vector<float> errors = flip.error;
+    if (!is_flip) {
+        const std::vector<double> relative = relative_squared_errors(picture, reference);
+        for (size_t i = 0; i < errors.size(); ++i) errors[i] = static_cast<float>(relative[i]);
+    }
+    Image numbers = make_image(picture.display, picture.data);
+    for (size_t i = 0; i < errors.size(); ++i) numbers.pixels[i] = {errors[i], errors[i], errors[i]};
+    const Image colours = is_flip ? draw_errors(picture, errors) : draw_error_powers(picture, errors);
+    const Metadata metadata{
+        {"map", is_flip ? "flip" : "relmse"}, {"picture", options.picture}, {"reference", options.reference}};
+    std::deque<AtomicFile> files;
+    for (const std::string& path : options.outputs) {
+        AtomicFile& file = files.emplace_back(path);
+        if (extension_of(path) == ".exr")
+            write_exr(file, numbers, metadata);
+        else if (extension_of(path) == ".png")
+            write_png(file, colours, metadata);
+        else
+            write_ppm(file, colours, metadata, {}, false);
+        file.finish();
+    }
+    for (AtomicFile& file : files) file.commit();
+}
+
+// What the metrics are of: linear light, or steps of 8 bits, the curve left as it is.
+Image measured(const CompareOptions& options, const ComparedPicture& picture)
+{
+    if (!options.steps) return picture.image;
+    Image image = read_image(picture.path, Encoding::linear);
+    for (Color& c : image.pixels) c *= 255.0f;
     return image;
+}
+
+// The error that the limit is for, and its name.
+struct Judged {
+    const char* name;
+    double error;
+};
+
+Judged print_errors(const CompareOptions& options, const ComparedPicture& picture, const ComparedPicture& reference,
+                    const Metrics& metrics, const Flip& flip)
+{
+    const Image x = measured(options, picture), r = measured(options, reference);
+    print_metrics(metrics, x.pixels.size());
+    if (options.steps) print_result(format_text("%-20s %zu", "beyond_one_step", pixels_beyond(1.5, x, r)));
+    print_flip(flip);
+    const std::array<Judged, 4> errors{
+        {{"rmse", metrics.rmse}, {"relmse", metrics.relmse}, {"smape", metrics.smape}, {"flip", flip.mean}}};
+    Judged judged = errors[static_cast<size_t>(options.metric)];
+    if (metrics.non_finite_pixels || metrics.reference_non_finite)
+        judged.error = std::numeric_limits<double>::infinity();  // beyond every limit
+    print_shared(picture, reference);
+    if (options.reference2.empty()) return judged;
+    const ComparedPicture second = read_compared(options.reference2);
+    const Image r2 = measured(options, second);
+    const double unbiased = unbiased_squared_error(x, r, r2);
+    print_value("relmse_unbiased", unbiased);
+    // Half of the difference's square is the variance of either.
+    print_value("reference_noise", compare(r, r2).relmse / 2);
+    print_shared(picture, second);
+    print_shared(reference, second);
+    if (options.metric == Metric::relmse) judged = {"relmse_unbiased", unbiased};
+    return judged;
 }
 
 }  // namespace
@@ -47,21 +152,22 @@ int run_compare(int argc, char** argv)
 {
     const auto options = parse_compare(argc, argv);
     if (!options) return exit_done;
-    const Image picture = read_for(*options, options->picture), reference = read_for(*options, options->reference);
-    const Metrics metrics = compare(picture, reference);
-    print_metrics(metrics, picture.pixels.size());
-    if (options->steps)
-        print_result(format_text("%-20s %zu", "beyond_one_step", pixels_beyond(1.5, picture, reference)));
-    double error = options->metric == Metric::rmse ? metrics.rmse : metrics.relmse;
-    const char* name = options->metric == Metric::rmse ? "rmse" : "relmse";
-    if (!options->reference2.empty()) {
-        const double unbiased = unbiased_squared_error(picture, reference, read_for(*options, options->reference2));
-        print_value("relmse_unbiased", unbiased);
-        if (options->metric == Metric::relmse) error = unbiased, name = "relmse_unbiased";
-    }
+    const ComparedPicture picture = read_compared(options->picture), reference = read_compared(options->reference);
+    require_same_windows(picture.image, reference.image);
+    check_outputs(*options);
+
+    const Metrics metrics = compare(measured(*options, picture), measured(*options, reference));
+    const bool is_hdr = picture.is_float && reference.is_float;
+    const Flip flip = is_hdr ? flip_hdr(picture.image, reference.image) : flip_ldr(picture.image, reference.image);
+    const Judged judged = print_errors(*options, picture, reference, metrics, flip);
+    const auto noise = test_noise(picture, reference);
+    if (noise && metrics.differing_pixels) print_noise(*noise, picture, reference);
+    if (!options->outputs.empty()) write_map(*options, picture.image, reference.image, flip);
+    print_result("verdict: " + verdict(picture, reference, metrics, noise));
+
     // So that an error that is not a number is beyond every limit.
-    if (!options->fail_above || error <= *options->fail_above) return exit_done;
-    print_problem(format_text("error: %s %.9g is above %.9g", name, error, *options->fail_above));
+    if (!options->fail_above || judged.error <= *options->fail_above) return exit_done;
+    print_problem(format_text("error: %s %.9g is above %.9g", judged.name, judged.error, *options->fail_above));
     return exit_failed;
 }
 

@@ -162,6 +162,14 @@ std::filesystem::path place_of(const std::string& path)
     return problem ? std::filesystem::path(path).lexically_normal() : place;
 }
 
+void refuse_doubles(const std::vector<std::string>& files)
+{
+    for (size_t i = 0; i < files.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (place_of(files[i]) == place_of(files[j]))
+                fail_usage("--output: " + in_quotes(files[i]) + " is named twice");
+}
+
 }  // namespace
 
 std::optional<RenderOptions> parse_render(int argc, char** argv)
@@ -182,15 +190,12 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
     if (!o.error_log.empty()) files.push_back(o.error_log);
+    refuse_doubles(files);
     if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
     for (const std::string& reference : {o.reference, o.reference2})
         for (const std::string& file : files)
             if (!reference.empty() && place_of(reference) == place_of(file))
                 fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
-    for (size_t i = 0; i < files.size(); ++i)
-        for (size_t j = 0; j < i; ++j)
-            if (place_of(files[i]) == place_of(files[j]))
-                fail_usage("--output: " + in_quotes(files[i]) + " is named twice");
     o.command_line = "lancer render";
     for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
     return o;
@@ -246,24 +251,40 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
 {
     CompareOptions o;
     OptionParser p(
-        "lancer compare", "Print how far a picture is from a reference.",
+        "lancer compare",
+        "Print how far a picture is from a reference, draw where, and say whether it is more than noise.",
         "Exit codes: 0 done, or within the limit; 1 beyond it; 2 wrong usage; 65 unreadable or not of the same size;\n"
-        "66 missing.\n\nExample:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n");
+        "66 missing.\n\nThe last line is a verdict. For more than errors both pictures must be EXR of render --aov "
+        "variance, of\n"
+        "different --seed.\n\nExamples:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n"
+        "  lancer compare picture.exr reference.exr -o where.png\n");
     p.argument("PICTURE", "Picture: EXR, PNG, HDR, JPEG, TIFF, ...", [&](const std::string& t) { o.picture = t; });
     p.argument("REFERENCE", "What it should be", [&](const std::string& t) { o.reference = t; });
     const auto second = [&](const std::string& t) { o.reference2 = t; };
     p.argument("REFERENCE2", "The same as --reference2", second, false);
     p.value("--reference2", "FILE", "A second, independent reference: noise of the references cancels out", second);
-    p.value("--metric", "rmse|relmse", "What the limit is for (relmse; with two references its unbiased form)",
-            [&](const std::string& t) {
-                o.metric = to_choice("--metric", t, {"rmse", "relmse"}) == 0 ? Metric::rmse : Metric::relmse;
+    p.value("--metric", "rmse|relmse|smape|flip",
+            "What the limit is for (relmse; with two references its unbiased form)", [&](const std::string& t) {
+                // In the order of Metric.
+                o.metric = static_cast<Metric>(to_choice("--metric", t, {"rmse", "relmse", "smape", "flip"}));
             });
     p.flag("--steps", "Compare what 8-bit pictures hold, 0 to 255, as it stands in the files: no linear light",
            o.steps);
     p.value("--fail-above", "X", "Exit with 1 if the error is above X or not a number", [&](const std::string& t) {
         o.fail_above = to_number<double>("--fail-above", t, 0, std::numeric_limits<double>::max(), "a number");
     });
+    p.values("-o,--output", "FILE",
+             "Map of the errors: .png or .ppm in colours, .exr as numbers; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+    p.value("--map", "flip|relmse",
+            "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "
+            "(flip)",
+            [&](const std::string& t) {
+                // In the order of ErrorMap.
+                o.map = static_cast<ErrorMap>(to_choice("--map", t, {"flip", "relmse"}));
+            });
     if (!p.parse(argc, argv)) return {};
+    refuse_doubles(o.outputs);
     return o;
 }
 

@@ -76,7 +76,8 @@ struct PixelOptions {
     uint32_t x = 0, y = 0, sample = 0;
 };
 
-enum class Metric { rmse, relmse };
+enum class Metric { rmse, relmse, smape, flip };
+enum class ErrorMap { flip, relmse };
 
 struct CompareOptions {
     std::string picture, reference;
@@ -84,6 +85,8 @@ struct CompareOptions {
     Metric metric = Metric::relmse;
     bool steps = false;
     std::optional<double> fail_above;
+    std::vector<std::string> outputs;  // of the map; each ends in .exr, .png or .ppm
+    ErrorMap map = ErrorMap::flip;
 };
 
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked

@@ -188,12 +188,15 @@ std::shared_ptr<const Raster> read_raster(const std::string& path)
     }
 }
 
-Image read_image(const std::string& path, Encoding encoding)
+Image read_image(const std::string& path, Encoding encoding, PictureKind* kind)
 {
     InputFile file(path);
     const std::string format = find_format(file);
+    if (kind) *kind = {format, true};
     if (format == "openexr") return read_exr(path);
-    return to_image(read_format(file, format), encoding);
+    const Raster raster = read_format(file, format);
+    if (kind) kind->is_float = raster.is_float;
+    return to_image(raster, encoding);
 }
 
 }  // namespace lancer

@@ -18,6 +18,10 @@ std::shared_ptr<const Raster> read_raster(const std::string& path);
 
 // The same in linear RGB: integer formats are decoded as `encoding` says, floats are taken as they stand; alpha is
 // dropped, grey becomes RGB. An EXR keeps its data window.
-Image read_image(const std::string& path, Encoding encoding = Encoding::srgb);
+struct PictureKind {
+    std::string format;     // "openexr", "png", "jpeg", "tiff", "hdr", "bmp", "pnm" or "targa"
+    bool is_float = false;  // else integers, made for a screen
+};
+Image read_image(const std::string& path, Encoding encoding = Encoding::srgb, PictureKind* kind = nullptr);
 
 }  // namespace lancer

@@ -36,15 +36,6 @@ std::string describe(const Image& image)
     return image.data == image.display ? text(image.data) : text(image.data) + " of " + text(image.display);
 }
 
-void require_same_windows(const Image& a, const Image& b)
-{
-    if (a.data != b.data || a.display != b.display) {
-        throw Error(ErrorKind::invalid_input,
-                    "error: the pictures differ in size: " + describe(a) + " against " + describe(b));
-    }
-    if (a.pixels.empty()) throw Error(ErrorKind::invalid_input, "error: the pictures have no pixels");
-}
-
 double sum(const std::vector<double>& values)
 {
     double total = 0;
@@ -70,7 +61,46 @@ double trimmed_mean(const std::vector<double>& errors)
     return total / static_cast<double>(kept);
 }
 
+// By rank: the least value that 99 % of them do not exceed.
+double percentile_99(std::vector<double> values)
+{
+    const size_t rank = (values.size() * 99 + 99) / 100;  // rounded up
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+double symmetric_error(double x, double r)
+{
+    if (x == 0 && r == 0) return 0;
+    const double error = std::abs(x - r) / (std::abs(x) + std::abs(r));
+    return std::isnan(error) ? 1 : error;
+}
+
 }  // namespace
+
+void require_same_windows(const Image& a, const Image& b)
+{
+    if (a.data != b.data || a.display != b.display) {
+        throw Error(ErrorKind::invalid_input,
+                    "error: the pictures differ in size: " + describe(a) + " against " + describe(b));
+    }
+    if (a.pixels.empty()) throw Error(ErrorKind::invalid_input, "error: the pictures have no pixels");
+}
+
+std::vector<double> relative_squared_errors(const Image& x, const Image& reference)
+{
+    require_same_windows(x, reference);
+    std::vector<double> errors(x.pixels.size());
+    for (size_t i = 0; i < errors.size(); ++i) {
+        const std::array<double, 3> xs = channels(x.pixels[i]), rs = channels(reference.pixels[i]);
+        for (size_t c = 0; c < 3; ++c) {
+            const double difference = or_infinity(xs[c] - rs[c]);
+            errors[i] += or_infinity(difference * difference / (rs[c] * rs[c] + epsilon)) / 3;
+        }
+    }
+    return errors;
+}
 
 Metrics compare(const Image& x, const Image& reference)
 {
@@ -78,8 +108,7 @@ Metrics compare(const Image& x, const Image& reference)
     Metrics m;
     m.max_x = x.data.x0, m.max_y = x.data.y0;
     const size_t n = x.pixels.size(), width = static_cast<size_t>(x.data.width());
-    std::vector<double> relative(n);  // each pixel's mean over its channels
-    double squared = 0;
+    double squared = 0, symmetric = 0;
     for (size_t i = 0; i < n; ++i) {
         const Color a = x.pixels[i], b = reference.pixels[i];
         const std::array<double, 3> xs = channels(a), rs = channels(b);
@@ -87,7 +116,7 @@ Metrics compare(const Image& x, const Image& reference)
         for (size_t c = 0; c < 3; ++c) {
             const double difference = or_infinity(xs[c] - rs[c]);
             squared += difference * difference;
-            relative[i] += or_infinity(difference * difference / (rs[c] * rs[c] + epsilon)) / 3;
+            symmetric += symmetric_error(xs[c], rs[c]);
             pixel_difference = std::max(pixel_difference, std::abs(difference));
             m.mean[c] += xs[c];
             m.reference_mean[c] += rs[c];
@@ -103,8 +132,11 @@ Metrics compare(const Image& x, const Image& reference)
     }
     const double count = static_cast<double>(n);
     m.rmse = std::sqrt(squared / (3 * count));
+    m.smape = symmetric / (3 * count);
+    const std::vector<double> relative = relative_squared_errors(x, reference);
     m.relmse = sum(relative) / count;
     m.relmse_trimmed = trimmed_mean(relative);
+    m.relmse_p99 = percentile_99(relative);
     for (size_t c = 0; c < 3; ++c) {
         m.mean[c] /= count;
         m.reference_mean[c] /= count;

@@ -1,4 +1,4 @@
-// help, version, compare and pixel.
+// help, version and pixel.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,62 +35,6 @@ TEST_F(Commands, VersionNamesTheLibraries)
     EXPECT_EQ(said.code, 0);
     for (const char* name : {"lancer ", "Embree ", "OpenEXR ", "libpng ", "compiled by "}) expect_words(said.out, name);
     EXPECT_EQ(run({"render", "--version"}).out, said.out);
-}
-
-class Compare : public AppTest {
-protected:
-    Compare()
-    {
-        Image image = make_image(8, 4);
-        for (Color& c : image.pixels) c = {0.5f, 0.25f, 1};
-        write_exr(file("a.exr"), image);
-        image.at(3, 2).g = 0.35f;
-        write_exr(file("b.exr"), image);
-        image.at(0, 0).g = std::nanf("");
-        write_exr(file("nan.exr"), image);
-        write_exr(file("small.exr"), make_image(4, 4));
-        write_png(file("a.png"), image);
-    }
-};
-
-TEST_F(Compare, PrintsAndJudges)
-{
-    const Said same = run({"compare", "a.exr", "a.exr", "--fail-above", "0"});
-    EXPECT_EQ(same.code, 0);
-    expect_words(same.out, "rmse                 0\n");
-    expect_words(same.out, "differing_pixels     0 of 32\n");
-    const Said other = run({"compare", "b.exr", "a.exr"});
-    EXPECT_EQ(other.code, 0);
-    expect_words(other.out, "differing_pixels     1 of 32\n");
-    expect_words(other.out, " at 3 2\n");
-    // 0.1^2 / (0.25^2 + 0.01) over 96 values is 1.44e-3; the root of 0.1^2 / 96 is 1.02e-2.
-    EXPECT_EQ(run({"compare", "b.exr", "a.exr", "--fail-above", "1.5e-3"}).code, 0);
-    EXPECT_EQ(run({"compare", "b.exr", "a.exr", "--fail-above", "1.4e-3"}).code, 1);
-    EXPECT_EQ(run({"compare", "b.exr", "a.exr", "--metric", "rmse", "--fail-above", "1.1e-2"}).code, 0);
-    EXPECT_EQ(run({"compare", "b.exr", "a.exr", "--metric", "rmse", "--fail-above", "1e-2"}).code, 1);
-    EXPECT_EQ(run({"compare", "nan.exr", "a.exr", "--fail-above", "1000"}).code, 1);
-    EXPECT_EQ(run({"compare", "a.png", "b.exr", "--fail-above", "0.01"}).code, 0);
-}
-
-TEST_F(Compare, TwoReferencesGiveTheUnbiasedError)
-{
-    // One of the references is right, so that the product of the differences is 0.
-    const Said said = run({"compare", "a.exr", "b.exr", "a.exr", "--fail-above", "1e-9"});
-    EXPECT_EQ(said.code, 0);
-    expect_words(said.out, "relmse_unbiased      0\n");
-    EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--reference2", "b.exr", "--fail-above", "1e-9"}).code, 1);
-}
-
-TEST_F(Compare, RefusesWhatCannotBeCompared)
-{
-    EXPECT_EQ(run({"compare", "a.exr"}).code, 2);
-    EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--fail-above", "-1"}).code, 2);
-    EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--metric", "psnr"}).code, 2);
-    EXPECT_EQ(run({"compare", "a.exr", "none.exr"}).code, 66);
-    EXPECT_EQ(run({"compare", "a.exr", "small.exr"}).code, 65);
-    EXPECT_EQ(run({"compare", "a.exr", "scene.toml"}).code, 65);
-    write_bytes(file("cut.exr"), read_bytes(file("a.exr")).substr(0, 200));
-    EXPECT_EQ(run({"compare", "a.exr", "cut.exr"}).code, 65);
 }
 
 class ReplayedPixel : public AppTest {

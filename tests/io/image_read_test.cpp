@@ -22,7 +22,10 @@ void expect_steps(const TempFolder& folder, const std::string& name, const std::
 {
     SCOPED_TRACE(name);
     write_bytes(folder.file(name), bytes);
-    Image image = read_image(folder.file(name));
+    PictureKind kind{"", true};
+    Image image = read_image(folder.file(name), Encoding::srgb, &kind);
+    EXPECT_FALSE(kind.is_float);
+    EXPECT_NE(kind.format, "");
     EXPECT_EQ(image.display, (Window{0, 0, 2, 2}));
     EXPECT_EQ(image.data, image.display);
     EXPECT_EQ(image.pixels, (std::vector<Color>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, decoded(188, 100, 7)}));
@@ -35,7 +38,9 @@ void expect_floats(const TempFolder& folder, const std::string& name, const std:
     SCOPED_TRACE(name);
     write_bytes(folder.file(name), bytes);
     const std::vector<Color> expected = {{1, 2, 0.5f}, {0, 0, 0}, {100, 0, 0}, {0.25f, 0.5f, 0.75f}};
-    EXPECT_EQ(read_image(folder.file(name)).pixels, expected);
+    PictureKind kind;
+    EXPECT_EQ(read_image(folder.file(name), Encoding::srgb, &kind).pixels, expected);
+    EXPECT_TRUE(kind.is_float);
     EXPECT_EQ(read_image(folder.file(name), Encoding::linear).pixels, expected);
 }
 

@@ -91,6 +91,28 @@ TEST(Metrics, NonFinitePixelsFailEveryLimit)
     EXPECT_EQ(m.reference_non_finite, 2u);
 }
 
+TEST(Metrics, SymmetricErrorOfHandComputedValues)
+{
+    Image x = make_image(2, 1), r = make_image(2, 1);
+    x.at(0, 0) = {1, 0, 0}, r.at(0, 0) = {3, 0, 2};             // 2/4, none, all
+    x.at(1, 0) = {-1, 5, 1e-30f}, r.at(1, 0) = {1, 5, 3e-30f};  // all, none, 2/4: scale does not matter
+    EXPECT_NEAR(compare(x, r).smape, (0.5 + 1 + 1 + 0.5) / 6, 1e-7);
+    EXPECT_EQ(compare(x, r).smape, compare(r, x).smape);
+    x.at(0, 0) = {nan, infinity, 0}, r.at(0, 0) = {1, infinity, 0};
+    EXPECT_NEAR(compare(x, r).smape, (1 + 1 + 0 + 1 + 0 + 0.5) / 6, 1e-7);
+}
+
+TEST(Metrics, The99thPercentileIsAnErrorByRank)
+{
+    const Image r = constant(20, 10, {0, 0, 0});
+    Image x = r;
+    for (size_t i = 0; i < 200; ++i) x.pixels[(i * 77) % 200] = Color{0.1f, 0.1f, 0.1f} * static_cast<float>(i);
+    // Of 200 pixels 198 are not above it: the one with 197 below it.
+    EXPECT_NEAR(compare(x, r).relmse_p99, 197.0 * 197.0, 0.01);
+    EXPECT_EQ(relative_squared_errors(x, r)[(197 * 77) % 200], compare(x, r).relmse_p99);
+    EXPECT_EQ(compare(constant(1, 1, {1, 1, 1}), constant(1, 1, {1, 1, 1})).relmse_p99, 0);
+}
+
 TEST(Metrics, BitsDecideWhatDiffers)
 {
     const Metrics m = compare(constant(2, 2, {0, 0, 0}), constant(2, 2, {-0.0f, 0, 0}));
