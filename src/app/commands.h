@@ -10,5 +10,6 @@ int run_compare(int argc, char** argv);
 int run_check(int argc, char** argv);
 int run_info(int argc, char** argv);
 int run_pixel(int argc, char** argv);
+int run_export(int argc, char** argv);
 
 }  // namespace lancer

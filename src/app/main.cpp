@@ -25,8 +25,12 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 5> commands{
-    {{"render", run_render}, {"check", run_check}, {"info", run_info}, {"compare", run_compare}, {"pixel", run_pixel}}};
+constexpr std::array<Command, 6> commands{{{"render", run_render},
+                                           {"check", run_check},
+                                           {"info", run_info},
+                                           {"compare", run_compare},
+                                           {"pixel", run_pixel},
+                                           {"export", run_export}}};
 
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
@@ -36,6 +40,7 @@ const char* const help =
     "  lancer info FILE                          print what is in a scene, or what a picture says of its making\n"
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
+    "  lancer export SCENE -o FOLDER             write a scene for other renderers: JSON and plain meshes\n"
     "  lancer SCENE ...                          the same as lancer render SCENE ...\n"
     "  lancer COMMAND --help                     the options of a command\n"
     "  lancer --version                          the versions of the program and its libraries\n\n"

@@ -229,6 +229,24 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
     return o;
 }
 
+std::optional<ExportOptions> parse_export(int argc, char** argv)
+{
+    ExportOptions o;
+    OptionParser p(
+        "lancer export",
+        "Write a scene as other renderers can read it: scene.json, with every name resolved, and a plain OBJ "
+        "file of triangles for each mesh. A scene with anything that these cannot say is refused.",
+        "Exit codes: 0 done; 1 cannot write; 2 wrong usage; 65 scene or asset invalid, or more than can be "
+        "exported; 66 input missing.\n\nExample:\n  lancer export scene.toml -o exported --size 512x512\n");
+    add_picture_options(p, o.picture);
+    p.group("What is written");
+    p.value("-o,--output", "FOLDER", "Where to; made if it is not there", [&](const std::string& t) { o.folder = t; });
+    if (!p.parse(argc, argv)) return {};
+    if (o.folder.empty()) fail_usage("--output: no folder to write into; say -o FOLDER");
+    take_environment(o.picture.threads);
+    return o;
+}
+
 std::optional<PixelOptions> parse_pixel(int argc, char** argv)
 {
     PixelOptions o;

@@ -76,6 +76,11 @@ struct PixelOptions {
     uint32_t x = 0, y = 0, sample = 0;
 };
 
+struct ExportOptions {
+    PictureOptions picture;
+    std::string folder;
+};
+
 enum class Metric { rmse, relmse, smape, flip };
 enum class ErrorMap { flip, relmse };
 
@@ -95,6 +100,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
+std::optional<ExportOptions> parse_export(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 
 }  // namespace lancer

@@ -6,6 +6,7 @@
 #include "app/asset_files.h"
 #include "app/paths.h"
 #include "core/names.h"
+#include "core/technique.h"
 #include "io/atomic_file.h"
 #include "io/exr.h"
 #include "io/png.h"
@@ -14,13 +15,6 @@
 
 namespace lancer {
 namespace {
-
-// Whether a switch leaves the mean of the picture alone.
-bool is_technique(Switch x)
-{
-    return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::light_tree ||
-           x == Switch::split || x == Switch::roulette;
-}
 
 // Whatever keeps the mean of the picture from the truth, however many samples it has.
 std::string bias_ledger(const RunStats& s)

@@ -23,7 +23,7 @@ TEST_F(Commands, HelpNamesEveryOption)
                                "--aov",        "--tonemap", "-q,--quiet",   "-v,--verbose", "--version", "-h,--help"}) {
         expect_words(said.out, option);
     }
-    for (const char* command : {"render", "check", "info", "compare", "pixel"}) {
+    for (const char* command : {"render", "check", "info", "compare", "pixel", "export"}) {
         expect_words(run({"--help"}).out, "lancer " + std::string(command));
         EXPECT_EQ(run({command, "--help"}).code, 0);
     }

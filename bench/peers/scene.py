@@ -1,0 +1,108 @@
+"""What `lancer export` writes, read: scene.json and plain OBJ files of triangles. Standard library alone."""
+import json
+import math
+import os
+from array import array
+
+NO_NORMAL = 0xFFFFFFFF
+
+
+def load(folder):
+    with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
+        scene = json.load(file)
+    if scene["schema"] != "lancer.scene/1":
+        raise SystemExit("peers: error: scene.json has the schema " + scene["schema"])
+    return scene
+
+
+class Mesh:
+    """positions, normals: x y z, one after the other; corners: three indices a triangle; normal_corners likewise,
+    empty if the mesh has no normals; material: one index a triangle."""
+
+    def __init__(self, path):
+        self.positions, self.normals = array("d"), array("d")
+        self.corners, self.normal_corners, self.material = array("I"), array("I"), array("I")
+        current = 0
+        with open(path, encoding="ascii") as file:
+            for line in file:
+                words = line.split()
+                if words[0] == "v":
+                    self.positions.extend(map(float, words[1:4]))
+                elif words[0] == "vn":
+                    self.normals.extend(map(float, words[1:4]))
+                elif words[0] == "usemtl":
+                    current = int(words[1][1:])
+                elif words[0] == "f":
+                    self.material.append(current)
+                    for word in words[1:4]:
+                        index, _, normal = word.partition("//")
+                        self.corners.append(int(index) - 1)
+                        if self.normals:
+                            self.normal_corners.append(int(normal) - 1 if normal else NO_NORMAL)
+
+
+def determinant(t):
+    a, b, c = (row[:3] for row in t)
+    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+
+
+def place(t, x, y, z):
+    return [row[0] * x + row[1] * y + row[2] * z + row[3] for row in t]
+
+
+def place_normal(t, n):
+    """By the inverse transpose, up to a positive factor: the cofactors, times the sign of the determinant."""
+    a, b, c = (row[:3] for row in t)
+    cross = lambda u, v: [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    sign = math.copysign(1, determinant(t))
+    return normalize([sign * dot(row, n) for row in (cross(b, c), cross(c, a), cross(a, b))])
+
+
+def placed(scene, folder):
+    """Each mesh at each of its places: a Mesh in the units of the scene. A mirroring place turns the winding round, so
+    that each triangle keeps its sides."""
+    for entry in scene["meshes"]:
+        original = Mesh(os.path.join(folder, entry["file"]))
+        for t in entry["transforms"]:
+            if t == [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]:
+                yield original
+                continue
+            mesh = Mesh.__new__(Mesh)
+            p, n = original.positions, original.normals
+            mesh.positions = array("d", (x for i in range(0, len(p), 3) for x in place(t, *p[i : i + 3])))
+            mesh.normals = array("d", (x for i in range(0, len(n), 3) for x in place_normal(t, n[i : i + 3])))
+            mesh.corners, mesh.normal_corners = original.corners[:], original.normal_corners[:]
+            mesh.material = original.material
+            if determinant(t) < 0:
+                for corners in (mesh.corners, mesh.normal_corners):
+                    corners[1::3], corners[2::3] = corners[2::3], corners[1::3]
+            yield mesh
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def normalize(v):
+    length = math.sqrt(dot(v, v))
+    return [x / length for x in v]
+
+
+def emits(material):
+    return "emission" in material
+
+
+def kinds_of_lights(scene):
+    return {light["type"] for light in scene["lights"]}
+
+
+def has_normals(folder, scene):
+    """Whether a mesh has vertex normals: they stand before the first triangle."""
+    for entry in scene["meshes"]:
+        with open(os.path.join(folder, entry["file"]), encoding="ascii") as file:
+            for line in file:
+                if line.startswith("vn"):
+                    return True
+                if line.startswith("f"):
+                    break
+    return False

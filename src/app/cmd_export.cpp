@@ -1,0 +1,77 @@
+// lancer export: a scene as other renderers can read it.
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/asset_files.h"
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/options.h"
+#include "app/prepare.h"
+#include "core/names.h"
+#include "core/parallel.h"
+#include "io/atomic_file.h"
+#include "io/obj_write.h"
+#include "io/scene_json.h"
+
+namespace lancer {
+namespace {
+
+void make_folder(const std::string& folder)
+{
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (problem) throw Error(ErrorKind::failed, {folder}, "cannot make this folder: " + problem.message());
+}
+
+// A folder that holds the scene's own files may hold others of these names.
+void spare_inputs(const SceneDescription& scene, const std::vector<std::string>& outputs)
+{
+    std::error_code absent;
+    for (const std::string& output : outputs)
+        for (const std::string& input : input_files(scene))
+            if (std::filesystem::equivalent(output, input, absent))
+                throw Error(ErrorKind::usage, {}, "--output: " + in_quotes(output) + " would overwrite an input");
+}
+
+void write_all(const ExportOptions& options, const Prepared& p)
+{
+    const SceneDescription& d = p.description;
+    const Settings& s = p.settings;
+    std::vector<std::string> names, paths;
+    for (size_t i = 0; i < d.meshes.size(); ++i) names.push_back("mesh_" + std::to_string(i) + ".obj");
+    for (const std::string& name : names) paths.push_back(std::filesystem::path(options.folder) / name);
+    paths.push_back(std::filesystem::path(options.folder) / "scene.json");
+    spare_inputs(d, paths);
+    make_folder(options.folder);
+
+    // All are complete before the first takes its name.
+    std::deque<AtomicFile> files;
+    for (size_t i = 0; i < names.size(); ++i)
+        write_obj(files.emplace_back(paths[i]), *d.meshes[i].data,
+                  [&](uint32_t triangle) { return p.scene.shading[i].material_of(triangle); });
+    const ExportedView view{s.width, s.height, s.max_depth, s.integrator, s.filter, s.switches};
+    const std::string text = scene_json(d, p.scene, view, names);
+    files.emplace_back(paths.back()).write(text.data(), text.size());
+    for (AtomicFile& file : files) file.finish();
+    for (AtomicFile& file : files) file.commit();
+}
+
+}  // namespace
+
+int run_export(int argc, char** argv)
+{
+    const auto options = parse_export(argc, argv);
+    if (!options) return exit_done;
+    Diagnostics diagnostics;
+    Prepared p = load_prepared(options->picture, diagnostics, false);
+    with_threads(p.settings.threads, [&] { begin_prepared(p, diagnostics); });
+    check_exportable(p.description, p.scene, p.settings.switches, diagnostics);
+    diagnostics.throw_if_errors();
+    for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
+    write_all(*options, p);
+    return exit_done;
+}
+
+}  // namespace lancer

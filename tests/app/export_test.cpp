@@ -1,0 +1,175 @@
+// lancer export: what it writes of each kind of thing, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+
+namespace lancer {
+namespace {
+
+using Json = nlohmann::json;
+
+class Export : public AppTest {
+protected:
+    Json exported(const std::string& scene, std::vector<std::string> more = {})
+    {
+        write("s.toml", scene);
+        more.insert(more.begin(), {"export", "s.toml", "-o", "out"});
+        const Said said = run(more);
+        EXPECT_EQ(said.code, 0) << said.err;
+        EXPECT_EQ(said.out, "");
+        return Json::parse(read_bytes(file("out/scene.json")));
+    }
+    // Expects that the scene is refused, with these words, and that nothing is written.
+    void expect_refused(const std::string& scene, const std::string& words)
+    {
+        write("bad.toml", scene);
+        const Said said = run({"export", "bad.toml", "-o", "bad"});
+        EXPECT_EQ(said.code, 65) << scene;
+        expect_words(said.err, words);
+        EXPECT_FALSE(exists("bad")) << scene;
+    }
+
+    static constexpr const char* lit = "version = 1\n[[light]]\ntype = \"environment\"\nradiance = 1\n";
+};
+
+TEST_F(Export, SaysTheViewAndEveryLight)
+{
+    const Json j = exported(
+        "version = 1\n[render]\nmax_depth = 5\nsize = [40, 30]\nfilter = \"box\"\nintegrator = \"whitted\"\n[camera]\n"
+        "position = [1, 2, 3]\ntarget = [0, 1, 0]\nup = [0, 0, 1]\nfov = 33\n[[sphere]]\n"
+        "[[light]]\ntype = \"point\"\nposition = [1, 2, 4]\nintensity = [3, 2, 1]\n"
+        "[[light]]\ntype = \"directional\"\ndirection = [0, -2, 0]\nirradiance = 2\n"
+        "[[light]]\ntype = \"sphere\"\ncenter = [0, 9, 0]\nradius = 0.25\nradiance = 8\n"
+        "[[light]]\ntype = \"environment\"\nradiance = 0.25\n[[light]]\ntype = \"environment\"\nradiance = 0.5\n");
+    EXPECT_EQ(j["schema"], "lancer.scene/1");
+    EXPECT_EQ(j["size"], (Json{40, 30}));
+    EXPECT_EQ(j["max_depth"], 5);
+    EXPECT_EQ(j["integrator"], "whitted");
+    EXPECT_EQ(j["filter"], "box");
+    EXPECT_EQ(
+        j["camera"],
+        (Json{
+            {"type", "pinhole"}, {"position", {1, 2, 3}}, {"target", {0, 1, 0}}, {"up", {0, 0, 1}}, {"fov_deg", 33}}));
+    ASSERT_EQ(j["lights"].size(), 4u);
+    EXPECT_EQ(j["lights"][0], (Json{{"type", "point"}, {"position", {1, 2, 4}}, {"intensity", {3, 2, 1}}}));
+    EXPECT_EQ(j["lights"][1], (Json{{"type", "directional"}, {"direction", {0, -1, 0}}, {"irradiance", {2, 2, 2}}}));
+    EXPECT_EQ(j["lights"][2],
+              (Json{{"type", "sphere"}, {"center", {0, 9, 0}}, {"radius", 0.25}, {"radiance", {8, 8, 8}}}));
+    EXPECT_EQ(j["lights"][3], (Json{{"type", "environment"}, {"radiance", {0.75, 0.75, 0.75}}}));
+}
+
+TEST_F(Export, TheCommandLineIsOverTheScene)
+{
+    const Json j =
+        exported(std::string(lit) + "[[sphere]]\n", {"--size", "8x4", "--max-depth", "3", "-D", "camera.fov=20"});
+    EXPECT_EQ(j["size"], (Json{8, 4}));
+    EXPECT_EQ(j["max_depth"], 3);
+    EXPECT_EQ(j["camera"]["fov_deg"], 20);
+}
+
+TEST_F(Export, ShapesNameTheirMaterialsByPlace)
+{
+    const Json j = exported(std::string(lit) +
+                            "[camera]\naperture = 0.5\nfocus = 3\ntype = \"thin_lens\"\n"
+                            "[[sphere]]\ncenter = [1, 0, 0]\nradius = 2\nmaterial = \"g\"\n"
+                            "[[plane]]\npoint = [0, -1, 0]\nnormal = [0, 4, 0]\nmaterial = \"m\"\n"
+                            "[material.g]\ntype = \"glass\"\nior = 1.25\n[material.m]\ntype = \"mirror\"\nbase_color = "
+                            "0.5\nemission = [0, 2, 0]\n");
+    EXPECT_EQ(j["camera"]["type"], "thin_lens");
+    EXPECT_EQ(j["camera"]["aperture"], 0.5);
+    EXPECT_EQ(j["camera"]["focus"], 3);
+    ASSERT_EQ(j["spheres"].size(), 1u);
+    EXPECT_EQ(j["spheres"][0]["center"], (Json{1, 0, 0}));
+    EXPECT_EQ(j["spheres"][0]["radius"], 2);
+    const Json glass = j["materials"][j["spheres"][0]["material"].get<size_t>()];
+    EXPECT_EQ(glass["name"], "g");
+    EXPECT_EQ(glass["type"], "glass");
+    EXPECT_EQ(glass["ior"], 1.25);
+    EXPECT_FALSE(glass.contains("emission"));
+    EXPECT_EQ(j["planes"][0]["normal"], (Json{0, 1, 0}));
+    const Json mirror = j["materials"][j["planes"][0]["material"].get<size_t>()];
+    EXPECT_EQ(mirror["type"], "mirror");
+    EXPECT_EQ(mirror["base_color"], (Json{0.5, 0.5, 0.5}));
+    EXPECT_EQ(mirror["emission"], (Json{0, 2, 0}));
+    EXPECT_EQ(mirror["emission_both_sides"], false);
+}
+
+// Two materials of the file, one of them overridden; polygons cut into triangles; a place for each instance.
+TEST_F(Export, MeshesBecomePlainTriangles)
+{
+    write("two.mtl", "newmtl a\nKd 0.25 0.5 0.75\nnewmtl b\nKd 1 1 1\n");
+    write("two.obj",
+          "mtllib two.mtl\nv 0.1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nusemtl a\nf 1 2 3 4\nusemtl b\nf 1//1 2//1 "
+          "3//1\n");
+    const Json j = exported(std::string(lit) +
+                            "[[mesh]]\nname = \"two\"\nfile = \"two.obj\"\nscale = [1, 2, 1]\n[[instance]]\nmesh = "
+                            "\"two\"\ntranslate = [5, 0, 0]\n[[instance]]\nmesh = \"two\"\nrotate = [0, 0, 90]\n"
+                            "[[mesh]]\nfile = \"quad.obj\"\ntranslate = [0, 0, 7]\n"
+                            "[[material_override]]\nmatch = \"b\"\ntype = \"mirror\"\n");
+    ASSERT_EQ(j["meshes"].size(), 2u);
+    EXPECT_EQ(j["meshes"][0]["file"], "mesh_0.obj");
+    EXPECT_EQ(j["meshes"][0]["transforms"],
+              (Json{{{1, 0, 0, 5}, {0, 2, 0, 0}, {0, 0, 1, 0}}, {{0, -2, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}}));
+    EXPECT_EQ(j["meshes"][1]["transforms"], (Json{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 7}}}));
+    EXPECT_EQ(read_bytes(file("out/mesh_0.obj")),
+              "v 0.1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nusemtl m0\nf 1 2 3\nf 1 3 4\nusemtl m1\nf 1//1 2//1 "
+              "3//1\n");
+    EXPECT_EQ(j["materials"][0]["name"], "a");
+    EXPECT_EQ(j["materials"][0]["base_color"], (Json{0.25, 0.5, 0.75}));
+    EXPECT_EQ(j["materials"][1]["type"], "mirror");
+}
+
+// What is read again is the very same scene, so the picture is the same, bit for bit.
+TEST_F(Export, WhatIsWrittenRendersTheSame)
+{
+    write("s.toml", std::string(lit) + "[camera]\nposition = [0.3, 0.4, 3]\n[[mesh]]\nfile = \"quad.obj\"\n");
+    ASSERT_EQ(run({"export", "s.toml", "-o", "out"}).code, 0);
+    write("again.toml", std::string(lit) + "[camera]\nposition = [0.3, 0.4, 3]\n[[mesh]]\nfile = \"out/mesh_0.obj\"\n");
+    for (const char* name : {"s", "again"})
+        ASSERT_EQ(run({"render", std::string(name) + ".toml", "-o", std::string(name) + ".exr", "--size", "16x12", "-s",
+                       "2", "-q"})
+                      .code,
+                  0);
+    EXPECT_TRUE(same_pixels(image("s.exr"), image("again.exr")));
+}
+
+TEST_F(Export, RefusesWhatItHasNoWordsFor)
+{
+    const std::string ball = std::string(lit) + "[[sphere]]\nmaterial = \"x\"\n[material.x]\n";
+    const std::string rest = ", which an exported scene cannot say";
+    expect_refused(ball + "texture = \"c\"\n[texture.c]\ntype = \"checker\"\n", "material 'x' has a texture" + rest);
+    expect_refused(ball + "emission = 1\nemission_texture = \"c\"\n[texture.c]\ntype = \"checker\"\n",
+                   "material 'x' has a texture of emission" + rest);
+    expect_refused(ball + "type = \"metal\"\n", "material 'x' is of type metal" + rest);
+    expect_refused(ball + "type = \"glass\"\nroughness = 0.5\n", "material 'x' is rough glass" + rest);
+    expect_refused(ball + "type = \"glass\"\nabsorption = 1\n", "a material absorbs or has a priority" + rest);
+    expect_refused(ball + "opacity = 0.5\n", "material 'x' lets rays through" + rest);
+    expect_refused(ball + "type = \"mix\"\nfirst = \"y\"\nsecond = \"y\"\n[material.y]\n",
+                   "material 'x' is a mix" + rest);
+    expect_refused(std::string(lit) + "[[sphere]]\nmaterial = \"bronze\"\n", "material 'bronze' is of type interface");
+    expect_refused("version = 1\n[background]\nsky = \"noon\"\n[[sphere]]\n",
+                   "bad.toml:2:1: error: the background is not one colour" + rest);
+    expect_refused(std::string(lit) + "[[sphere]]\n[render]\nindirect = false\n", "indirect is off" + rest);
+    write("colours.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nf 1 2 3\n");
+    expect_refused(std::string(lit) + "[[mesh]]\nfile = \"colours.obj\"\n",
+                   "bad.toml:5:1: error: a mesh has colours of its vertices" + rest);
+}
+
+TEST_F(Export, Errors)
+{
+    EXPECT_EQ(run({"export", "scene.toml"}).code, 2);
+    EXPECT_EQ(run({"export", "none.toml", "-o", "out"}).code, 66);
+    EXPECT_EQ(run({"export", "scene.toml", "-o", "quad.obj/out"}).code, 1);
+    // A mesh that would be written over itself.
+    write("mesh_0.obj", quad);
+    write("self.toml", std::string(lit) + "[[mesh]]\nfile = \"mesh_0.obj\"\n");
+    const Said said = run({"export", "self.toml", "-o", "."});
+    EXPECT_EQ(said.code, 2);
+    expect_words(said.err, "would overwrite an input");
+    EXPECT_EQ(read_bytes(file("mesh_0.obj")), quad);
+}
+
+}  // namespace
+}  // namespace lancer

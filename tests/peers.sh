@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# bench/peers/run without any other renderer: what it lists, and how it refuses. $1: the program lancer.
+set -euo pipefail
+unset CDPATH
+run=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)/bench/peers/run
+export LANCER=$1
+python=$(python3 -c 'import sys; print(sys.executable)') || exit 77
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/bin"
+printf 'version = 1\n[[sphere]]\n[[light]]\ntype = "environment"\nradiance = 1\n' >"$folder/scene.toml"
+cd "$folder"
+
+# expect CODE WORDS ARGUMENT...: how the run ends and what it says, on either way.
+faults=0
+expect() {
+    local code=0 said
+    said=$(PATH=$folder/bin "$python" "$run" "${@:3}" 2>&1) || code=$?
+    if [[ $code != "$1" || $said != *"$2"* ]]; then
+        echo "peers: run ${*:3}: ended with $code instead of $1, and said (not '$2'): $said" >&2
+        faults=$((faults + 1))
+    fi
+}
+expect 0 "cycles   not installed: apt-get install blender" --list
+expect 0 "embree   not installed: apt-get install embree-tools" --list
+expect 0 "povray   not installed: apt-get install povray" --list
+expect 0 "usage: bench/peers/run" --help
+expect 2 "no PEER and SCENE"
+expect 2 "unknown peer 'yafaray'" yafaray scene.toml -o a.exr --spp 4
+expect 2 "say -o NAME.exr" cycles scene.toml --spp 4
+expect 2 "say -o NAME.exr" cycles scene.toml -o a.png --spp 4
+expect 2 "either --spp N or --spps" cycles scene.toml -o a.exr
+expect 2 "either --spp N or --spps" cycles scene.toml -o a_%d.exr --spp 4 --spps 4,8
+expect 2 "must contain %d" cycles scene.toml -o a.exr --spps 4,8
+expect 2 "--spp" cycles scene.toml -o a.exr --spp 0
+expect 2 "--size" cycles scene.toml -o a.exr --spp 4 --size 12
+expect 2 "--threads" cycles scene.toml -o a.exr --spp 4 --threads many
+expect 66 "no scene 'none.toml'" cycles none.toml -o a.exr --spp 4
+expect 69 "apt-get install blender" cycles scene.toml -o a.exr --spp 4
+expect 69 "apt-get install embree-tools" embree scene.toml -o a.exr --spp 4
+expect 69 "apt-get install povray" povray scene.toml -o a.exr --spp 4
+
+# A command of that name is taken for the peer; what is wrong is then said before it is started.
+ln -s "$(type -P false)" "$folder/bin/pathtracer"
+expect 65 "Embree's path tracer cannot render spheres" embree scene.toml -o a.exr --spp 4
+printf 'version = 1\n[[sphere]]\nmaterial = "bronze"\n[[light]]\ntype = "environment"\nradiance = 1\n' >"$folder/more.toml"
+expect 65 "which an exported scene cannot say" embree more.toml -o a.exr --spp 4
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/mesh.obj"
+printf 'version = 1\n[[mesh]]\nfile = "mesh.obj"\n[[light]]\ntype = "environment"\nradiance = 1\n' >"$folder/mesh.toml"
+expect 65 "another seed than 0" embree mesh.toml -o a.exr --spp 4 --seed 1
+expect 1 "pathtracer ended with 1" embree mesh.toml -o a.exr --spp 4
+LANCER=$folder/none expect 66 "no program" embree scene.toml -o a.exr --spp 4
+((faults == 0))
