@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <string>
 
 struct LancerOiioPicture {
@@ -51,6 +52,15 @@ LancerOiioKind find_kind(const OIIO::ImageSpec& spec)
     return spec.format == OIIO::TypeDesc::UINT8 ? lancer_oiio_bytes : lancer_oiio_integers;
 }
 
+// To be held while a file is opened. OpenImageIO before 2.4.8.1 keeps what it meets in colour profiles in tables of the
+// whole process, without a lock: two files opened at once could free memory twice.
+std::unique_lock<std::mutex> lock_opening()
+{
+    static std::mutex mutex;
+    constexpr int first_safe = 2'04'09;  // the number does not tell 2.4.8.1 from 2.4.8.0
+    return OIIO::openimageio_version() < first_safe ? std::unique_lock(mutex) : std::unique_lock<std::mutex>();
+}
+
 LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiioInfo* info)
 {
     // Once: setting the number of threads while another thread reads ends in an assertion.
@@ -72,7 +82,11 @@ LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiio
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // colours are not multiplied by alpha
     OIIO::ImageSpec& spec = picture->spec;
-    if (!succeeded(picture->input->open(path, spec, config), *picture->input, info)) return nullptr;
+    const bool is_open = [&] {
+        const auto lock = lock_opening();
+        return picture->input->open(path, spec, config);
+    }();
+    if (!succeeded(is_open, *picture->input, info)) return nullptr;
     if (spec.deep || spec.depth > 1 || spec.nchannels < 1) {
         set_message(info, "not a flat picture");
         return nullptr;

@@ -86,5 +86,18 @@ TEST(ImageSource, ManyMayAskAtOnce)
     for (size_t i = 8; i < rasters.size(); ++i) EXPECT_EQ(rasters[i], rasters[i % 8]);
 }
 
+// OpenImageIO before 2.4.8.1 keeps a table of the tags it meets in profiles, which all threads write into.
+TEST(ImageSource, PicturesWithColorProfilesMayBeReadAtOnce)
+{
+    const TempFolder folder;
+    constexpr uint32_t files = 32, tags = 5000;
+    const auto path = [&](uint32_t i) { return folder.file(std::to_string(i) + ".jpg"); };
+    for (uint32_t i = 0; i < files; ++i) write_bytes(path(i), jpeg_with_profile(0x61616161 + i * tags, tags));
+    ImageSource source(4);
+    std::vector<RasterFuture> futures;
+    for (uint32_t i = 0; i < files; ++i) futures.push_back(source.request(path(i)));
+    for (const RasterFuture& f : futures) EXPECT_EQ(f.get()->bytes, std::vector<uint8_t>(64, 188));
+}
+
 }  // namespace
 }  // namespace lancer
