@@ -9,6 +9,7 @@ int run_render(int argc, char** argv);
 int run_compare(int argc, char** argv);
 int run_check(int argc, char** argv);
 int run_info(int argc, char** argv);
+int run_study(int argc, char** argv);
 int run_pixel(int argc, char** argv);
 int run_export(int argc, char** argv);
 

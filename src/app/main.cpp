@@ -25,12 +25,13 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 6> commands{{{"render", run_render},
+constexpr std::array<Command, 7> commands{{{"render", run_render},
                                            {"check", run_check},
                                            {"info", run_info},
                                            {"compare", run_compare},
                                            {"pixel", run_pixel},
-                                           {"export", run_export}}};
+                                           {"export", run_export},
+                                           {"study", run_study}}};
 
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
@@ -40,6 +41,7 @@ const char* const help =
     "  lancer info FILE                          print what is in a scene, or what a picture says of its making\n"
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
+    "  lancer study STUDY -o FOLDER              error against run time: methods on scenes, as one HTML page\n"
     "  lancer export SCENE -o FOLDER             write a scene for other renderers: JSON and plain meshes\n"
     "  lancer SCENE ...                          the same as lancer render SCENE ...\n"
     "  lancer COMMAND --help                     the options of a command\n"

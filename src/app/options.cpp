@@ -265,6 +265,25 @@ std::optional<PixelOptions> parse_pixel(int argc, char** argv)
     return o;
 }
 
+std::optional<StudyOptions> parse_study(int argc, char** argv)
+{
+    StudyOptions o;
+    OptionParser p("lancer study",
+                   "Measure error against run time: methods on scenes with many seeds, as one HTML page.",
+                   "An interrupt ends a study; the same command goes on where it ended.\n\n"
+                   "Exit codes: 0 done; 1 a run failed; 2 wrong usage; 65 study or scene invalid; 66 input missing;\n"
+                   "130 interrupted.\n\nExample:\n  lancer study study.toml -o study\n");
+    p.argument("STUDY", "Study file (.toml); docs/measuring.md tells its keys",
+               [&](const std::string& t) { o.study = t; });
+    p.value("-o,--output", "FOLDER", "Where pictures, figures and index.html go (named as the study)",
+            [&](const std::string& t) { o.folder = t; });
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    if (o.folder.empty()) o.folder = std::filesystem::path(o.study).stem();
+    take_environment(o.threads);
+    return o;
+}
+
 std::optional<CompareOptions> parse_compare(int argc, char** argv)
 {
     CompareOptions o;

@@ -81,6 +81,11 @@ struct ExportOptions {
     std::string folder;
 };
 
+struct StudyOptions {
+    std::string study, folder;
+    std::optional<uint32_t> threads;
+};
+
 enum class Metric { rmse, relmse, smape, flip };
 enum class ErrorMap { flip, relmse };
 
@@ -101,6 +106,7 @@ std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<ExportOptions> parse_export(int argc, char** argv);
+std::optional<StudyOptions> parse_study(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 
 }  // namespace lancer

@@ -1,7 +1,5 @@
 #include "io/scene_file.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -13,47 +11,10 @@
 #include "io/definition.h"
 #include "io/input_text.h"
 #include "io/scene_tables.h"
+#include "io/toml_file.h"
 
 namespace lancer {
 namespace {
-
-TomlValue to_value(const toml::node& node)
-{
-    TomlValue value{node.source().begin.line, node.source().begin.column, TomlValue::Date{}};
-    if (const toml::table* table = node.as_table()) {
-        TomlValue::Table entries;
-        for (const auto& [key, child] : *table) {
-            entries.push_back(
-                {std::string(key.str()), key.source().begin.line, key.source().begin.column, to_value(child)});
-        }
-        // As written; toml++ sorts them by name.
-        std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
-            return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-        });
-        value.data = std::move(entries);
-    } else if (const toml::array* array = node.as_array()) {
-        TomlValue::Array elements;
-        for (const toml::node& element : *array) elements.push_back(to_value(element));
-        value.data = std::move(elements);
-    } else if (const auto* text = node.as_string()) {
-        value.data = text->get();
-    } else if (const auto* integer = node.as_integer()) {
-        value.data = integer->get();
-    } else if (const auto* number = node.as_floating_point()) {
-        value.data = number->get();
-    } else if (const auto* boolean = node.as_boolean()) {
-        value.data = boolean->get();
-    }
-    return value;
-}
-
-// "Error while parsing array: ..." begins like an error of the program; it is one of the file.
-std::string syntax_message(std::string_view description)
-{
-    const std::string_view prefix = "Error while parsing ";
-    if (!description.starts_with(prefix)) return "invalid TOML: " + std::string(description);
-    return "invalid TOML in " + std::string(description.substr(prefix.size()));
-}
 
 void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& scene_options, const AssetFolder& assets,
                  SceneDescription& scene, Diagnostics& diagnostics)
@@ -76,21 +37,6 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     }
 }
 
-// The value of a definition; a word that is no TOML is a string.
-TomlValue to_value(const std::string& text)
-{
-    const std::string key = "value = ";
-    Diagnostics unheard;
-    if (check_toml_text(key + text, "", unheard)) {
-        try {
-            const toml::table table = toml::parse(key + text);
-            if (table.size() == 1) return to_value(*table.get("value"));
-        } catch (const toml::parse_error&) {
-        }
-    }
-    return {.data = text};
-}
-
 // Fills the description from the tree of values, with the definitions put over it.
 void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
                Diagnostics& diagnostics)
@@ -101,7 +47,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     uint32_t source = 0;
     for (const std::string& text : options.definitions) {
         const Definition definition = parse_definition(text);
-        TomlValue value = to_value(definition.value);
+        TomlValue value = parse_toml_value(definition.value);
         set_source(value, ++source);
         define(root, definition, std::move(value), problems);
         scene.content_hash = hash_bytes(text, scene.content_hash);
@@ -120,16 +66,8 @@ SceneDescription parse_scene(std::string_view text, const std::string& path, con
     scene.file = path;
     scene.content_hash = hash_bytes(text);
     const AssetFolder assets(path, options.asset_root);
-    if (!check_toml_text(text, path, diagnostics)) return scene;
-    TomlValue root;
-    try {
-        root = to_value(toml::parse(text));
-    } catch (const toml::parse_error& e) {
-        const toml::source_position at = e.source().begin;
-        diagnostics.error({path, at.line, at.column}, syntax_message(e.description()));
-        return scene;
-    }
-    read_tree(std::move(root), assets, options, scene, diagnostics);
+    if (std::optional<TomlValue> root = parse_toml(text, path, diagnostics))
+        read_tree(std::move(*root), assets, options, scene, diagnostics);
     return scene;
 }
 

@@ -11,12 +11,11 @@ constexpr double epsilon = 0.01;  // as in the metrics
 
 std::array<double, 3> channels(Color c) { return {double{c.r}, double{c.g}, double{c.b}}; }
 
-// About what each pixel would show without noise: the mean of its neighbours, without itself. A sample that sticks out
-// is not divided by itself, and light that few samples find counts as often as they find it.
-std::vector<std::array<double, 3>> calm_means(const Film& film)
+// The mean of each pixel's neighbours, without itself.
+std::vector<std::array<double, 3>> around_each(const Film& film)
 {
     const size_t width = film.crop.width(), height = film.crop.height();
-    std::vector<std::array<double, 3>> means(film.pixels.size()), calm(film.pixels.size());
+    std::vector<std::array<double, 3>> means(film.pixels.size()), all(film.pixels.size());
     for (size_t i = 0; i < means.size(); ++i) means[i] = channels(film.whole(i).mean());
     for (size_t y = 0; y < height; ++y)
         for (size_t x = 0; x < width; ++x) {
@@ -29,9 +28,25 @@ std::vector<std::array<double, 3>> calm_means(const Film& film)
                     ++n;
                 }
             for (double& sum : around) sum /= n;
-            calm[y * width + x] = n > 0 ? around : means[y * width + x];
+            all[y * width + x] = n > 0 ? around : means[y * width + x];
         }
-    return calm;
+    return all;
+}
+
+// The square of what a pixel would show without noise, as far as that can be told without believing a sample that
+// sticks out: as the pixel has it (without bias: a product of independent halves, or less the variance) or its
+// neighbours, whichever is less. Beside a lamp the neighbours are too bright.
+double without_noise(double own_squared, double around)
+{
+    return std::max(0.0, std::min(own_squared, around * around));
+}
+
+// The same without a bias towards either: that of the neighbours, but beside an edge, where they are more than twice as
+// bright as the pixel.
+double seen_around(double own_squared, double around)
+{
+    const double squared = around * around;
+    return std::max(0.0, squared > 4 * own_squared ? own_squared : squared);
 }
 
 }  // namespace
@@ -39,7 +54,7 @@ std::vector<std::array<double, 3>> calm_means(const Film& film)
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
-    const auto calm = calm_means(film);
+    const auto around = around_each(film);
     double sum = 0;
     size_t known = 0;
     for (size_t i = 0; i < halves_.size(); ++i) {
@@ -55,7 +70,7 @@ void HalfBuffers::look(const Film& film)
                 double error = 0;
                 for (size_t c = 0; c < 3; ++c) {
                     const double second = (n * all[c] - before * first[c]) / since, apart = first[c] - second;
-                    error += apart * apart / (calm[i][c] * calm[i][c] + epsilon) / 3;
+                    error += apart * apart / (without_noise(first[c] * second, around[i][c]) + epsilon) / 3;
                 }
                 half.error = static_cast<float>(error * before * since / (n * n));
             }
@@ -73,7 +88,7 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
     double sum = 0, squares = 0;
     size_t known = 0;
     const double r = replicates;
-    const auto calm = calm_means(film);
+    const auto around = around_each(film);
     for (size_t i = 0; i < film.pixels.size(); ++i) {
         const auto first = film.replicates.begin() + static_cast<std::ptrdiff_t>(i * replicates);
         const std::span<const ReplicateSum> all(first, first + replicates);
@@ -84,7 +99,7 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
             for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
             for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
             const double variance = apart / (r - 1) / r;  // of the mean
-            error += variance / (calm[i][c] * calm[i][c] + epsilon) / 3;
+            error += variance / (seen_around(mean * mean - variance, around[i][c]) + epsilon) / 3;
         }
         sum += error, squares += error * error;
         ++known;

@@ -1,0 +1,38 @@
+// What a study of error against run time is to render: a TOML file of scenes and methods. Every method draws every
+// scene with every seed; see docs/measuring.md for its keys.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace lancer {
+
+struct StudyPlan {
+    struct Scene {
+        std::string name, description, file;  // file: .toml or .obj
+        std::vector<std::string> options;     // of lancer render
+        uint32_t reference_spp = 4096;        // of each half of the reference
+    };
+    struct Method {
+        std::string name, description;
+        std::vector<std::string> options;
+    };
+
+    std::string title, baseline;  // baseline: name of the method that others are held against
+    uint32_t seeds = 8;
+    // Of each run: seconds of rendering, samples per pixel, or whichever comes first. One of them is there.
+    std::optional<double> time;
+    std::optional<uint32_t> spp;
+    std::vector<Scene> scenes;
+    std::vector<Method> methods;
+};
+
+// Collects every problem in `diagnostics`; after an error the plan is not fit for use. Throws Error only if the file
+// cannot be read at all.
+StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace lancer
