@@ -1,0 +1,133 @@
+// lancer study: what it makes, that it goes on where it ended, and what it says of wrong files.
+#include <gtest/gtest.h>
+
+#include "app/run_program.h"
+#include "report/study_json.h"
+#include "support/xml_check.h"
+
+namespace lancer {
+namespace {
+
+class StudyCommand : public AppTest {
+protected:
+    StudyCommand() { write("study.toml", study); }
+    Study result() const { return read_study("study.json", read_bytes(file("out/study.json"))); }
+
+    static constexpr const char* study = R"(version = 1
+title = "Two ways"
+seeds = 2
+spp = 16
+baseline = "path"
+[[scene]]
+name = "balls"
+file = "scene.toml"
+options = "--size 12x8"
+reference_spp = 64
+[[method]]
+name = "path"
+[[method]]
+name = "whitted"
+options = "--integrator whitted"
+)";
+};
+
+TEST_F(StudyCommand, DrawsEveryMethodWithEverySeedAndMakesAPage)
+{
+    const Said said = run({"study", "study.toml", "-o", "out"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(said.out, "out/index.html\nout/study.json\nout/runs.csv\n");
+    EXPECT_NE(said.err.find("4 of 4: balls, whitted, seed 2"), std::string::npos) << said.err;
+    const Study s = result();
+    ASSERT_EQ(s.runs.size(), 4u);
+    for (const StudyRun& run : s.runs) {
+        ASSERT_EQ(run.points.size(), 5u);  // 1, 2, 4, 8 and 16 samples
+        EXPECT_EQ(run.points.back().spp, 16u);
+        EXPECT_EQ(run.points.back().rays_camera, 12u * 8 * 16);
+        EXPECT_GT(run.points.back().rmse, 0);
+        EXPECT_GT(run.points.back().flip, 0);
+    }
+    // In turns, so that a machine that slows down slows all of them.
+    EXPECT_EQ(s.runs[0].method, "path");
+    EXPECT_EQ(s.runs[1].method, "whitted");
+    EXPECT_EQ(s.runs[2].seed, 2u);
+    EXPECT_TRUE(s.methods[0].biases.empty());
+    EXPECT_FALSE(s.methods[1].biases.empty());
+    EXPECT_GT(s.scenes[0].reference_noise_relmse, 0);
+    const std::string page = read_bytes(file("out/index.html"));
+    EXPECT_NE(page.find("Two ways"), std::string::npos);
+    EXPECT_NE(page.find("whitted (biased)"), std::string::npos);
+}
+
+TEST_F(StudyCommand, GoesOnWhereItEndedAndDrawsAnewWhatHasChanged)
+{
+    ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);
+    const Study before = result();
+    ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);
+    const Study again = result();
+    for (size_t i = 0; i < before.runs.size(); ++i)
+        EXPECT_EQ(before.runs[i].points.back().wall_s, again.runs[i].points.back().wall_s);
+    std::filesystem::remove(file("out/runs/balls.path.2.exr.done"));
+    std::string changed = study;
+    changed.replace(changed.find("--integrator whitted"), 20, "--integrator whitted --max-depth 3");
+    write("study.toml", changed);
+    ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);
+    const Study after = result();
+    EXPECT_EQ(before.runs[0].points.back().wall_s, after.runs[0].points.back().wall_s);
+    EXPECT_NE(before.runs[1].points.back().wall_s, after.runs[1].points.back().wall_s);
+    EXPECT_NE(before.runs[2].points.back().wall_s, after.runs[2].points.back().wall_s);
+}
+
+TEST_F(StudyCommand, ARunThatFailsIsSaidAndNotHidden)
+{
+    std::string broken = study;
+    broken.replace(broken.find("--integrator whitted"), 20, "--integrator whited");
+    write("study.toml", broken);
+    const Said said = run({"study", "study.toml", "-o", "out"});
+    EXPECT_EQ(said.code, 1);
+    EXPECT_NE(said.err.find("2 of 4 runs failed; the first one, whitted on balls, said:"), std::string::npos)
+        << said.err;
+    EXPECT_NE(said.err.find("did you mean 'whitted'"), std::string::npos) << said.err;
+    EXPECT_TRUE(result().runs[1].failed);
+    EXPECT_FALSE(result().runs[0].failed);
+}
+
+TEST_F(StudyCommand, SaysWhatIsWrongWithItsFile)
+{
+    const auto expect = [&](const std::string& text, int code, const std::string& words) {
+        write("bad.toml", text);
+        const Said said = run({"study", "bad.toml", "-o", "bad"});
+        EXPECT_EQ(said.code, code) << said.err;
+        EXPECT_NE(said.err.find(words), std::string::npos) << said.err;
+        EXPECT_FALSE(exists("bad"));
+    };
+    const std::string scene = "[[scene]]\nname = \"a\"\nfile = \"scene.toml\"\n", method = "[[method]]\nname = \"m\"\n";
+    expect("version = 1\nspp = 4\n" + method, 65, "there is no [[scene]]");
+    expect("version = 1\nspp = 4\n" + scene, 65, "there is no [[method]]");
+    expect("version = 1\n" + scene + method, 65, "'time' (seconds of a run) or 'spp' is needed");
+    expect("version = 1\nspp = 4\nsped = 2\n" + scene + method, 65, "bad.toml:3:1: error: unknown key 'sped'");
+    expect("version = 1\nspp = 4\n" + scene + method + method, 65, "two are named 'm'");
+    expect("version = 1\nspp = 4\nbaseline = \"x\"\n" + scene + method, 65, "no [[method]] is named 'x'");
+    expect("version = 1\nspp = 4\n[[scene]]\nname = \"a/b\"\nfile = \"scene.toml\"\n" + method, 65, "may have letters");
+    expect("version = 1\nspp = 4\n[[scene]]\nname = \"a\"\nfile = \"gone.toml\"\n" + method, 66, "no such file");
+    expect("version = [\n", 65, "invalid TOML");
+    EXPECT_EQ(run({"study", "nothing.toml"}).code, 66);
+    EXPECT_EQ(run({"study"}).code, 2);
+}
+
+TEST_F(StudyCommand, AnInterruptEndsItAndTheNextOneGoesOn)
+{
+    std::string longer = study;
+    longer.replace(longer.find("spp = 16"), 8, "time = 20");
+    write("study.toml", longer);
+    Program program(folder_, {"study", "study.toml", "-o", "out"});
+    while (!exists("out/runs/balls.path.1.csv")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    program.send(SIGINT);
+    const Said said = program.wait();
+    EXPECT_EQ(said.code, 130);
+    EXPECT_NE(said.err.find("the same command goes on"), std::string::npos) << said.err;
+    EXPECT_FALSE(exists("out/index.html"));
+    EXPECT_FALSE(exists("out/runs/balls.path.1.exr.done"));
+}
+
+}  // namespace
+}  // namespace lancer
