@@ -1,0 +1,37 @@
+// The studies that are shipped can be run: their files are read without a problem, and so are the scenes that they
+// name.
+#include "io/study_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace lancer {
+namespace {
+
+TEST(StudyFile, ThoseShippedHaveNoProblems)
+{
+    size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(LANCER_SOURCE_DIR "/studies")) {
+        Diagnostics diagnostics;
+        const StudyPlan plan = load_study_file(entry.path(), diagnostics);
+        EXPECT_NO_THROW(diagnostics.throw_if_errors()) << entry.path();
+        EXPECT_GE(plan.seeds, 6u) << "fewer rank nothing";
+        ++count;
+    }
+    EXPECT_GE(count, 1u);
+}
+
+TEST(StudyFile, OptionsAreWordsAndFilesLieBesideIt)
+{
+    Diagnostics diagnostics;
+    const StudyPlan plan = load_study_file(LANCER_SOURCE_DIR "/studies/ladder.toml", diagnostics);
+    ASSERT_EQ(plan.scenes.size(), 1u);
+    EXPECT_EQ(plan.scenes[0].options, (std::vector<std::string>{"--size", "256x144", "--filter", "box"}));
+    EXPECT_TRUE(std::filesystem::equivalent(plan.scenes[0].file, LANCER_SOURCE_DIR "/scenes/cornell.toml"));
+    EXPECT_EQ(plan.methods.back().name, plan.baseline);
+    EXPECT_TRUE(plan.methods.back().options.empty());
+}
+
+}  // namespace
+}  // namespace lancer
