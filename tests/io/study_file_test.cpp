@@ -12,7 +12,7 @@ namespace {
 TEST(StudyFile, ThoseShippedHaveNoProblems)
 {
     size_t count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(LANCER_SOURCE_DIR "/studies")) {
+    for (const auto& entry : std::filesystem::directory_iterator(LANCER_SOURCE_DIR "/bench/studies")) {
         Diagnostics diagnostics;
         const StudyPlan plan = load_study_file(entry.path(), diagnostics);
         EXPECT_NO_THROW(diagnostics.throw_if_errors()) << entry.path();
@@ -25,7 +25,7 @@ TEST(StudyFile, ThoseShippedHaveNoProblems)
 TEST(StudyFile, OptionsAreWordsAndFilesLieBesideIt)
 {
     Diagnostics diagnostics;
-    const StudyPlan plan = load_study_file(LANCER_SOURCE_DIR "/studies/ladder.toml", diagnostics);
+    const StudyPlan plan = load_study_file(LANCER_SOURCE_DIR "/bench/studies/ladder.toml", diagnostics);
     ASSERT_EQ(plan.scenes.size(), 1u);
     EXPECT_EQ(plan.scenes[0].options, (std::vector<std::string>{"--size", "256x144", "--filter", "box"}));
     EXPECT_TRUE(std::filesystem::equivalent(plan.scenes[0].file, LANCER_SOURCE_DIR "/scenes/cornell.toml"));
