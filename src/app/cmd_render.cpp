@@ -204,8 +204,6 @@ void Run::render(const Renderer& renderer)
             progress.tile_done();
         };
         signals_.poll();
-        if (options_.verbose && std::holds_alternative<Path>(renderer.integrator()))
-            say_plan(renderer.plan(camera, s.width, s.height));
         SampleRange range;
         while (range.end < s.spp) {
             range = {range.end, limits.next_end(range.end)};
@@ -233,6 +231,10 @@ void Run::render(const Renderer& renderer)
                 print_note(format_text("snapshot written at %u spp", spp));
             }
         }
+        // Now, as finding it out is part of the first pass.
+        progress.clear();
+        if (options_.verbose && std::holds_alternative<Path>(renderer.integrator()))
+            say_plan(renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (stats_.samples + stats_.counters.dropped == 0) return;
