@@ -22,9 +22,8 @@ struct SharedMesh {
 
 std::vector<SharedMesh> shared_meshes()
 {
-    std::vector<SharedMesh> all{{"bunny", "meshes/stanford-bunny.obj"},
-                                {"armadillo", "meshes/armadillo.obj"},
-                                {"ogre", "meshes/ogre.obj"}};
+    std::vector<SharedMesh> all{
+        {"bunny", "meshes/stanford-bunny.obj"}, {"armadillo", "meshes/armadillo.obj"}, {"ogre", "meshes/ogre.obj"}};
     for (const SharedRoom& room : shared_rooms()) all.push_back({room.name, room.file, room.camera});
     return all;
 }

@@ -41,12 +41,14 @@ double without_noise(double own_squared, double around)
     return std::max(0.0, std::min(own_squared, around * around));
 }
 
-// The same without a bias towards either: that of the neighbours, but beside an edge, where they are more than twice as
-// bright as the pixel.
-double seen_around(double own_squared, double around)
+// The same without a bias towards less: as the pixel has it where it is nearly sure of that, else its neighbours; but
+// beside an edge, where they are more than twice as bright, the pixel after all. variance: of the pixel's mean.
+double seen_around(double mean, double variance, double around)
 {
-    const double squared = around * around;
-    return std::max(0.0, squared > 4 * own_squared ? own_squared : squared);
+    constexpr double nearly_sure = 0.02;  // of the square: a deviation of a seventh
+    const double own_squared = mean * mean - variance, squared = around * around;
+    const bool takes_own = variance < nearly_sure * mean * mean || squared > 4 * own_squared;
+    return std::max(0.0, takes_own ? own_squared : squared);
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
             for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
             for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
             const double variance = apart / (r - 1) / r;  // of the mean
-            error += variance / (seen_around(mean * mean - variance, around[i][c]) + epsilon) / 3;
+            error += variance / (seen_around(mean, variance, around[i][c]) + epsilon) / 3;
         }
         sum += error, squares += error * error;
         ++known;

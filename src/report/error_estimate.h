@@ -1,6 +1,6 @@
 // How far a picture is from what it converges to, as its own samples tell. As all errors here: the mean over pixels and
-// channels of (x - r)^2 / (r^2 + 0.01). What stands for r^2 must not hold the picture's own noise: a dark pixel with one
-// bright sample has a large relative error, and would divide it by itself.
+// channels of (x - r)^2 / (r^2 + 0.01). What stands for r^2 must not hold the picture's own noise: a dark pixel with
+// one bright sample has a large relative error, and would divide it by itself.
 #pragma once
 
 #include <optional>

@@ -50,8 +50,8 @@ struct RunStats {
     Counters counters;
     uint64_t samples = 0;  // in the film
     double render_s = 0;
-    // Square root of the relative mean squared error as the samples tell it; 0: not known. An upper estimate from halves;
-    // with replicates without bias, and an interval.
+    // Square root of the relative mean squared error as the samples tell it; 0: not known. An upper estimate from
+    // halves; with replicates without bias, and an interval.
     double estimated_error = 0, estimated_low = 0, estimated_high = 0;
     std::string stopped_by;  // "time", "error"; empty if neither did
     uint64_t peak_memory_bytes = 0;
