@@ -54,13 +54,6 @@ std::vector<BenchFile> read_run(const std::string& path)
     return files;
 }
 
-void write_text(const std::string& path, const std::string& text)
-{
-    AtomicFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 // What a page would say first, for a terminal.
 void print_verdicts(const std::vector<BenchFile>& files, const std::vector<BenchFile>& earlier)
 {

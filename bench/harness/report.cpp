@@ -6,13 +6,6 @@
 namespace lancer::bench {
 namespace {
 
-void write_text(const std::string& path, const std::string& text)
-{
-    AtomicFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 std::string to_csv_field(const Json& value)
 {
     std::string text = value.is_string() ? value.get<std::string>() : value.dump();

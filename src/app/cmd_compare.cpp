@@ -120,10 +120,10 @@ struct Judged {
     double error;
 };
 
-Judged print_errors(const CompareOptions& options, const ComparedPicture& picture, const ComparedPicture& reference,
-                    const Metrics& metrics, const Flip& flip)
+// x, r: what is measured of the picture and of the reference.
+Judged print_errors(const CompareOptions& options, const ComparedPicture& picture, const Image& x,
+                    const ComparedPicture& reference, const Image& r, const Metrics& metrics, const Flip& flip)
 {
-    const Image x = measured(options, picture), r = measured(options, reference);
     print_metrics(metrics, x.pixels.size());
     if (options.steps) print_result(format_text("%-20s %zu", "beyond_one_step", pixels_beyond(1.5, x, r)));
     print_flip(flip);
@@ -156,10 +156,11 @@ int run_compare(int argc, char** argv)
     require_same_windows(picture.image, reference.image);
     check_outputs(*options);
 
-    const Metrics metrics = compare(measured(*options, picture), measured(*options, reference));
+    const Image x = measured(*options, picture), r = measured(*options, reference);
+    const Metrics metrics = compare(x, r);
     const bool is_hdr = picture.is_float && reference.is_float;
     const Flip flip = is_hdr ? flip_hdr(picture.image, reference.image) : flip_ldr(picture.image, reference.image);
-    const Judged judged = print_errors(*options, picture, reference, metrics, flip);
+    const Judged judged = print_errors(*options, picture, x, reference, r, metrics, flip);
     const auto noise = test_noise(picture, reference);
     if (noise && metrics.differing_pixels) print_noise(*noise, picture, reference);
     if (!options->outputs.empty()) write_map(*options, picture.image, reference.image, flip);

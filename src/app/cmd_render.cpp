@@ -251,10 +251,7 @@ void Run::write_stats()
 {
     if (options_.stats.empty()) return;
     stats_.peak_memory_bytes = peak_memory_bytes();
-    const std::string json = to_json(stats_);
-    AtomicFile file(options_.stats);
-    file.write(json.data(), json.size());
-    file.commit();
+    write_text(options_.stats, to_json(stats_));
 }
 
 void Run::say_settings() const

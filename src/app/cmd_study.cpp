@@ -34,13 +34,6 @@ namespace fs = std::filesystem;
 // References have seeds that no one gives to a run.
 constexpr uint64_t first_reference_seed = uint64_t{1} << 48;
 
-void write_text(const std::string& path, const std::string& text)
-{
-    AtomicFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 std::string text_of(const std::string& path) { return fs::exists(path) ? read_input_text(path) : std::string(); }
 
 // What an error log of a render says, of the doublings only: there all pixels have all samples.

@@ -27,7 +27,7 @@ ErrorLog::ErrorLog(const RenderOptions& options)
 void ErrorLog::require_size(const Image& picture) const
 {
     for (const auto* reference : {&reference_, &reference2_})
-        if (*reference) compare(picture, **reference);
+        if (*reference) require_same_windows(picture, **reference);
 }
 
 void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_seconds)
@@ -52,9 +52,7 @@ void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_secon
         text_ += field + ",";
     text_ += known(stats.estimated_low) + "," + known(stats.estimated_high) + "\n";
     if (path_.empty()) return;
-    AtomicFile file(path_);
-    file.write(text_.data(), text_.size());
-    file.commit();
+    write_text(path_, text_);
 }
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
 // Where samples end up. Sums are double and grow in blocks of 16 samples, so that a picture in several passes has the
-// bits of one pass, and a sum of shards those of the whole.
+// bits of one pass.
 #pragma once
 
 #include <array>

@@ -146,4 +146,11 @@ void AtomicFile::sync_folder() const
     close(descriptor);
 }
 
+void write_text(const std::string& path, const std::string& text)
+{
+    AtomicFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
 }  // namespace lancer

@@ -45,4 +45,7 @@ private:
     int reason_ = 0;  // errno of the first failure
 };
 
+// A text as a whole file.
+void write_text(const std::string& path, const std::string& text);
+
 }  // namespace lancer

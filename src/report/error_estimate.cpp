@@ -4,12 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "report/metrics.h"
+
 namespace lancer {
 namespace {
-
-constexpr double epsilon = 0.01;  // as in the metrics
-
-std::array<double, 3> channels(Color c) { return {double{c.r}, double{c.g}, double{c.b}}; }
 
 // The mean of each pixel's neighbours, without itself.
 std::vector<std::array<double, 3>> around_each(const Film& film)
@@ -56,7 +54,7 @@ double seen_around(double mean, double variance, double around)
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
-    const auto around = around_each(film);
+    std::vector<std::array<double, 3>> around;  // only where samples have doubled: it takes a while
     double sum = 0;
     size_t known = 0;
     for (size_t i = 0; i < halves_.size(); ++i) {
@@ -68,11 +66,12 @@ void HalfBuffers::look(const Film& film)
         if (half.n == 0 || since >= before || (half.error < 0 && since > 0)) {
             const Color mean = pixel.mean();
             if (half.n != 0) {
+                if (around.empty()) around = around_each(film);
                 const auto all = channels(mean), first = channels(half.mean);
                 double error = 0;
                 for (size_t c = 0; c < 3; ++c) {
                     const double second = (n * all[c] - before * first[c]) / since, apart = first[c] - second;
-                    error += apart * apart / (without_noise(first[c] * second, around[i][c]) + epsilon) / 3;
+                    error += apart * apart / (without_noise(first[c] * second, around[i][c]) + relmse_epsilon) / 3;
                 }
                 half.error = static_cast<float>(error * before * since / (n * n));
             }
@@ -101,7 +100,7 @@ std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_
             for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
             for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
             const double variance = apart / (r - 1) / r;  // of the mean
-            error += variance / (seen_around(mean, variance, around[i][c]) + epsilon) / 3;
+            error += variance / (seen_around(mean, variance, around[i][c]) + relmse_epsilon) / 3;
         }
         sum += error, squares += error * error;
         ++known;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/srgb.h"
+#include "core/vec.h"
 
 namespace lancer {
 namespace {
@@ -24,9 +25,9 @@ Image draw(const Image& like, std::span<const float> errors, const Scale& scale)
 
 std::array<double, 3> cubehelix(double t)
 {
-    constexpr double start = 0.5, rotations = -1.5, hue = 1, pi = 3.14159265358979323846;
+    constexpr double start = 0.5, rotations = -1.5, hue = 1;
     const double x = t > 0 ? std::min(t, 1.0) : 0;
-    const double angle = 2 * pi * (start / 3 + 1 + rotations * x), amplitude = hue * x * (1 - x) / 2;
+    const double angle = 2 * pi_d * (start / 3 + 1 + rotations * x), amplitude = hue * x * (1 - x) / 2;
     const double u = amplitude * std::cos(angle), v = amplitude * std::sin(angle);
     std::array<double, 3> code{x - 0.14861 * u + 1.78277 * v, x - 0.29227 * u - 0.90649 * v, x + 1.97294 * u};
     for (double& c : code) c = std::clamp(c, 0.0, 1.0);

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/vec.h"
 
 namespace lancer::flip {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Weights of 2 r + 1 neighbours, the middle one's in the middle.
 using Kernel = std::vector<double>;
@@ -72,7 +71,7 @@ Plane length_of(const Plane& a, const Plane& b)
 }
 
 // Contrast sensitivity as a sum of two Gaussians of frequency, a exp(-b f^2), f in cycles per degree; table 1 of the
-// paper. As a function of place each is a sqrt(pi / b) exp(-(pi x)^2 / b), x in degrees.
+// paper. As a function of place each is a sqrt(pi_d / b) exp(-(pi_d x)^2 / b), x in degrees.
 struct Sensitivity {
     std::array<double, 2> a, b;
 };
@@ -85,17 +84,17 @@ constexpr double widest = 0.04;  // the largest b: all kernels reach three of it
 
 Plane blur(const Plane& in, const Sensitivity& s)
 {
-    const auto radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
+    const auto radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi_d * pi_d)) * pixels_per_degree));
     std::array<Kernel, 2> kernels;
     std::array<double, 2> parts{};
     for (size_t i = 0; i < 2; ++i) {
         kernels[i] = make_kernel(radius, [&](double x) {
             const double degrees = x / pixels_per_degree;
-            return std::exp(-pi * pi * degrees * degrees / s.b[i]);
+            return std::exp(-pi_d * pi_d * degrees * degrees / s.b[i]);
         });
         double sum = 0;
         for (const double w : kernels[i]) sum += w;
-        parts[i] = s.a[i] * std::sqrt(pi / s.b[i]) * sum * sum;
+        parts[i] = s.a[i] * std::sqrt(pi_d / s.b[i]) * sum * sum;
         normalise(kernels[i]);
     }
     const double whole = parts[0] + parts[1];

@@ -12,12 +12,6 @@ namespace lancer {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double epsilon = 0.01;  // keeps dark pixels from ruling the relative error
-
-std::array<double, 3> channels(Color c)
-{
-    return {static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
-}
 
 bool same_bits(Color a, Color b)
 {
@@ -96,7 +90,7 @@ std::vector<double> relative_squared_errors(const Image& x, const Image& referen
         const std::array<double, 3> xs = channels(x.pixels[i]), rs = channels(reference.pixels[i]);
         for (size_t c = 0; c < 3; ++c) {
             const double difference = or_infinity(xs[c] - rs[c]);
-            errors[i] += or_infinity(difference * difference / (rs[c] * rs[c] + epsilon)) / 3;
+            errors[i] += or_infinity(difference * difference / (rs[c] * rs[c] + relmse_epsilon)) / 3;
         }
     }
     return errors;
@@ -165,7 +159,7 @@ double unbiased_squared_error(const Image& x, const Image& r1, const Image& r2)
     double total = 0;
     for (size_t i = 0; i < x.pixels.size(); ++i) {
         const std::array<double, 3> xs = channels(x.pixels[i]), a = channels(r1.pixels[i]), b = channels(r2.pixels[i]);
-        for (size_t c = 0; c < 3; ++c) total += (xs[c] - a[c]) * (xs[c] - b[c]) / (a[c] * b[c] + epsilon);
+        for (size_t c = 0; c < 3; ++c) total += (xs[c] - a[c]) * (xs[c] - b[c]) / (a[c] * b[c] + relmse_epsilon);
     }
     return or_infinity(total / (3 * static_cast<double>(x.pixels.size())));
 }

@@ -11,6 +11,14 @@
 
 namespace lancer {
 
+// Added to r^2 where errors are relative: keeps dark pixels from ruling them.
+inline constexpr double relmse_epsilon = 0.01;
+
+inline std::array<double, 3> channels(Color c)
+{
+    return {static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
+}
+
 // A pixel that is not finite on either side has infinite error, in smape 1: rmse and relmse are then infinite, never
 // NaN, so a comparison with a limit fails as it should.
 struct Metrics {

@@ -58,13 +58,6 @@ void compare_medians(const std::vector<Pair>& pairs, const CurveFigure& logarith
                                              : Rank::no_difference;
 }
 
-size_t failed_runs(const Study& study, const std::string& scene, const std::string& method)
-{
-    return static_cast<size_t>(std::count_if(study.runs.begin(), study.runs.end(), [&](const StudyRun& r) {
-        return r.failed && r.scene == scene && r.method == method;
-    }));
-}
-
 const StudyMethod* find_method(const Study& study, const std::string& name)
 {
     const auto found =
@@ -78,25 +71,6 @@ std::string why_other_biases(const StudyMethod& method, const StudyMethod& basel
         return method.biased() ? "biased, the baseline is not" : "unbiased, the baseline is not";
     const std::set<std::string> a(method.biases.begin(), method.biases.end());
     return a == std::set<std::string>(baseline.biases.begin(), baseline.biases.end()) ? "" : "biased in another way";
-}
-
-std::string why_no_time(const TimeToError& time)
-{
-    switch (time.reach) {
-        case Reach::measured:
-            return "";
-        case Reach::extrapolated:
-            return "reached only beyond the measurements";
-        case Reach::at_once:
-            return "reached before the first measurement";
-        case Reach::not_reached:
-            return "not reached";
-        case Reach::below_noise:
-            return "below the noise of the reference";
-        case Reach::not_measured:
-            return "no run";
-    }
-    return "";
 }
 
 // The first of these reasons that there is.
@@ -160,7 +134,7 @@ Efficiency efficiency_of(const Study& study, const StudyScene& scene, const Stud
     }
     if (!baseline_below) e.baseline = std::exp(-median(baseline_errors)) / last;
     if (below || baseline_below) {
-        const std::string noise = "below the noise of the reference";
+        const std::string noise = why_no_time(Reach::below_noise);
         e.gain.reason = first_of({e.gain.reason, below ? noise : of_baseline(noise)});
         return e;
     }
@@ -173,7 +147,9 @@ Comparison speed_up(const Study& study, const StudyScene& scene, const StudyMeth
 {
     Comparison result;
     result.reason = why_not_ranked(study, scene, method);
-    const auto why_none = [&](const StudyMethod& m) { return why_no_time(time_to_error(study, scene, m, target)); };
+    const auto why_none = [&](const StudyMethod& m) {
+        return why_no_time(time_to_error(study, scene, m, target).reach);
+    };
     const StudyMethod* baseline = find_method(study, study.baseline);
     const std::string why = first_of({why_none(method), baseline ? of_baseline(why_none(*baseline)) : ""});
     result.reason = first_of({result.reason, why});

@@ -111,6 +111,32 @@ TimeToError time_to(const std::vector<ErrorCurve>& curves, double target, double
 
 }  // namespace
 
+std::string why_no_time(Reach reach)
+{
+    switch (reach) {
+        case Reach::measured:
+            return "";
+        case Reach::extrapolated:
+            return "reached only beyond the measurements";
+        case Reach::at_once:
+            return "reached before the first measurement";
+        case Reach::not_reached:
+            return "not reached";
+        case Reach::below_noise:
+            return "below the noise of the reference";
+        case Reach::not_measured:
+            return "no run";
+    }
+    return "";
+}
+
+size_t failed_runs(const Study& study, const std::string& scene, const std::string& method)
+{
+    return static_cast<size_t>(std::count_if(study.runs.begin(), study.runs.end(), [&](const StudyRun& r) {
+        return r.failed && r.scene == scene && r.method == method;
+    }));
+}
+
 std::vector<const StudyRun*> runs_of(const Study& study, const std::string& scene, const std::string& method)
 {
     Runs runs;
@@ -133,9 +159,7 @@ MethodFigures figures_of(const Study& study, const StudyScene& scene, const Stud
 {
     const Runs runs = runs_of(study, scene.name, method.name);
     MethodFigures figures{&method, runs.size(), 0, no_number, no_number, {}, {}, {}, {}, {}};
-    figures.failed = static_cast<size_t>(std::count_if(study.runs.begin(), study.runs.end(), [&](const StudyRun& r) {
-        return r.scene == scene.name && r.method == method.name && r.failed;
-    }));
+    figures.failed = failed_runs(study, scene.name, method.name);
     const auto curves = curves_of(runs, Along::time, &ErrorPoint::relmse);
     for (const ErrorCurve& curve : curves) {
         figures.first_s = std::fmax(figures.first_s, curve.x.front());

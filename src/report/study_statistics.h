@@ -64,6 +64,10 @@ struct MethodFigures {
     std::vector<TimeToError> times;  // one for each of study_targets
 };
 
+// Why there is no time that a method could be ranked by; empty of measured.
+std::string why_no_time(Reach reach);
+
+size_t failed_runs(const Study& study, const std::string& scene, const std::string& method);
 // The runs of a method on a scene that did not fail and have measurements, by ascending seed.
 std::vector<const StudyRun*> runs_of(const Study& study, const std::string& scene, const std::string& method);
 

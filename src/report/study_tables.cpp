@@ -71,14 +71,9 @@ std::string time_text(const TimeToError& t)
             return value + "\nextrapolated";
         case Reach::at_once:
             return "before " + significant(t.seconds);
-        case Reach::not_reached:
-            return "not reached";
-        case Reach::below_noise:
-            return "below the noise of the reference";
-        case Reach::not_measured:
-            return "no run";
+        default:
+            return why_no_time(t.reach);
     }
-    return "";
 }
 
 Table times_table(const SceneFigures& f)
