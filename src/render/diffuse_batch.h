@@ -7,6 +7,7 @@
 #include "integrators/path.h"
 #include "render/workspace.h"
 #include "scene/diffuse_light.h"
+#include "scene/light_tree.h"
 #include "scene/triangle_place.h"
 
 namespace lancer {
@@ -31,7 +32,8 @@ public:
           shadows_(w.diffuse.shadows),
           counters_(counters),
           // Where there is nothing but a constant sky to sample, nothing is.
-          samples_(path_.direct.nee && !scene_.lights.empty())
+          samples_(path_.direct.nee && !scene_.lights.empty()),
+          keeps_normals_(samples_ && view.scene.lights.tree)
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -50,9 +52,11 @@ public:
             fetch_shading(view_.scene, w_.hits);
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
+            w_.diffuse.normals_next.clear();
             for (size_t first = 0; first < now_.size(); first += float_lanes) shade(first);
             add_unoccluded();
             std::swap(now_, next_);
+            std::swap(w_.diffuse.normals_now, w_.diffuse.normals_next);
         }
     }
 
@@ -68,6 +72,7 @@ private:
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
+    LightSampleLanes sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
     void sample_direct(const Vertices& v);
     void scatter(Vertices& v);
     struct Survival {
@@ -102,7 +107,8 @@ private:
     PackedStates<PathLanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
-    bool samples_;  // lights, at each vertex
+    bool samples_;        // lights, at each vertex
+    bool keeps_normals_;  // see DiffuseWorkspace
     uint32_t depth_ = 0;
 };
 
@@ -192,25 +198,42 @@ inline void DiffuseBatch::add_emission(size_t i, const PathLanes& path, uint32_t
     s.ray = now_.rays()[i];
     s.throughput = {t.x, t.y, t.z};
     s.pdf = path.pdf[in];
+    if (keeps_normals_ && depth_ > 0) s.normal = w_.diffuse.normals_now[i];
     s.light_sampled = samples_ && depth_ > 0;
     s.leg = leg();
     Steps steps(w_.queue, path.slot[in]);
     lancer::add_emission(view_, s, view_.surface_at(s.ray, w_.hits[i], {}), path_.direct, path_.parts, steps);
 }
 
+// View::sample_light()
+inline LightSampleLanes DiffuseBatch::sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u)
+{
+    const Discrete& pick = view_.scene.lights.pick;
+    if (pick.stretches()) {
+        Discrete::StretchedLanes chosen{{}, u.x};
+        if (pick.size() > 1) chosen = pick.stretch(u.x);
+        return sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
+    }
+    const Float8 number = address.get1(v.path.sample);
+    std::array<uint32_t, float_lanes> ids{};
+    if (!view_.scene.lights.tree) {
+        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], u.x[i]));
+        return sample_lights(scene_, ids, v.origin, u);
+    }
+    std::array<double, float_lanes> numbers;
+    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], u.x[i]);
+    std::array<LightTree::Choice, float_lanes> choices{};
+    view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
+    Float8 probability{};
+    for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = choices[i].light, probability[i] = choices[i].probability;
+    return sample_lights(scene_, ids, v.origin, u, &probability);
+}
+
 inline void DiffuseBatch::sample_direct(const Vertices& v)
 {
     const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
-    const Discrete& pick = view_.scene.lights.pick;
     const Vec2x8 u = address.get2(v.path.sample);
-    Discrete::StretchedLanes chosen{{}, u.x};
-    if (pick.stretches()) {
-        if (pick.size() > 1) chosen = pick.stretch(u.x);
-    } else {
-        const Float8 number = address.get1(v.path.sample);
-        for (uint32_t i = 0; i < float_lanes; ++i) chosen.index[i] = pick.sample(lengthened(number[i], u.x[i]));
-    }
-    const LightSampleLanes light = sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
+    const LightSampleLanes light = sample_light(v, address, u);
     const Float8 zero{}, cos_i = dot(light.wi, v.ns);
     const Float8 pdf = cos_i * (1 / pi);
     const Vec3x8 f_cos = v.albedo * pdf;
@@ -265,6 +288,8 @@ inline void DiffuseBatch::scatter(Vertices& v)
         spoil(wanted & ~traceable, next.slot);
         next.pdf = local.z * (1 / pi);
         next_.push(wanted & traceable, v.origin, wi, no_end, next);
+        if (keeps_normals_)
+            for_bits(wanted & traceable, [&](uint32_t i) { w_.diffuse.normals_next.push_back(lane(v.ns, i)); });
     }
 }
 

@@ -74,6 +74,8 @@ struct ShadowLanes {
 struct DiffuseWorkspace {
     PackedStates<PathLanes> now, next;
     PackedStates<ShadowLanes> shadows;
+    // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
+    std::vector<Vec3> normals_now, normals_next;
 };
 
 }  // namespace lancer

@@ -14,9 +14,10 @@ struct LightSampleLanes {
     Float8 pdf;  // per solid angle, choice of the light included
 };
 
-// A point on a light as seen from `origin`. ids: of the lights that were chosen.
+// A point on a light as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if not
+// by power alone.
 inline LightSampleLanes sample_lights(const DiffuseScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                      const Vec3x8& origin, const Vec2x8& u)
+                                      const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
 {
     using L = DiffuseScene::Light;
     const auto rows = [&](DiffuseScene::Row L::*which) {
@@ -27,7 +28,8 @@ inline LightSampleLanes sample_lights(const DiffuseScene& scene, const std::arra
     const Vec2x8 uv = square_to_triangle(u);
     const PointOnTriangle<Float8> at(rows(&L::a).xyz, rows(&L::b).xyz, rows(&L::c).xyz, uv.x, uv.y);
     const auto [n, area] = rows(&L::n_area);
-    const auto [front, probability] = rows(&L::front);
+    const auto [front, by_power] = rows(&L::front);
+    const Float8 probability = choice ? *choice : by_power;
     LightSampleLanes s;
     s.point = at.p, s.p_error = at.p_error, s.n = n;
     const Vec3x8 d = at.p - origin;
@@ -36,7 +38,7 @@ inline LightSampleLanes sample_lights(const DiffuseScene& scene, const std::arra
     const Float8 cos = -dot(s.wi, n);
     s.radiance = select(cos > Float8{}, front, rows(&L::back).xyz);
     s.pdf = d2 / (abs(cos) * area) * probability;
-    s.found = (d2 > Float8{}) & (cos != Float8{}) & ~is_black(s.radiance);
+    s.found = (d2 > Float8{}) & (cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
     return s;
 }
 

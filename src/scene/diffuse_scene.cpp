@@ -27,7 +27,6 @@ bool is_plain(const Scene& scene, uint32_t material)
 bool has_plain_lights(const Scene& scene)
 {
     const std::vector<Light>& lights = scene.lights.lights;
-    if (scene.lights.tree) return false;
     if (lights.size() == 1 && std::holds_alternative<EnvironmentLight>(lights[0])) return true;
     return std::all_of(lights.begin(), lights.end(), [](const Light& light) {
         const auto* triangle = std::get_if<TriangleLight>(&light);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "core/prefetch.h"
 
 namespace lancer {
 namespace {
@@ -122,7 +125,7 @@ void LightTree::set(Node& node, size_t lane, const LightBounds& b, double scale)
     const auto to = [lane](Float8& of, double x) { of[lane] = static_cast<float>(x); };
     to(node.center.x, c.x), to(node.center.y, c.y), to(node.center.z, c.z);
     to(node.axis.x, b.normals.axis.x), to(node.axis.y, b.normals.axis.y), to(node.axis.z, b.normals.axis.z);
-    to(node.radius2, dot(half, half));
+    to(node.radius, length(half));
     to(node.inverse_radius2, 1 / std::max(dot(half, half), double{std::numeric_limits<float>::min()}));
     to(node.cos_angle, std::cos(b.normals.angle)), to(node.sin_angle, std::sin(b.normals.angle));
     // However weak a light is beside the others, it is found.
@@ -131,7 +134,7 @@ void LightTree::set(Node& node, size_t lane, const LightBounds& b, double scale)
 }
 
 // How much may come from each child, about: power by squared distance, times the least angles' cosines at both ends.
-Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
+inline Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
 {
     const Float8 zero{}, one = all_lanes(1.0f);
     const auto all = [](Vec3 v) { return Vec3x8{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; };
@@ -144,9 +147,9 @@ Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
     const Float8 distance2 = dot(to, to);
     const Float8 inverse = one / sqrt(max(distance2, all_lanes(std::numeric_limits<float>::min())));
     const Vec3x8 w = to * inverse;
-    const Mask8 inside = distance2 < node.radius2;
-    const Float8 inverse2 = inverse * inverse, sin2_ball = select(inside, zero, node.radius2 * inverse2);
-    const Float8 sin_ball = sqrt(sin2_ball), cos_ball = select(inside, -one, sqrt(max(zero, one - sin2_ball)));
+    const Mask8 inside = distance2 < node.radius * node.radius;
+    const Float8 inverse2 = inverse * inverse, sin_ball = select(inside, zero, node.radius * inverse);
+    const Float8 cos_ball = select(inside, -one, sqrt(max(zero, one - sin_ball * sin_ball)));
     const Float8 facing = -dot(w, node.axis), cos_w = select(node.both_sides, abs(facing), facing),
                  sin_w = sin_of(cos_w);
     const Mask8 within = cos_w > node.cos_angle;
@@ -161,36 +164,93 @@ Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
 
 namespace {
 
-// Where the parts of the lanes end that lie side by side. In double: beside a strong light float sums would lose what
-// is weaker by 2^-24, which then is never chosen, though it may be the only one that is not hidden.
-std::array<double, float_lanes + 1> edges_of(Float8 weights)
-{
-    std::array<double, float_lanes + 1> edges{};
-    for (size_t i = 0; i < float_lanes; ++i) edges[i + 1] = edges[i] + static_cast<double>(weights[i]);
-    return edges;
-}
+// Where the parts of the lanes begin that lie side by side, and where the last one ends. In double: beside a strong
+// light float sums would lose what is weaker by 2^-24, which then is never chosen, though it may be the only one that
+// is not hidden.
+struct Edges {
+    Double4 low, high;
+    double end;
+
+    explicit Edges(Float8 weights)
+    {
+        const Double4 a = sums_of(lower(weights)), b = sums_of(upper(weights)), half = all_lanes(a[3]);
+        low = moved(a), high = moved(b) + half, end = a[3] + b[3];
+    }
+    double operator[](size_t i) const { return i < 4 ? low[i] : high[i - 4]; }
+    // How many parts begin at x or before; x >= 0.
+    size_t count_to(double x) const
+    {
+        const Double4 at = all_lanes(x);
+        return static_cast<size_t>(std::popcount(bits(low <= at)) + std::popcount(bits(high <= at)));
+    }
+
+private:
+    // Each lane where the one before was, and 0 in the first.
+    static Double4 moved(Double4 x) { return _mm256_blend_pd(_mm256_permute4x64_pd(x, 0x90), _mm256_setzero_pd(), 1); }
+    // The sum of each lane and those before.
+    static Double4 sums_of(Float4 weights)
+    {
+        Double4 x = _mm256_cvtps_pd(weights);
+        x += moved(x);
+        return x + _mm256_permute2f128_pd(x, x, 0x08);
+    }
+};
 
 }  // namespace
+
+inline bool LightTree::descend(Descent& d) const
+{
+    const Node& node = nodes_[d.at];
+    const Float8 weights = weigh(node, d.place, d.normal);
+    const Edges edges(weights);
+    if (!(edges.end > 0) || !(edges.end < std::numeric_limits<double>::infinity())) return false;
+    const double x = d.u * edges.end;
+    // Without jumps: nobody can predict them. Back where x was rounded up to the end.
+    size_t lane = edges.count_to(x) - 1;
+    while (!(weights[lane] > 0)) --lane;
+    const auto weight = static_cast<double>(weights[lane]);
+    d.u = std::clamp((x - edges[lane]) / weight, 0.0, 1 - 0x1p-53);
+    d.probability *= weight / edges.end;
+    d.at = node.child[lane];
+    return true;
+}
 
 LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
 {
     if (nodes_.empty()) return {};
-    double probability = 1;
-    for (uint32_t number = 0;;) {
-        const Node& node = nodes_[number];
-        const Float8 weights = weigh(node, place, normal);
-        const auto edges = edges_of(weights);
-        const double sum = edges.back(), x = u * sum;
-        if (!(sum > 0) || !(sum < std::numeric_limits<double>::infinity())) return {};
-        // Without jumps: nobody can predict them. Back where x was rounded up to the end.
-        size_t lane = 0;
-        for (size_t i = 1; i < float_lanes; ++i) lane += edges[i] <= x ? 1 : 0;
-        while (!(weights[lane] > 0)) --lane;
-        const auto weight = static_cast<double>(weights[lane]);
-        u = std::clamp((x - edges[lane]) / weight, 0.0, 1 - 0x1p-53);
-        probability *= weight / sum;
-        if (node.child[lane] & is_leaf) return {node.child[lane] & ~is_leaf, static_cast<float>(probability)};
-        number = node.child[lane];
+    Descent d{place, normal, u};
+    do {
+        if (!descend(d)) return {};
+    } while (!(d.at & is_leaf));
+    return {d.at & ~is_leaf, static_cast<float>(d.probability)};
+}
+
+// Of all that descend() reads.
+inline void LightTree::fetch(const Node& node)
+{
+    const auto* bytes = reinterpret_cast<const char*>(&node);
+    for (size_t at = 0; at < sizeof node; at += 64) prefetch(bytes + at);
+}
+
+void LightTree::choose(const Vec3x8& places, const Vec3x8& normals, const std::array<double, float_lanes>& u,
+                       uint32_t lanes, std::array<Choice, float_lanes>& choices) const
+{
+    for_bits(lanes, [&](uint32_t i) { choices[i] = {}; });
+    if (nodes_.empty()) return;
+    std::array<Descent, float_lanes> descents;
+    for_bits(lanes, [&](uint32_t i) { descents[i] = {lancer::lane(places, i), lancer::lane(normals, i), u[i]}; });
+    // One level of all before the next of any: the CPU works at several.
+    while (lanes != 0) {
+        uint32_t further = 0;
+        for_bits(lanes, [&](uint32_t i) {
+            Descent& d = descents[i];
+            const bool reaches = descend(d), ends = (d.at & is_leaf) != 0;
+            if (reaches && ends) choices[i] = {d.at & ~is_leaf, static_cast<float>(d.probability)};
+            const bool goes_on = reaches && !ends;
+            if (goes_on) fetch(nodes_[d.at]);
+            further |= static_cast<uint32_t>(goes_on) << i;
+        });
+        lanes = further;
     }
 }
 
@@ -199,7 +259,7 @@ float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
     double probability = 1;
     for (uint32_t at = place_of_[light]; at != none; at = nodes_[at / float_lanes].parent) {
         const Float8 weights = weigh(nodes_[at / float_lanes], place, normal);
-        const double sum = edges_of(weights).back();
+        const double sum = Edges(weights).end;
         if (!(sum > 0)) return 0;
         probability *= static_cast<double>(weights[at % float_lanes]) / sum;
     }

@@ -24,6 +24,10 @@ public:
     };
     // For a place and its normal, of which the sign does not matter. u in [0, 1).
     Choice choose(Vec3 place, Vec3 normal, double u) const;
+    // The same for those of eight places whose bits are set in `lanes`; the others' choices stay as they are. One place
+    // need not wait for what another one waits for.
+    void choose(const Vec3x8& places, const Vec3x8& normals, const std::array<double, float_lanes>& u, uint32_t lanes,
+                std::array<Choice, float_lanes>& choices) const;
     // With which choose() finds a light.
     float probability(uint32_t light, Vec3 place, Vec3 normal) const;
 
@@ -34,9 +38,9 @@ private:
 
     struct alignas(32) Node {
         Vec3x8 center{}, axis{};
-        Float8 radius2{}, inverse_radius2{};  // of a ball around the box
-        Float8 cos_angle{}, sin_angle{};      // of the cone of normals
-        Float8 power{};                       // 0 where there is no child
+        Float8 radius{}, inverse_radius2{};  // of a ball around the box
+        Float8 cos_angle{}, sin_angle{};     // of the cone of normals
+        Float8 power{};                      // 0 where there is no child
         Mask8 both_sides{};
         std::array<uint32_t, float_lanes> child{};  // a node, or is_leaf | a light
         uint32_t parent = none;                     // its place there: node * 8 + lane
@@ -46,6 +50,16 @@ private:
     uint32_t build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent, uint32_t depth);
     static void set(Node& node, size_t lane, const LightBounds& b, double scale);
     static Float8 weigh(const Node& node, Vec3 place, Vec3 normal);
+
+    // On the way down: a place, with what is left of its number.
+    struct Descent {
+        Vec3 place, normal;
+        double u = 0, probability = 1;
+        uint32_t at = 0;  // a node, or is_leaf | a light
+    };
+    // One step from a node. False if nothing below it reaches the place.
+    bool descend(Descent& d) const;
+    static void fetch(const Node& node);
 
     std::vector<Node> nodes_;
     std::vector<uint32_t> place_of_;  // of each light: node * 8 + lane

@@ -27,16 +27,17 @@ SceneDescription sky_scene()
     d.lights = {sky_of({0.5f, 0.7f, 0.9f})};
     return d;
 }
-// More lamps than are chosen by one number, and one of them hardly shines.
-SceneDescription many_lamps()
+// More lamps than are chosen by one number, and one of them hardly shines. From 33 on a tree chooses.
+SceneDescription many_lamps(int count)
 {
     SceneDescription d = smooth_scene();
     d.meshes.pop_back();
-    for (int i = 0; i < 20; ++i) {
-        const double x = -1.9 + 0.2 * i;
+    for (int i = 0; i < count; ++i) {
+        const double x = -1.9 + 4.0 / count * i;
         const float power = i == 7 ? 1e-5f : 2 + 0.1f * static_cast<float>(i);
-        d.meshes.push_back(make_mesh(make_quad({x, 1.2, -0.3}, {x + 0.1, 1.2, -0.3}, {x + 0.1, 1.2, 0.3}, {x, 1.2, 0.3},
-                                               make_emitter("lamp" + std::to_string(i), {power, 2, 1}))));
+        d.meshes.push_back(
+            make_mesh(make_quad({x, 1.2, -0.3}, {x + 0.05, 1.2, -0.3}, {x + 0.05, 1.2, 0.3}, {x, 1.2, 0.3},
+                                make_emitter("lamp" + std::to_string(i), {power, 2, 1}))));
     }
     return d;
 }
@@ -45,7 +46,16 @@ struct Case {
     const char* name;
     SceneDescription scene;
 };
-std::vector<Case> cases() { return {{"smooth", smooth_scene()}, {"sky", sky_scene()}, {"lamps", many_lamps()}}; }
+std::vector<Case> cases()
+{
+    return {{"smooth", smooth_scene()}, {"sky", sky_scene()}, {"lamps", many_lamps(20)}, {"tree", many_lamps(50)}};
+}
+
+TEST(Diffuse, HasATreeAmongItsCases)
+{
+    EXPECT_TRUE(build_scene(cases().back().scene).lights.tree);
+    EXPECT_FALSE(build_scene(cases()[2].scene).lights.tree);
+}
 
 void expect_same(const Case& c, const RenderRequest& r, const std::string& how)
 {
