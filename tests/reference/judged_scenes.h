@@ -8,7 +8,7 @@
 namespace lancer {
 
 // A floor and a wall behind it, two units wide, under a panel as large.
-inline SceneDescription stage_scene(Color sky = {0.3f, 0.35f, 0.4f})
+inline SceneDescription stage_scene(Color sky = {0.9f, 0.95f, 1})
 {
     SceneDescription d;
     d.meshes.push_back(make_mesh(
@@ -16,9 +16,9 @@ inline SceneDescription stage_scene(Color sky = {0.3f, 0.35f, 0.4f})
     d.meshes.push_back(make_mesh(
         make_quad({-2, -0.6, -1}, {2, -0.6, -1}, {2, 1.5, -1}, {-2, 1.5, -1}, make_lambert("", {0.4f, 0.5f, 0.6f}))));
     d.meshes.push_back(make_mesh(
-        make_quad({-1, 1.6, -0.8}, {1, 1.6, -0.8}, {1, 1.6, 1.2}, {-1, 1.6, 1.2}, make_emitter("", {3, 2.8f, 2.5f}))));
+        make_quad({-1, 1.6, -0.8}, {1, 1.6, -0.8}, {1, 1.6, 1.2}, {-1, 1.6, 1.2}, make_emitter("", {2, 1.8f, 1.5f}))));
     d.lights.push_back(sky_of(sky));
-    d.camera = make_camera({0.2, 0.6, 3.6}, {0, 0, 0}, 36);
+    d.camera = make_camera({0.2, 0.6, 3.6}, {0.1, 0.05, 0}, 27);
     return d;
 }
 inline MaterialDescription of_type(MaterialDescription m, MaterialType type)
