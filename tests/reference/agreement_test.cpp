@@ -85,7 +85,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"spheres", [] { return shipped_scene("spheres"); }, 6, 0.06},
                     Case{"cornell", [] { return shipped_scene("cornell"); }, 4, 0.2},
                     Case{"presets", [] { return shipped_scene("seed-a/presets"); }, 4, 0.045, false},
-                    Case{"start", [] { return through_a_keyhole(shipped_scene("seed-a/start"), 100); }, 4, 0.03, false},
                     Case{"copper", [] { return through_a_keyhole(shipped_scene("seed-a/copper"), 100); }, 5, 0.03,
                          false},
                     Case{"a room of spheres", [] { return shipped_scene("seed-b/three-spheres"); }, 4, 0.12}),
