@@ -3,6 +3,8 @@
 
 #include <gtest/gtest-spi.h>
 
+#include "support/kolmogorov.h"
+
 namespace lancer {
 namespace {
 
@@ -37,6 +39,23 @@ TEST(Significance, WelchAndStudentSeeAShiftOfTheMean)
     EXPECT_LT(stats::welch_p(a, c), 1e-4);
     EXPECT_LT(stats::mean_p(a, 5.5), 1e-4);
     EXPECT_EQ(stats::mean_p(a, 3.5), 1);
+}
+
+// 1.3581 / sqrt(n) and 1.6276 / sqrt(n) are the bounds for 5 % and 1 % of many numbers; of ten numbers they are 0.40925
+// and 0.48893 (Miller, "Table of Percentage Points of Kolmogorov Statistics", JASA 51, 1956).
+TEST(Significance, KolmogorovMatchesTables)
+{
+    const auto shifted = [](size_t n, double largest) {
+        std::vector<double> numbers;
+        for (size_t i = 0; i < n; ++i)
+            numbers.push_back(std::max(0.0, static_cast<double>(i + 1) / static_cast<double>(n) - largest));
+        return stats::kolmogorov_p(numbers);
+    };
+    EXPECT_NEAR(shifted(1000000, 1.35810 / 1000), 0.05, 2e-4);
+    EXPECT_NEAR(shifted(1000000, 1.62762 / 1000), 0.01, 1e-4);
+    EXPECT_NEAR(shifted(10, 0.40925), 0.05, 2e-3);
+    EXPECT_NEAR(shifted(10, 0.48893), 0.01, 1e-3);
+    EXPECT_EQ(shifted(10, 0.05), 1);
 }
 
 }  // namespace

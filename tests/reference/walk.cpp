@@ -1,0 +1,129 @@
+#include "reference/walk.h"
+
+#include <algorithm>
+
+#include "reference/media.h"
+
+namespace reference {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Whether anything stops the ray before t_max; what has holes by chance.
+bool stopped(const World& world, Ray ray, Shape left, double t_max, Random& random)
+{
+    for (Hit hit; (hit = closest(world, ray, left, t_max));) {
+        const Surface s = surface_at(world, ray, hit);
+        if (!(random.next() >= opacity(world, s))) return true;
+        ray.org = s.p, left = hit.shape, t_max -= hit.t;
+    }
+    return false;
+}
+
+// Towards wi, of what is behind the surface or in front of it.
+const Inside& on_side(const Surface& s, Vec wi, const Inside& here, const Inside& beyond)
+{
+    return dot(wi, s.n) < 0 ? beyond : here;
+}
+
+// The sides must be those of the surface itself, or a tilted normal would carry light through it.
+bool sides_agree(const Surface& s, Vec wi, Vec local) { return (dot(wi, s.n) < 0) == (local.z < 0); }
+
+Rgb light_of_points(const World& world, const Surface& s, const Basis& frame, Vec wo, const Bsdf& bsdf,
+                    const Inside& here, const Inside& beyond, Random& random)
+{
+    Rgb sum;
+    const auto add = [&](Vec wi, double distance, Rgb irradiance) {
+        const Vec local = frame.to_local(wi);
+        if (!sides_agree(s, wi, local)) return;
+        const Rgb f = bsdf.eval(wo, local);
+        if (black(f) || stopped(world, {s.p, wi}, s.shape, distance, random)) return;
+        sum += f * irradiance * on_side(s, wi, here, beyond).transmittance(world, distance);
+    };
+    for (const World::Point& l : world.points) {
+        const Vec way = l.at - s.p;
+        const double distance = norm(way);
+        add(way * (1 / distance), distance, l.intensity * (1 / (distance * distance)));
+    }
+    for (const World::Directional& l : world.directionals) add(l.towards, infinity, l.irradiance);
+    return sum;
+}
+
+// What a boundary parts: the media on either side, and the ratio of their indices where they tell (else 0).
+struct Sides {
+    Inside here, beyond;
+    double index = 0;
+    bool is_there = true;
+};
+
+Sides sides_of(const World& world, const Inside& in, const Surface& s)
+{
+    Sides sides{in, in};
+    const Material& m = world.materials[s.material];
+    if (!m.bounds_medium()) return sides;
+    if (s.front)
+        sides.beyond.enter(s.material);
+    else if (!sides.beyond.leave(s.material))
+        sides.here.had_been_entered(s.material);
+    if (!m.what.priority) return sides;
+    const Inside::There before = sides.here.there(world), after = sides.beyond.there(world);
+    sides.index = after.index / before.index;
+    sides.is_there = before.material != after.material;
+    return sides;
+}
+
+}  // namespace
+
+Rgb walk(const World& world, Ray ray, const WalkSettings& settings, Random& random)
+{
+    Rgb light, throughput{1, 1, 1};
+    Inside in;
+    if (world.camera_medium) in.enter(*world.camera_medium);
+    Shape left;
+    uint32_t depth = 0;
+    bool is_view = true, is_sharp = true, is_last = false;
+    double index2 = 1;  // of all refractions: throughput times it speaks of energy
+    for (;;) {
+        const Hit hit = closest(world, ray, left);
+        if (!hit) return light + throughput * in.transmittance(world, infinity) * world.sky(ray.dir, is_sharp, ray.org);
+        const Surface s = surface_at(world, ray, hit);
+        left = hit.shape;
+        if (world.materials[s.material].has_holes() && random.next() >= opacity(world, s)) {
+            ray.org = s.p;
+            continue;
+        }
+        const Sides sides = sides_of(world, in, s);
+        throughput = throughput * sides.here.transmittance(world, hit.t);
+        if (!sides.is_there) {
+            ray.org = s.p, in = sides.beyond, is_sharp = true;
+            continue;
+        }
+        light += throughput * emission(world, s);
+        if (is_last) return light;
+
+        const Bsdf bsdf = bsdf_at(world, s, sides.index, random);
+        const Basis frame(s.ns);
+        const Vec wo = frame.to_local(-ray.dir);
+        if (!bsdf.only_delta() && (is_view || settings.indirect))
+            light += throughput * light_of_points(world, s, frame, wo, bsdf, sides.here, sides.beyond, random);
+        const std::optional<Scattered> next = bsdf.sample(wo, random);
+        if (!next || black(next->weight)) return light;
+        const Vec wi = unit(frame.to_world(next->wi));
+        if (!sides_agree(s, wi, next->wi)) return light;
+        throughput = throughput * next->weight;
+        index2 *= next->index * next->index;
+        // Only what is no mirror is the end of what the camera sees.
+        is_last = ++depth == settings.max_depth || (is_view && !next->delta && !settings.indirect);
+        is_view = is_view && next->delta;
+        is_sharp = next->delta;
+        in = on_side(s, wi, sides.here, sides.beyond);
+        ray = {s.p, wi};
+        // Russian roulette: Arvo and Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
+        if (depth < 8) continue;
+        const double survival = std::min(0.97, largest(throughput) * index2);
+        if (!(random.next() < survival)) return light;
+        throughput = throughput * (1 / survival);
+    }
+}
+
+}  // namespace reference
