@@ -21,7 +21,8 @@ if [ "$1" = --about ]; then
            R"sh(
 exit 0
 fi
-scene=)sh" + scene +
+scene=)sh" +
+           scene +
            R"sh(
 shift 2
 seed=0

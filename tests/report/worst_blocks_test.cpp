@@ -38,7 +38,8 @@ TEST(WorstBlocks, CoverThePictureOnceAndKeepTheirSize)
 TEST(WorstBlocks, TheWorstComeFirstWithTheSameWeightForEachPicture)
 {
     const Image reference = grey(96, 64, 1);
-    Image loud = grey(96, 64, 2), quiet = reference;  // loud is as bad everywhere
+    Image loud = grey(96, 64, 2), quiet = reference;  // loud is bad everywhere, and a little worse in one place
+    loud.at(3, 50) = {2.5f, 2.5f, 2.5f};
     quiet.at(40, 10).g = 1.01f;
     quiet.at(70, 40).g = 1.02f;
     const auto found = worst_blocks(reference, {&loud, &quiet}, 32, 2);
