@@ -10,7 +10,6 @@
 #include <array>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 
 #include "app/system_info.h"
 #include "core/error.h"
@@ -126,7 +125,7 @@ ChildResult run_child(const ChildOrder& order, Signals& signals)
     return result;
 }
 
-std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+std::string own_program() { return "/proc/" + std::to_string(getpid()) + "/exe"; }
 
 ChildResult run_self(const std::vector<std::string>& arguments, Signals& signals)
 {

@@ -30,7 +30,7 @@ struct ChildResult {
 // it cannot be started.
 ChildResult run_child(const ChildOrder& order, Signals& signals);
 
-// The path of this very program.
+// A path by which others start this very program as long as it runs, also after its file was replaced.
 std::string own_program();
 ChildResult run_self(const std::vector<std::string>& arguments, Signals& signals);
 

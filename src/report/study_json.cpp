@@ -84,7 +84,7 @@ Json time_ratios_json(const Study& study)
                                {"method", m.name},
                                {"relmse", target},
                                {"baseline_over_method", number_json(c.ratio)},
-                               {"interval", interval_json(c.interval)},
+                               {"interval", std::isnan(c.ratio) ? Json() : interval_json(c.interval)},
                                {"verdict", rank_text(c)}});
             }
     return all;
