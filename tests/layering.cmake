@@ -37,7 +37,7 @@ set(libpng_owner "^io/png\\.cpp$")
 set(CLI11_include "^CLI(/|11)")
 set(CLI11_owner "^app/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
-set(nlohmann-json_owner "^(report/(stats_json|bench_results|study_json)|io/scene_json)\\.cpp$")
+set(nlohmann-json_owner "^(report/(stats_json|bench_results|study_json|study_peer)|io/scene_json)\\.cpp$")
 
 set(virtual_owner "^geometry/(accel|embree|list)\\.h$")
 set(before "(^|[^A-Za-z0-9_])")

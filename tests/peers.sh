@@ -27,6 +27,8 @@ expect 0 "povray   not installed: apt-get install povray" --list
 expect 0 "usage: bench/peers/run" --help
 expect 2 "no PEER and SCENE"
 expect 2 "unknown peer 'yafaray'" yafaray scene.toml -o a.exr --spp 4
+expect 2 "unknown peer 'yafaray'" --about yafaray
+expect 69 "apt-get install blender" --about cycles
 expect 2 "say -o NAME.exr" cycles scene.toml --spp 4
 expect 2 "say -o NAME.exr" cycles scene.toml -o a.png --spp 4
 expect 2 "either --spp N or --spps" cycles scene.toml -o a.exr
@@ -42,6 +44,7 @@ expect 69 "apt-get install povray" povray scene.toml -o a.exr --spp 4
 
 # A command of that name is taken for the peer; what is wrong is then said before it is started.
 ln -s "$(type -P false)" "$folder/bin/pathtracer"
+expect 0 '"seeds": false, "squares": false}' --about embree
 expect 65 "Embree's path tracer cannot render spheres" embree scene.toml -o a.exr --spp 4
 printf 'version = 1\n[[sphere]]\nmaterial = "bronze"\n[[light]]\ntype = "environment"\nradiance = 1\n' >"$folder/more.toml"
 expect 65 "which an exported scene cannot say" embree more.toml -o a.exr --spp 4

@@ -7,31 +7,27 @@ again; writing the picture is not in it. Load: everything before that, the first
 """
 import json
 import os
-import re
 
 import scene as scenes
-from job import Failed, Refused, Run, output_of
+from job import Failed, Run, version_of
 
-COMMAND, PACKAGE = "blender", "blender"
+NAME, COMMAND, PACKAGE = "cycles", "blender", "blender"
+SEEDS, SQUARES = True, False
 
 
 def version():
-    found = re.search(r"Blender ([0-9.]+)", output_of([COMMAND, "--version"]))
-    return found.group(1) if found else "unknown"
+    return version_of([COMMAND, "--version"], r"Blender ([0-9.]+)")
 
 
-def check(scene, folder, job):
-    problems = []
+def problems(scene, folder, job):
+    found = []
     if scene["spheres"]:
-        problems.append("spheres that are not meshes")
+        found.append("spheres that are not meshes")
     if scene["planes"]:
-        problems.append("infinite planes")
+        found.append("infinite planes")
     if "sphere" in scenes.kinds_of_lights(scene):
-        problems.append("spheres of light")
-    if scene["camera"]["type"] != "pinhole":
-        problems.append("a thin lens")
-    if problems:
-        raise Refused("cycles cannot render " + "; nor ".join(problems))
+        found.append("spheres of light")
+    return found
 
 
 def render(scene, folder, job):

@@ -10,34 +10,30 @@ from array import array
 
 import exr
 import scene as scenes
-from job import Failed, Refused, Run, output_of
+from job import Failed, Run, version_of
 
-COMMAND, PACKAGE = "pathtracer", "embree-tools"
+NAME, COMMAND, PACKAGE = "Embree's path tracer", "pathtracer", "embree-tools"
+SEEDS, SQUARES = False, False
 
 
 def version():
-    return output_of(["dpkg-query", "-W", "-f", "${Version}", PACKAGE]) or "unknown"
+    return version_of(["dpkg-query", "-W", "-f", "${Version}", PACKAGE], r"([0-9]\S*)")
 
 
-def check(scene, folder, job):
-    problems = []
+def problems(scene, folder, job):
+    found = []
     if scene["spheres"] or scene["planes"]:
-        problems.append("spheres and planes")
+        found.append("spheres and planes")
     others = {m["type"] for m in scene["materials"]} - {"lambert"}
     if others:
-        problems.append("materials of type " + ", ".join(sorted(others)))
+        found.append("materials of type " + ", ".join(sorted(others)))
     if scenes.has_normals(folder, scene):
-        problems.append("vertex normals, by a rule of its own")
+        found.append("vertex normals, by a rule of its own")
     if "sphere" in scenes.kinds_of_lights(scene):
-        problems.append("spheres of light")
-    if scene["camera"]["type"] != "pinhole":
-        problems.append("a thin lens")
-    if job.seed:
-        problems.append("another seed than 0: its random numbers are always the same")
+        found.append("spheres of light")
     if any(map(scenes.emits, scene["materials"])) and not job.throughput_only:
-        problems.append("meshes that emit; for its speed alone, --throughput-only puts a point light in place of each")
-    if problems:
-        raise Refused("Embree's path tracer cannot render " + "; nor ".join(problems))
+        found.append("meshes that emit; for its speed alone, --throughput-only puts a point light in place of each")
+    return found
 
 
 def stand_ins(scene, meshes):

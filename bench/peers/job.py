@@ -1,5 +1,6 @@
 """What a peer is asked for, and how its processes are run and measured."""
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -45,9 +46,16 @@ class Run:
             raise Failed(f"{command[0]} ended with {process.returncode}:\n{end}")
 
 
-def output_of(command):
-    """What a command says, on either way, whatever it ends with; nothing if there is no such command."""
+def refuse(name, problems):
+    """problems: what the peer cannot do, each as the end of a sentence; none is as well."""
+    if problems:
+        raise Refused(f"{name} cannot render " + "; nor ".join(problems))
+
+
+def version_of(command, pattern):
+    """The group of the pattern in what a command says, on either way, whatever it ends with."""
     if not shutil.which(command[0]):
-        return ""
+        return "unknown"
     said = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    return said.stdout.decode("utf-8", "replace").strip()
+    found = re.search(pattern, said.stdout.decode("utf-8", "replace"))
+    return found.group(1) if found else "unknown"

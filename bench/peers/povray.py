@@ -9,33 +9,26 @@ import re
 import shutil
 
 import scene as scenes
-from job import Failed, Refused, Run, output_of
+from job import Failed, Refused, Run, version_of
 
-COMMAND, PACKAGE = "povray", "povray"
+NAME, COMMAND, PACKAGE = "POV-Ray", "povray", "povray"
+SEEDS, SQUARES = False, True
 
 
 def version():
-    found = re.search(r"POV-Ray ([0-9.]*[0-9])", output_of([COMMAND, "--version"]))
-    return found.group(1) if found else "unknown"
+    return version_of([COMMAND, "--version"], r"POV-Ray ([0-9.]*[0-9])")
 
 
-def check(scene, folder, job):
-    problems = []
+def problems(scene, folder, job):
+    found = []
     materials = scene["materials"]
     if scene["integrator"] != "whitted":
-        problems.append(f"what '{scene['integrator']}' renders: it follows no diffuse light; say integrator = \"whitted\"")
+        found.append(f"what '{scene['integrator']}' renders: it follows no diffuse light; say integrator = \"whitted\"")
     if any(map(scenes.emits, materials)) or scenes.kinds_of_lights(scene) & {"sphere", "environment"}:
-        problems.append("light of surfaces, spheres and environments without approximations")
+        found.append("light of surfaces, spheres and environments without approximations")
     if any(m["type"] == "glass" and (m["base_color"] != [1, 1, 1] or m["ior"] < 1) for m in materials):
-        problems.append("glass that is tinted or thinner than what is around it")
-    if scene["camera"]["type"] != "pinhole":
-        problems.append("a thin lens")
-    if job.seed:
-        problems.append("another seed than 0: its jitter is always the same")
-    if any(math.isqrt(spp) ** 2 != spp for spp in job.budgets):
-        problems.append("a number of samples that is no square")
-    if problems:
-        raise Refused("POV-Ray cannot render " + "; nor ".join(problems))
+        found.append("glass that is tinted or thinner than what is around it")
+    return found
 
 
 def vector(v):
@@ -85,9 +78,8 @@ def write_pov(path, scene, folder, job, biases):
     forward = [b - a for a, b in zip(camera["position"], camera["target"])]
     distance = math.sqrt(scenes.dot(forward, forward))
     forward, up = scenes.normalize(forward), camera["up"]
-    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    right = scenes.normalize(cross(forward, up))
-    up = cross(right, forward)
+    right = scenes.normalize(scenes.cross(forward, up))
+    up = scenes.cross(right, forward)
     ahead = 0.5 / math.tan(math.radians(camera["fov_deg"]) / 2)
     aspect = job.size[0] / job.size[1]
     depth = scene["max_depth"] or 256
@@ -116,7 +108,7 @@ def write_pov(path, scene, folder, job, biases):
             file.write(f"plane {{ {vector(p['normal'])}, {scenes.dot(p['normal'], p['point'])!r} {texture(m)} {inside(m)} }}\n")
         for mesh in scenes.placed(scene, folder):
             if scenes.NO_NORMAL in mesh.normal_corners:
-                raise Refused("POV-Ray cannot render a mesh of which only some corners have normals")
+                raise Refused(f"{NAME} cannot render a mesh of which only some corners have normals")
             mesh_text(file, mesh, materials)
     if any(m["type"] == "glass" for m in materials):
         biases.append("shadow rays lose nothing in glass")

@@ -53,7 +53,6 @@ def place(t, x, y, z):
 def place_normal(t, n):
     """By the inverse transpose, up to a positive factor: the cofactors, times the sign of the determinant."""
     a, b, c = (row[:3] for row in t)
-    cross = lambda u, v: [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     sign = math.copysign(1, determinant(t))
     return normalize([sign * dot(row, n) for row in (cross(b, c), cross(c, a), cross(a, b))])
 
@@ -81,6 +80,10 @@ def placed(scene, folder):
 
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def normalize(v):

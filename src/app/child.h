@@ -1,19 +1,37 @@
-// The program run again by itself, so that each of many renders begins afresh and none can take the others with it.
+// Other processes: the program itself, run again so that each of many renders begins afresh and none can take the
+// others with it, and scripts that start other renderers.
 #pragma once
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/signals.h"
 
 namespace lancer {
 
-struct ChildResult {
-    int code = 0;     // exit code; 128 + signal if one ended it
-    std::string err;  // what it wrote to the standard error
+struct ChildOrder {
+    std::string program;  // path
+    std::string name;     // what it is called; empty: by its path
+    std::vector<std::string> arguments;
+    std::vector<std::pair<std::string, std::string>> environment;  // besides our own
+    double timeout_s = std::numeric_limits<double>::infinity();
 };
 
-// Waits for its end. An interrupt is passed on. Throws Error (failed) if it cannot be started.
+struct ChildResult {
+    int code = 0;  // exit code; 128 + signal if one ended it
+    bool timed_out = false;
+    std::string out, err;  // what it wrote to the standard output and error
+};
+
+// Waits for its end. It reads nothing and has a process group of its own: an interrupt is passed on to all that it
+// started, and what has not ended half a minute later, or at the end of its time, is killed. Throws Error (failed) if
+// it cannot be started.
+ChildResult run_child(const ChildOrder& order, Signals& signals);
+
+// A path by which others start this very program as long as it runs, also after its file was replaced.
+std::string own_program();
 ChildResult run_self(const std::vector<std::string>& arguments, Signals& signals);
 
 }  // namespace lancer

@@ -58,10 +58,20 @@ StudyPlan::Scene read_scene(const TomlTable& table, const std::filesystem::path&
 
 StudyPlan::Method read_method(const TomlTable& table)
 {
-    table.allow({"name", "description", "options"});
-    return {.name = plain_name(table),
-            .description = table.text("description").value_or(""),
-            .options = words_of(table.text("options").value_or(""))};
+    table.allow({"name", "description", "options", "peer", "throughput_only", "own_reference_spp"});
+    StudyPlan::Method method;
+    method.name = plain_name(table);
+    method.description = table.text("description").value_or("");
+    method.options = words_of(table.text("options").value_or(""));
+    method.peer = table.text("peer").value_or("");
+    if (table.has("peer") && table.has("options"))
+        table.error("options", " are of lancer, and a peer is another program: give one of them");
+    for (const char* key : {"throughput_only", "own_reference_spp"})
+        if (table.has(key) && !table.has("peer")) table.error(key, " is of peers alone");
+    method.throughput_only = table.boolean("throughput_only").value_or(false);
+    if (const auto n = table.integer("own_reference_spp", 16, 1 << 24))
+        method.own_reference_spp = static_cast<uint32_t>(*n);
+    return method;
 }
 
 }  // namespace
@@ -73,16 +83,22 @@ StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics)
     if (!tree) return plan;
     TomlProblems problems({path});
     const TomlTable root(*tree, "", problems);
-    root.allow({"version", "title", "baseline", "seeds", "time", "spp", "scene", "method"});
+    root.allow({"version", "title", "baseline", "seeds", "time", "spp", "peers", "peer_timeout", "scene", "method"});
     if (root.require("version")) root.integer("version", 1, 1);
     plan.title = root.text("title").value_or(std::filesystem::path(path).stem());
     if (const auto n = root.integer("seeds", 1, 1000)) plan.seeds = static_cast<uint32_t>(*n);
     plan.time = root.number("time", above_zero);
     if (const auto n = root.integer("spp", 1, 1 << 28)) plan.spp = static_cast<uint32_t>(*n);
     if (!plan.time && !plan.spp) root.error(root.where(), "'time' (seconds of a run) or 'spp' is needed");
-    for (const TomlTable& table : root.tables("scene"))
-        plan.scenes.push_back(read_scene(table, std::filesystem::path(path).parent_path()));
-    for (const TomlTable& table : root.tables("method")) plan.methods.push_back(read_method(table));
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (const auto peers = root.text("peers")) plan.peers = (folder / *peers).lexically_normal();
+    plan.peer_timeout = root.number("peer_timeout", above_zero).value_or(plan.peer_timeout);
+    for (const TomlTable& table : root.tables("scene")) plan.scenes.push_back(read_scene(table, folder));
+    for (const TomlTable& table : root.tables("method")) {
+        plan.methods.push_back(read_method(table));
+        if (table.has("peer") && plan.peers.empty())
+            table.error("peer", " needs 'peers' at the top level: the folder of the script that starts it");
+    }
     refuse_doubles(root, "scene", plan.scenes);
     refuse_doubles(root, "method", plan.methods);
     plan.baseline = root.text("baseline").value_or(plan.methods.empty() ? "" : plan.methods.front().name);

@@ -19,7 +19,11 @@ struct StudyPlan {
     };
     struct Method {
         std::string name, description;
-        std::vector<std::string> options;
+        std::vector<std::string> options;  // of lancer render
+        // Another renderer, by the name that bench/peers/run knows; empty: lancer. Then there are no options.
+        std::string peer;
+        bool throughput_only = false;       // its picture is not the scene's: never ranked
+        uint32_t own_reference_spp = 1024;  // of each half of the reference that it draws for itself
     };
 
     std::string title, baseline;  // baseline: name of the method that others are held against
@@ -27,6 +31,8 @@ struct StudyPlan {
     // Of each run: seconds of rendering, samples per pixel, or whichever comes first. One of them is there.
     std::optional<double> time;
     std::optional<uint32_t> spp;
+    std::string peers;          // folder of the script `run` that starts peers; empty if there are none
+    double peer_timeout = 600;  // seconds after which a peer is stopped
     std::vector<Scene> scenes;
     std::vector<Method> methods;
 };

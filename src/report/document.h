@@ -42,13 +42,15 @@ struct Picture {
     std::string png;  // the bytes of the file
 };
 
-// Pictures of one place, one at a time, chosen by name; on paper one below the other.
-struct PictureFlip {
+// Pictures of one place side by side, of one size. The first is what the others are held against: it is seen in their
+// place while one points at them. Below, two that one chooses, with a slider between them.
+struct PictureRow {
     std::string id;  // letters, digits and '-'; no other block of the document has it
+    std::string caption;
     std::vector<Picture> pictures;
 };
 
-using Block = std::variant<Paragraph, Table, Plot, PictureFlip, JsonData>;
+using Block = std::variant<Paragraph, Table, Plot, PictureRow, JsonData>;
 
 struct Section {
     std::string heading;

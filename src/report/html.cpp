@@ -70,7 +70,7 @@ struct HtmlBlock {
         return out + "</tbody>\n</table></div>\n";
     }
     std::string operator()(const Plot& plot) const { return "<figure>\n" + plot.svg + "</figure>\n"; }
-    std::string operator()(const PictureFlip& flip) const { return flip_html(flip); }
+    std::string operator()(const PictureRow& row) const { return pictures_html(row); }
     std::string operator()(const JsonData& data) const
     {
         return "<script type=\"application/json\" id=\"" + escape_xml(data.id) + "\">" + json_for_html(data.json) +
@@ -111,7 +111,7 @@ std::string to_html(const Document& document)
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
         "<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-        title + "</title>\n<style>\n" + page_style + plot_style() + flip_style(document) +
+        title + "</title>\n<style>\n" + page_style + plot_style() + pictures_style(document) +
         "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n" + to_html(document.opening) + "<nav><ul>\n";
     for (size_t i = 0; i < document.sections.size(); ++i)
         out +=

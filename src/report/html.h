@@ -1,5 +1,6 @@
-// A report as one HTML page that needs nothing else: styles, plots, pictures and data stand in it, no script runs,
-// nothing is loaded. It is well-formed XML as well, follows the reader's choice of light or dark, and prints.
+// A report as one HTML page that needs nothing else: styles, plots, pictures and data stand in it, nothing is loaded.
+// It can be read without scripts: only the slider between two pictures needs one, and stands in the middle without. It
+// is well-formed XML as well, follows the reader's choice of light or dark, and prints.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Pictures in a page: their bytes stand in it, and one chooses among them without a script. Used by html.cpp.
+// Pictures in a page: their bytes stand in it, and one swaps and chooses among them without a script; one that is a
+// single expression moves the slider. Used by html.cpp.
 #pragma once
 
 #include <string>
@@ -7,11 +8,11 @@
 
 namespace lancer {
 
-// Radio buttons with the names of the pictures, and the pictures. Error (failed) for what is no PNG.
-std::string flip_html(const PictureFlip& flip);
+// The row, each picture with its name and caption, and the slider if there are two. Error (failed) for what is no PNG.
+std::string pictures_html(const PictureRow& row);
 
-// The CSS that shows the chosen picture, for as many as the longest flip of the document has; empty without any.
-std::string flip_style(const Document& document);
+// The CSS of rows, for as many pictures as the longest of the document has; empty without any.
+std::string pictures_style(const Document& document);
 
 // RFC 4648, section 4.
 std::string base64(const std::string& bytes);

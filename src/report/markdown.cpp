@@ -41,7 +41,7 @@ struct MarkdownBlock {
         return out + "\n";
     }
     std::string operator()(const Plot&) const { return ""; }
-    std::string operator()(const PictureFlip&) const { return ""; }
+    std::string operator()(const PictureRow&) const { return ""; }
     std::string operator()(const JsonData&) const { return ""; }
 };
 

@@ -1,5 +1,6 @@
 #include "report/study_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -29,6 +30,14 @@ std::string name_of(const StudyRun& run)
 
 }  // namespace
 
+const MethodOnScene& Study::on_scene(const std::string& scene, const std::string& method) const
+{
+    static const MethodOnScene nothing;
+    const auto found = std::find_if(on_scenes.begin(), on_scenes.end(),
+                                    [&](const auto& e) { return e.scene == scene && e.method == method; });
+    return found == on_scenes.end() ? nothing : *found;
+}
+
 void check_points(const std::string& name, const StudyRun& run)
 {
     const ErrorPoint* before = nullptr;
@@ -57,6 +66,22 @@ void check_study(const std::string& name, const Study& study)
             throw refuse("scene '" + s.name + "': the noise of its reference is no error");
     if (!study.baseline.empty() && methods.count(study.baseline) == 0)
         throw refuse("the baseline '" + study.baseline + "' is none of the methods");
+    const auto check_pairs = [&](const auto& list, const char* what) {
+        std::set<std::pair<std::string, std::string>> pairs;
+        for (const auto& e : list) {
+            const std::string name_of_pair = "'" + e.method + "' on '" + e.scene + "'";
+            if (scenes.count(e.scene) == 0 || methods.count(e.method) == 0)
+                throw refuse(std::string(what) + " of " + name_of_pair + ": there is no such scene or method");
+            if (!pairs.insert({e.scene, e.method}).second)
+                throw refuse(std::string(what) + " of " + name_of_pair + " is there twice");
+        }
+    };
+    check_pairs(study.on_scenes, "the remark");
+    check_pairs(study.levels, "the level");
+    for (const MethodOnScene& e : study.on_scenes)
+        if (!(e.reference_noise_relmse >= 0) || std::isinf(e.reference_noise_relmse))
+            throw refuse("the remark of '" + e.method + "' on '" + e.scene +
+                         "': the noise of its reference is no error");
     std::set<std::tuple<std::string, std::string, uint64_t>> known;
     for (const StudyRun& run : study.runs) {
         if (scenes.count(run.scene) == 0) throw refuse(name_of(run) + ": there is no such scene");

@@ -8,7 +8,8 @@
 namespace lancer {
 
 // Throws Error(invalid_input) with `name` as the place for the first of: a name that is empty or given twice, a run of
-// an unknown scene or method, two runs of the same scene, method and seed, an unknown baseline, a noise that is
+// an unknown scene or method, two runs of the same scene, method and seed, two remarks or levels of
+// the same scene and method, an unknown baseline, a noise that is
 // negative or not finite, and what check_points() refuses.
 void check_study(const std::string& name, const Study& study);
 

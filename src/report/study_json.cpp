@@ -7,6 +7,8 @@
 
 #include "core/error.h"
 #include "report/study_check.h"
+#include "report/study_ranking.h"
+#include "report/study_statistics.h"
 
 namespace lancer {
 namespace {
@@ -49,6 +51,43 @@ Json run_json(const StudyRun& run)
     for (const ErrorPoint& p : run.points) points.push_back(point_json(p));
     return {{"scene", run.scene},   {"method", run.method},   {"seed", run.seed},
             {"failed", run.failed}, {"problem", run.problem}, {"points", std::move(points)}};
+}
+
+Json interval_json(const Interval& i) { return Json::array({number_json(i.low), number_json(i.high)}); }
+
+Json level_json(const PictureLevel& level)
+{
+    Json ratio = Json::array(), intervals = Json::array();
+    for (size_t c = 0; c < 3; ++c) {
+        ratio.push_back(number_json(level.ratio[c]));
+        intervals.push_back(interval_json(level.ratio_interval[c]));
+    }
+    return {{"scene", level.scene},
+            {"method", level.method},
+            {"pictures", level.pictures},
+            {"ratio", ratio},
+            {"ratio_interval", intervals},
+            {"systematic_relmse", number_json(level.systematic_relmse)},
+            {"systematic_interval", interval_json(level.systematic_interval)}};
+}
+
+// What the page says, for programs that do not want to work it out; not read again.
+Json time_ratios_json(const Study& study)
+{
+    Json all = Json::array();
+    for (const StudyScene& scene : study.scenes)
+        for (const StudyMethod& m : study.methods)
+            for (const double target : study_targets) {
+                if (m.name == study.baseline) continue;
+                const Comparison c = speed_up(study, scene, m, target);
+                all.push_back({{"scene", scene.name},
+                               {"method", m.name},
+                               {"relmse", target},
+                               {"baseline_over_method", number_json(c.ratio)},
+                               {"interval", std::isnan(c.ratio) ? Json() : interval_json(c.interval)},
+                               {"verdict", rank_text(c)}});
+            }
+    return all;
 }
 
 // A value and how one gets to it, for messages.
@@ -125,6 +164,35 @@ StudyRun run_of(const Node& node)
     return run;
 }
 
+Interval interval_of(const Node& node)
+{
+    const std::vector<Node> ends = node.list();
+    if (ends.size() != 2) throw node.wrong("not two numbers");
+    return {ends[0].number(), ends[1].number()};
+}
+
+PictureLevel level_of(const Node& node)
+{
+    PictureLevel level;
+    level.scene = node.at("scene").text(), level.method = node.at("method").text();
+    level.pictures = node.at("pictures").count();
+    const std::vector<Node> ratio = node.at("ratio").list(), intervals = node.at("ratio_interval").list();
+    if (ratio.size() != 3 || intervals.size() != 3) throw node.wrong("not three channels");
+    for (size_t c = 0; c < 3; ++c) {
+        level.ratio[c] = ratio[c].number();
+        level.ratio_interval[c] = interval_of(intervals[c]);
+    }
+    level.systematic_relmse = node.at("systematic_relmse").number();
+    level.systematic_interval = interval_of(node.at("systematic_interval"));
+    return level;
+}
+
+MethodOnScene on_scene_of(const Node& node)
+{
+    return {node.at("scene").text(),      node.at("method").text(),    node.at("left_out").text(),
+            node.at("not_ranked").text(), node.at("reference").text(), node.at("reference_noise_relmse").number()};
+}
+
 Error not_json(const std::string& name, const std::string& json, size_t byte)
 {
     const std::string before = json.substr(0, byte ? byte - 1 : 0);
@@ -164,6 +232,15 @@ std::string to_json(const Study& study)
                            {"version", m.version}});
     for (const auto& [key, value] : study.machine) machine.push_back({{"name", key}, {"value", value}});
     for (const StudyRun& run : study.runs) runs.push_back(run_json(run));
+    Json on_scenes = Json::array(), levels = Json::array();
+    for (const MethodOnScene& e : study.on_scenes)
+        on_scenes.push_back({{"scene", e.scene},
+                             {"method", e.method},
+                             {"left_out", e.left_out},
+                             {"not_ranked", e.not_ranked},
+                             {"reference", e.reference},
+                             {"reference_noise_relmse", number_json(e.reference_noise_relmse)}});
+    for (const PictureLevel& level : study.levels) levels.push_back(level_json(level));
     const Json all{{"schema", schema},
                    {"title", study.title},
                    {"baseline", study.baseline},
@@ -171,6 +248,9 @@ std::string to_json(const Study& study)
                    {"not_comparable", study.not_comparable},
                    {"scenes", scenes},
                    {"methods", methods},
+                   {"on_scenes", on_scenes},
+                   {"levels", levels},
+                   {"time_to_error_ratio_to_baseline", time_ratios_json(study)},
                    {"runs", runs}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -193,6 +273,8 @@ Study read_study(const std::string& name, const std::string& json)
     for (const Node& n : all.at("methods").list())
         study.methods.push_back({n.at("name").text(), n.at("description").text(), n.at("biases").texts(),
                                  n.at("peer").flag(), n.at("version").text()});
+    for (const Node& n : all.at("on_scenes").list()) study.on_scenes.push_back(on_scene_of(n));
+    for (const Node& n : all.at("levels").list()) study.levels.push_back(level_of(n));
     for (const Node& n : all.at("runs").list()) study.runs.push_back(run_of(n));
     check_study(name, study);
     return study;

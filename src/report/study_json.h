@@ -1,5 +1,6 @@
 // A study as JSON ("schema": "lancer.study/1"): everything of it, so that a report can be made again from the file.
-// Errors that were not measured are null, infinite ones "infinity"; numbers come back as the same bits.
+// "time_to_error_ratio_to_baseline" is worked out from the rest and not read. Errors that were not measured are null,
+// infinite ones "infinity"; numbers come back as the same bits.
 #pragma once
 
 #include <string>

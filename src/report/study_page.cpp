@@ -35,8 +35,9 @@ std::string error_plot(const SceneFigures& f, bool over_time)
         plot.series.push_back(std::move(series));
     }
     // Further down it would only squeeze the curves; the text tells it in any case.
-    if (noise_limit(f.scene) > least / 10)
-        plot.marks.push_back({noise_limit(f.scene), "not ranked below: twice the noise of the reference", true});
+    if (noise_limit(f.scene.reference_noise_relmse) > least / 10)
+        plot.marks.push_back(
+            {noise_limit(f.scene.reference_noise_relmse), "not ranked below: twice the noise of the reference", true});
     return to_svg(plot);
 }
 
@@ -48,33 +49,58 @@ std::vector<Block> reference_blocks(const StudyScene& scene)
     const double noise = scene.reference_noise_relmse;
     blocks.push_back(Paragraph{"Reference: " + reference + ". " +
                                (noise > 0 ? "Its own noise is a relMSE of " + significant(noise) +
-                                                "; nothing is ranked below " + significant(noise_limit(scene)) +
+                                                "; nothing is ranked below " + significant(noise_limit(noise)) +
                                                 ", where half of what is measured or more would be that noise."
                                           : "It is taken to be exact.")});
+    return blocks;
+}
+
+std::vector<Block> remarks(const StudyMethod& method, const MethodOnScene& known)
+{
+    std::vector<Block> blocks;
+    if (!known.left_out.empty())
+        blocks.push_back(Paragraph{"Left out: " + method.name + ": " + known.left_out, Tone::bad});
+    if (!known.not_ranked.empty()) blocks.push_back(Paragraph{method.name + ": " + known.not_ranked + ".", Tone::bad});
+    if (!known.reference.empty())
+        blocks.push_back(Paragraph{method.name + ": errors against " + known.reference +
+                                   ". Its own noise is a relMSE of " + significant(known.reference_noise_relmse) +
+                                   "."});
     return blocks;
 }
 
 Section scene_section(const Study& study, const StudyScene& scene, const std::vector<SceneCrops>& crops, size_t number)
 {
     SceneFigures figures{study, scene, {}};
-    for (const StudyMethod& m : study.methods) figures.all.push_back(figures_of(study, scene, m));
     Section section{"Scene: " + scene.name, reference_blocks(scene)};
+    for (const StudyMethod& m : study.methods) {
+        const MethodOnScene& known = study.on_scene(scene.name, m.name);
+        if (known.left_out.empty()) figures.all.push_back(figures_of(study, scene, m));
+        for (Block& block : remarks(m, known)) section.blocks.push_back(std::move(block));
+    }
     section.blocks.push_back(Plot{error_plot(figures, true)});
     section.blocks.push_back(times_table(figures));
     section.blocks.push_back(speed_up_table(figures));
     section.blocks.push_back(efficiency_table(figures));
     section.blocks.push_back(slopes_table(figures));
+    if (Table levels = levels_table(figures); !levels.rows.empty()) section.blocks.push_back(std::move(levels));
     section.blocks.push_back(Plot{error_plot(figures, false)});
     section.blocks.push_back(errors_table(figures));
     section.blocks.push_back(runs_table(figures));
     const auto own = std::find_if(crops.begin(), crops.end(), [&](const auto& c) { return c.scene == scene.name; });
-    if (own == crops.end() || own->pictures.empty()) return section;
-    section.blocks.push_back(Paragraph{"The same part of the picture at equal time. Choose one; the arrow keys flip."});
-    PictureFlip flip{"crops-" + std::to_string(number), own->pictures};
-    for (Picture& picture : flip.pictures)
-        for (const StudyMethod& m : study.methods)
-            if (m.name == picture.name) picture.name = marked_name(m);
-    section.blocks.push_back(std::move(flip));
+    if (own == crops.end() || own->rows.empty()) return section;
+    section.blocks.push_back(Paragraph{
+        "Where methods are worst, at about equal time, of the first seed: each block by its reference and by each "
+        "method. Point at one, or touch it, to see the reference in its place. Blocks are chosen by their error "
+        "relative "
+        "to that of the whole picture, with the same weight for each method that is compared."});
+    for (size_t i = 0; i < own->rows.size(); ++i) {
+        PictureRow row = own->rows[i];
+        row.id = "crops-" + std::to_string(number) + "-" + std::to_string(i);
+        for (Picture& picture : row.pictures)
+            for (const StudyMethod& m : study.methods)
+                if (m.name == picture.name) picture.name = marked_name(m);
+        section.blocks.push_back(std::move(row));
+    }
     return section;
 }
 
@@ -93,7 +119,8 @@ Section methods_section(const Study& study)
     return {
         "Methods and the ledger of their biases",
         {Paragraph{"A bias is what keeps the mean of a method's pictures from the truth, however long it renders. A "
-                   "method is ranked only against one with the same biases."},
+                   "method is ranked only against one with the same biases. Limits of a scene that its reference has "
+                   "as well stand with the reference."},
          std::move(table)}};
 }
 
@@ -131,6 +158,17 @@ Section reading_section()
                    "marked as extrapolated follows the slope of the last doublings and is never ranked. Slopes are of "
                    "the last five "
                    "doublings that are above ten times the noise of the reference."},
+         Paragraph{
+             "Another program writes no log of its errors: it renders pictures of doubling numbers of samples, "
+             "each from its beginning, and each is held against the reference as those of lancer are. The time of "
+             "one is what that program counts as rendering. A picture that took longer than one of more samples "
+             "is left out, in its favour. It stands in the tables a second time, against a reference that it drew "
+             "for itself: there only its noise counts, and what its mean may have that is wrong does not. Where "
+             "the two differ, the second is in its favour."},
+         Paragraph{
+             "Exposure and energy: the mean radiance of the last pictures over that of the reference, and the "
+             "relMSE of their mean as it would be without noise. Another program whose level differs by more than "
+             "2 % beyond doubt is not ranked."},
          Paragraph{"Methods are compared at equal time and at equal error. One is called faster or slower only if "
                    "the interval of the ratio excludes 1, both have at least " +
                    std::to_string(fewest_seeds) +
@@ -149,6 +187,7 @@ Document make_study_page(const Study& study, const std::vector<SceneCrops>& crop
         page.opening.push_back(Paragraph{"Not comparable: " + reason + ".", Tone::bad});
     if (study.not_comparable.empty())
         page.opening.push_back(Paragraph{"Comparable: nothing was found that sets these runs apart.", Tone::good});
+    page.opening.push_back(time_ratios_table(study));
     page.opening.push_back(gains_table(study));
     page.sections.push_back(methods_section(study));
     for (size_t i = 0; i < study.scenes.size(); ++i)

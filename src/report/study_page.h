@@ -10,10 +10,11 @@
 
 namespace lancer {
 
-// The same part of a scene's picture by several methods at equal time; `name` of a picture is that of its method.
+// Parts of a scene's picture by the reference, which comes first, and by methods at equal time; `name` of a picture is
+// that of its method.
 struct SceneCrops {
     std::string scene;
-    std::vector<Picture> pictures;
+    std::vector<PictureRow> rows;  // the page gives them ids
 };
 
 // The study must have passed check_study() (study_check.h). crops: of some of its scenes, each at most once; may be

@@ -89,6 +89,11 @@ std::string why_not_ranked(const Study& study, const StudyScene& scene, const St
     const StudyMethod* baseline = find_method(study, study.baseline);
     if (!baseline) return "no baseline";
     if (!study.not_comparable.empty()) return "not comparable";
+    for (const std::string& name : {method.name, study.baseline}) {
+        const MethodOnScene& known = study.on_scene(scene.name, name);
+        const std::string why = first_of({known.left_out.empty() ? "" : "left out", known.not_ranked});
+        if (!why.empty()) return name == method.name ? why : of_baseline(why);
+    }
     if (const std::string biases = why_other_biases(method, *baseline); !biases.empty()) return biases;
     for (const std::string& name : {method.name, study.baseline})
         if (const size_t failed = failed_runs(study, scene.name, name))
@@ -125,8 +130,10 @@ Efficiency efficiency_of(const Study& study, const StudyScene& scene, const Stud
         errors.push_back(bounded(log_error(p.method)));
         baseline_errors.push_back(bounded(log_error(p.baseline)));
     }
-    const double limit = noise_limit(scene);
-    const bool below = std::exp(median(errors)) <= limit, baseline_below = std::exp(median(baseline_errors)) <= limit;
+    const auto limit = [&](const StudyMethod& m) { return noise_limit(reference_noise(study, scene, m)); };
+    const StudyMethod* other = find_method(study, study.baseline);
+    const bool below = std::exp(median(errors)) <= limit(method);
+    const bool baseline_below = other && std::exp(median(baseline_errors)) <= limit(*other);
     if (!below) {
         e.value = std::exp(-median(errors)) / last;
         const Interval i = median_interval(errors);

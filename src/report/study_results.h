@@ -3,11 +3,14 @@
 // means, study_page.h shows it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "report/statistics.h"
 
 namespace lancer {
 
@@ -28,7 +31,7 @@ struct ErrorPoint {
 struct StudyRun {
     std::string scene, method;  // names of a StudyScene and a StudyMethod
     uint64_t seed = 0;
-    std::vector<ErrorPoint> points;  // spp and wall_s ascending; spp doubling
+    std::vector<ErrorPoint> points;  // spp and wall_s ascending
     bool failed = false;             // then its points, if any, count for nothing
     std::string problem;             // what went wrong
 };
@@ -48,14 +51,40 @@ struct StudyScene {
     double reference_noise_relmse = 0;
 };
 
+// What sets a method apart on one scene.
+struct MethodOnScene {
+    std::string scene, method;
+    std::string left_out;    // why it has no runs there; empty: it has
+    std::string not_ranked;  // why its figures are shown and not ranked; empty: nothing more is known against it
+    // The reference of its own that its errors are against, and the noise of that; empty: the scene's.
+    std::string reference;
+    double reference_noise_relmse = 0;
+};
+
+// How bright the last pictures of a method are, over all its seeds, and how far their mean is from the reference.
+struct PictureLevel {
+    std::string scene, method;
+    uint64_t pictures = 0;
+    std::array<double, 3> ratio{};  // of the mean radiance to that of the reference, for each channel
+    std::array<Interval, 3> ratio_interval{};
+    // relMSE of what is left when the noise of pictures and reference is taken off, which an estimate may overdo.
+    double systematic_relmse = 0;
+    Interval systematic_interval;
+};
+
 struct Study {
     std::string title;
     std::vector<StudyScene> scenes;
     std::vector<StudyMethod> methods;
     std::vector<StudyRun> runs;
+    std::vector<MethodOnScene> on_scenes;                      // each pair at most once; those with nothing to say lack
+    std::vector<PictureLevel> levels;                          // likewise
     std::vector<std::pair<std::string, std::string>> machine;  // what is told, value
     std::vector<std::string> not_comparable;                   // why its figures may not stand side by side
     std::string baseline;                                      // name of the method that others are held against
+
+    // What sets it apart; nothing does, if there is no entry.
+    const MethodOnScene& on_scene(const std::string& scene, const std::string& method) const;
 };
 
 }  // namespace lancer

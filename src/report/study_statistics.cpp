@@ -130,6 +130,12 @@ std::string why_no_time(Reach reach)
     return "";
 }
 
+double reference_noise(const Study& study, const StudyScene& scene, const StudyMethod& method)
+{
+    const MethodOnScene& own = study.on_scene(scene.name, method.name);
+    return own.reference.empty() ? scene.reference_noise_relmse : own.reference_noise_relmse;
+}
+
 size_t failed_runs(const Study& study, const std::string& scene, const std::string& method)
 {
     return static_cast<size_t>(std::count_if(study.runs.begin(), study.runs.end(), [&](const StudyRun& r) {
@@ -152,7 +158,7 @@ std::vector<const StudyRun*> runs_of(const Study& study, const std::string& scen
 TimeToError time_to_error(const Study& study, const StudyScene& scene, const StudyMethod& method, double target)
 {
     const auto curves = curves_of(runs_of(study, scene.name, method.name), Along::time, &ErrorPoint::relmse);
-    return time_to(curves, target, noise_limit(scene), !method.biased());
+    return time_to(curves, target, noise_limit(reference_noise(study, scene, method)), !method.biased());
 }
 
 MethodFigures figures_of(const Study& study, const StudyScene& scene, const StudyMethod& method)
@@ -167,10 +173,11 @@ MethodFigures figures_of(const Study& study, const StudyScene& scene, const Stud
     }
     figures.time = curve_over_time(curves, figures.first_s, figures.last_s);
     figures.samples = curve_over_samples(curves_of(runs, Along::samples, &ErrorPoint::relmse));
-    figures.slope_samples = slope_of(runs, Along::samples, slope_limit(scene));
-    figures.slope_time = slope_of(runs, Along::time, slope_limit(scene));
+    const double noise = reference_noise(study, scene, method);
+    figures.slope_samples = slope_of(runs, Along::samples, slope_limit(noise));
+    figures.slope_time = slope_of(runs, Along::time, slope_limit(noise));
     for (const double target : study_targets)
-        figures.times.push_back(time_to(curves, target, noise_limit(scene), !method.biased()));
+        figures.times.push_back(time_to(curves, target, noise_limit(noise), !method.biased()));
     return figures;
 }
 

@@ -18,10 +18,13 @@ inline constexpr std::array study_targets{1e-1, 1e-2, 1e-3};
 
 // At or below this relMSE at least half of what is measured against the reference is the reference's own noise, as the
 // two add up: differences there say nothing about methods.
-inline double noise_limit(const StudyScene& scene) { return 2 * scene.reference_noise_relmse; }
+inline double noise_limit(double reference_noise_relmse) { return 2 * reference_noise_relmse; }
 
 // A slope is fitted above this relMSE: there the noise of the reference flattens the curve by less than a tenth.
-inline double slope_limit(const StudyScene& scene) { return 10 * scene.reference_noise_relmse; }
+inline double slope_limit(double reference_noise_relmse) { return 10 * reference_noise_relmse; }
+
+// Of the reference that the method's errors are against: the scene's, or one of its own.
+double reference_noise(const Study& study, const StudyScene& scene, const StudyMethod& method);
 
 struct CurvePoint {
     double x = 0, median = 0;

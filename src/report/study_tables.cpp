@@ -32,7 +32,8 @@ Tone tone_of(const Comparison& c)
 Cell comparison_cell(const Comparison& c)
 {
     const std::string ratio = c.rank == Rank::baseline ? "" : ratio_text(c);
-    return {ratio + (ratio.empty() ? "" : "\n") + rank_text(c), true, tone_of(c)};
+    // Reasons are long: they may be broken.
+    return {ratio + (ratio.empty() ? "" : "\n") + rank_text(c), c.rank != Rank::not_ranked, tone_of(c)};
 }
 
 // Of one figure at the end of each run.
@@ -138,24 +139,28 @@ Table slopes_table(const SceneFigures& f)
 Table runs_table(const SceneFigures& f)
 {
     Table table{"The runs, medians at their ends",
-                {"method", "runs", "failed", "samples per pixel", "wall s", "CPU s", "camera rays", "bounce rays",
-                 "shadow rays", "Mrays/s"},
+                {"method", "runs", "failed", "samples per pixel", "wall s", "CPU s", "camera rays", "Mpaths/s",
+                 "bounce rays", "shadow rays", "Mrays/s"},
                 {}};
     for (const MethodFigures& m : f.all) {
         const auto end = [&](const auto& figure) { return number(at_end(f, *m.method, figure)); };
-        table.rows.push_back({method_cell(*m.method),
-                              {std::to_string(m.runs), true},
-                              {std::to_string(m.failed), true, m.failed ? Tone::bad : Tone::plain},
-                              end([](const ErrorPoint& p) { return static_cast<double>(p.spp); }),
-                              end([](const ErrorPoint& p) { return p.wall_s; }),
-                              end([](const ErrorPoint& p) { return p.cpu_s; }),
-                              end([](const ErrorPoint& p) { return static_cast<double>(p.rays_camera); }),
-                              end([](const ErrorPoint& p) { return static_cast<double>(p.rays_bounce); }),
-                              end([](const ErrorPoint& p) { return static_cast<double>(p.rays_shadow); }),
-                              end([](const ErrorPoint& p) {
-                                  const uint64_t rays = p.rays_camera + p.rays_bounce + p.rays_shadow;
-                                  return static_cast<double>(rays) / p.wall_s / 1e6;
-                              })});
+        // Another program tells its samples, not its rays.
+        const auto traced = [&](const auto& figure) { return m.method->peer ? Cell{} : end(figure); };
+        table.rows.push_back(
+            {method_cell(*m.method),
+             {std::to_string(m.runs), true},
+             {std::to_string(m.failed), true, m.failed ? Tone::bad : Tone::plain},
+             end([](const ErrorPoint& p) { return static_cast<double>(p.spp); }),
+             end([](const ErrorPoint& p) { return p.wall_s; }),
+             end([](const ErrorPoint& p) { return p.cpu_s; }),
+             end([](const ErrorPoint& p) { return static_cast<double>(p.rays_camera); }),
+             end([](const ErrorPoint& p) { return static_cast<double>(p.rays_camera) / p.wall_s / 1e6; }),
+             traced([](const ErrorPoint& p) { return static_cast<double>(p.rays_bounce); }),
+             traced([](const ErrorPoint& p) { return static_cast<double>(p.rays_shadow); }),
+             traced([](const ErrorPoint& p) {
+                 const uint64_t rays = p.rays_camera + p.rays_bounce + p.rays_shadow;
+                 return static_cast<double>(rays) / p.wall_s / 1e6;
+             })});
     }
     return table;
 }
@@ -163,7 +168,10 @@ Table runs_table(const SceneFigures& f)
 Table errors_table(const SceneFigures& f)
 {
     double first = 0, last = std::numeric_limits<double>::infinity();
-    for (const MethodFigures& m : f.all) first = std::fmax(first, m.first_s), last = std::fmin(last, m.last_s);
+    for (const MethodFigures& m : f.all) {
+        if (!f.study.on_scene(f.scene.name, m.method->name).not_ranked.empty()) continue;
+        first = std::fmax(first, m.first_s), last = std::fmin(last, m.last_s);
+    }
     const bool common = first <= last && std::isfinite(last);
     Table table{
         common ? "Errors at equal time, medians" : "Errors at the end of each, as there is no common time; medians",
@@ -171,26 +179,74 @@ Table errors_table(const SceneFigures& f)
         {}};
     for (const MethodFigures& m : f.all) {
         if (m.runs == 0) continue;
-        const ErrorsAt e = errors_at(f.study, f.scene, *m.method, common ? last : m.last_s);
+        const bool measured = common && m.first_s <= last && last <= m.last_s;
+        const ErrorsAt e = errors_at(f.study, f.scene, *m.method, measured ? last : m.last_s);
         table.rows.push_back({method_cell(*m.method), number(e.seconds), number(e.relmse), number(e.relmse_trimmed),
                               number(e.rmse), number(e.smape), number(e.flip)});
     }
     return table;
 }
 
-Table gains_table(const Study& study)
+Table levels_table(const SceneFigures& f)
 {
-    Table table{"Efficiency over " + study.baseline + " at equal time [95 %]", {"scene"}, {}};
+    Table table{
+        "Exposure and energy of the last pictures: mean radiance over the reference's, and the error of their mean "
+        "without noise [95 %]",
+        {"method", "pictures", "red", "green", "blue", "systematic relMSE"},
+        {}};
+    for (const MethodFigures& m : f.all)
+        for (const PictureLevel& level : f.study.levels) {
+            if (level.scene != f.scene.name || level.method != m.method->name) continue;
+            std::vector<Cell> cells{method_cell(*m.method), {std::to_string(level.pictures), true}};
+            const auto between = [](const Interval& i, int digits) {
+                if (std::isnan(i.low)) return std::string("\ntoo few for an interval");
+                return "\n[" + significant(i.low, digits) + " .. " + significant(i.high, digits) + "]";
+            };
+            for (size_t c = 0; c < 3; ++c)
+                cells.push_back({significant(level.ratio[c], 5) + between(level.ratio_interval[c], 5), true});
+            const bool told = !std::isnan(level.systematic_relmse);
+            cells.push_back(
+                {told ? significant(level.systematic_relmse) + between(level.systematic_interval, 3) : "one picture",
+                 true, told && level.systematic_interval.low > 0 ? Tone::bad : Tone::plain});
+            table.rows.push_back(std::move(cells));
+        }
+    return table;
+}
+
+namespace {
+
+// A row for each scene, a column for each method but the baseline.
+template <class Compare>
+Table overview(const Study& study, const std::string& caption, const Compare& comparison)
+{
+    Table table{caption, {"scene"}, {}};
     std::vector<const StudyMethod*> methods;
     for (const StudyMethod& m : study.methods)
         if (m.name != study.baseline) methods.push_back(&m);
     for (const StudyMethod* m : methods) table.head.push_back(m->name + (m->biased() ? " (biased)" : ""));
     for (const StudyScene& scene : study.scenes) {
         std::vector<Cell> cells{{scene.name}};
-        for (const StudyMethod* m : methods) cells.push_back(comparison_cell(efficiency_of(study, scene, *m).gain));
+        for (const StudyMethod* m : methods) cells.push_back(comparison_cell(comparison(scene, *m)));
         table.rows.push_back(std::move(cells));
     }
     return table;
+}
+
+}  // namespace
+
+Table gains_table(const Study& study)
+{
+    return overview(study, "Efficiency over " + study.baseline + " at equal time [95 %]",
+                    [&](const StudyScene& s, const StudyMethod& m) { return efficiency_of(study, s, m).gain; });
+}
+
+Table time_ratios_table(const Study& study)
+{
+    const double target = study_targets.back();
+    return overview(study,
+                    "Time to error, ratio to baseline: time of " + study.baseline + " to relMSE " +
+                        target_text(target) + " over that of the method [95 %]",
+                    [&](const StudyScene& s, const StudyMethod& m) { return speed_up(study, s, m, target); });
 }
 
 }  // namespace lancer

@@ -31,7 +31,12 @@ Table runs_table(const SceneFigures& f);  // how many, how far they got, at whic
 // end of each.
 Table errors_table(const SceneFigures& f);
 
-// The gain of every method on every scene, for the beginning of the page.
+// How bright, and how far from the reference without noise; no rows where no pictures were looked at.
+Table levels_table(const SceneFigures& f);
+
+// Of every method on every scene, for the beginning of the page: the gain at equal time, and the time of the baseline
+// to the least of study_targets over that of the method.
 Table gains_table(const Study& study);
+Table time_ratios_table(const Study& study);
 
 }  // namespace lancer

@@ -58,6 +58,24 @@ TEST_F(StudyCommand, DrawsEveryMethodWithEverySeedAndMakesAPage)
     EXPECT_NE(page.find("whitted (biased)"), std::string::npos);
 }
 
+TEST_F(StudyCommand, TheLedgerOfAMethodIsOfAllScenes)
+{
+    // On the second scene the reference has the limit as well.
+    std::string two = study;
+    two.replace(two.find("--integrator whitted"), 20, "--max-depth 3");
+    const size_t at = two.find("[[method]]");
+    two.insert(at,
+               "[[scene]]\nname = \"short\"\nfile = \"scene.toml\"\noptions = \"--size 12x8 --max-depth 3\"\n"
+               "reference_spp = 64\n");
+    write("study.toml", two);
+    ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);
+    const Study s = result();
+    EXPECT_EQ(s.methods[1].biases, std::vector<std::string>{"max_depth=3"});
+    EXPECT_TRUE(s.methods[0].biases.empty());
+    EXPECT_NE(s.scenes[1].reference.find("its limits, shared by the methods: max_depth=3"), std::string::npos);
+    EXPECT_EQ(s.scenes[0].reference.find("its limits"), std::string::npos);
+}
+
 TEST_F(StudyCommand, GoesOnWhereItEndedAndDrawsAnewWhatHasChanged)
 {
     ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);

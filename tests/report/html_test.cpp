@@ -93,40 +93,58 @@ TEST(Html, Base64OfTheStandard)
     EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
-TEST(Html, PicturesStandInThePageAndAreChosenWithoutAScript)
+TEST(Html, PicturesStandInThePageSideBySideAndUnderASlider)
 {
     Document document = everything();
     document.sections[0].blocks.push_back(
-        PictureFlip{"one", {{"a " + wild, wild, png_of("x")}, {"b", "", png_of("")}}});
-    document.sections[1].blocks.push_back(PictureFlip{"two", {{"a", "", png_of("y")}}});
+        PictureRow{"one", wild, {{"a " + wild, "", png_of("x")}, {"b", wild, png_of("y")}, {"c", "", png_of("z")}}});
+    document.sections[1].blocks.push_back(PictureRow{"two", "", {{"a", "", png_of("y")}}});
     const std::string text = to_html(document);
-    std::vector<XmlElement> images, inputs, labels;
+    std::vector<XmlElement> images, radios, labels, ranges;
     std::string style;
+    size_t swaps = 0;
     for (const XmlElement& e : read_xml(text)) {
         if (e.name == "img") images.push_back(e);
-        if (e.name == "input") inputs.push_back(e);
+        if (e.name == "input") (e.attributes.at("type") == "radio" ? radios : ranges).push_back(e);
         if (e.name == "label") labels.push_back(e);
         if (e.name == "style") style = e.text;
+        swaps += e.has_class("swap");
         if (e.name == "script") {
             EXPECT_EQ(e.attributes.at("type"), "application/json");
         }
     }
-    ASSERT_EQ(images.size(), 3u);
+    ASSERT_EQ(images.size(), 3u + 2 + 6 + 1);
+    EXPECT_EQ(swaps, 2u);
     EXPECT_EQ(images[0].attributes.at("alt"), "a " + wild);
     EXPECT_EQ(images[0].attributes.at("src"), "data:image/png;base64," + base64(png_of("x")));
     EXPECT_EQ(images[0].attributes.at("width"), "258");
     EXPECT_EQ(images[0].attributes.at("height"), "3");
-    ASSERT_EQ(inputs.size(), 3u);
-    ASSERT_EQ(labels.size(), 3u);
-    for (size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(inputs[i].attributes.at("id"), labels[i].attributes.at("for"));
-        EXPECT_EQ(inputs[i].attributes.at("name"), i < 2 ? "one" : "two");
-        EXPECT_EQ(inputs[i].attributes.count("checked"), i == 1 ? 0u : 1u);  // one of each
+    // Over the second lies the first.
+    EXPECT_EQ(images[1].attributes.at("src"), "data:image/png;base64," + base64(png_of("y")));
+    EXPECT_EQ(images[2].attributes.at("src"), images[0].attributes.at("src"));
+    ASSERT_EQ(ranges.size(), 1u);
+    ASSERT_EQ(radios.size(), 6u);
+    ASSERT_EQ(labels.size(), 6u);
+    std::map<std::string, size_t> checked;
+    for (size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(radios[i].attributes.at("id"), labels[i].attributes.at("for"));
+        checked[radios[i].attributes.at("name")] += radios[i].attributes.count("checked");
+        const std::string own = radios[i].attributes.at("class");
+        EXPECT_NE(style.find("input." + own + ":checked~.view span." + own), std::string::npos);
     }
-    EXPECT_NE(style.find(".flip input:nth-of-type(2):checked~figure:nth-of-type(2)"), std::string::npos);
-    EXPECT_EQ(style.find("nth-of-type(3)"), std::string::npos);
-    EXPECT_EQ(to_html(everything()).find(".flip"), std::string::npos);
+    EXPECT_EQ(checked, (std::map<std::string, size_t>{{"one-left", 1}, {"one-right", 1}}));
+    EXPECT_EQ(to_html(everything()).find(".swap"), std::string::npos);
     EXPECT_EQ(to_markdown({"t", {document.sections[1].blocks}, {}}, 2), "");
+}
+
+TEST(Html, SmallPicturesAreShownLarge)
+{
+    const std::string small("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x20\0\0\0\x10", 24);
+    for (const XmlElement& e : read_xml(to_html(Document{"t", {PictureRow{"p", "", {{"crop", "", small}}}}, {}})))
+        if (e.name == "img") {
+            EXPECT_EQ(e.attributes.at("width"), "192");
+            EXPECT_EQ(e.attributes.at("height"), "96");
+        }
 }
 
 TEST(Html, RefusesPicturesOfAnotherKind)
@@ -134,7 +152,7 @@ TEST(Html, RefusesPicturesOfAnotherKind)
     for (const std::string& bytes :
          {std::string("GIF89a, and more than twenty-four bytes"), png_of("").substr(0, 23)}) {
         try {
-            to_html(Document{"t", {PictureFlip{"p", {{"crop", "", bytes}}}}, {}});
+            to_html(Document{"t", {PictureRow{"p", "", {{"crop", "", bytes}}}}, {}});
             ADD_FAILURE();
         } catch (const Error& e) {
             EXPECT_STREQ(e.what(), "error: the picture 'crop' is no PNG");

@@ -151,21 +151,61 @@ TEST(StudyPage, FailedRunsAreShown)
     const auto page = page_of(study);
     EXPECT_EQ(holding(texts(page, "h2"), "Failed runs"), 1u);
     EXPECT_EQ(holding(texts(page, "td"), "out of <memory>"), 1u);
-    EXPECT_EQ(holding(texts(page, "td"), "not ranked: 1 run failed"), 5u);  // above, at equal time, at 3 errors
+    EXPECT_EQ(holding(texts(page, "td"), "not ranked: 1 run failed"), 6u);  // twice above, at equal time, at 3 errors
 }
 
 TEST(StudyPage, CropsOfAScene)
 {
-    const std::vector<SceneCrops> crops{{"box", {{"plain", "16 spp", png}, {"clamped", "17 spp", png}}}};
-    const auto page = page_of(example(), crops);
+    const PictureRow row{"", "here", {{"reference", "", png}, {"plain", "16 spp", png}, {"clamped", "17 spp", png}}};
+    const auto page = page_of(example(), {{"box", {row, row}}});
     size_t images = 0;
     for (const XmlElement& e : page) {
         if (e.name != "img") continue;
         EXPECT_EQ(e.attributes.at("src"), "data:image/png;base64," + base64(png));
         ++images;
     }
-    EXPECT_EQ(images, 2u);
-    EXPECT_EQ(texts(page, "figcaption"), (std::vector<std::string>{"plain: 16 spp", "clamped (biased): 17 spp"}));
+    EXPECT_EQ(images, 2 * (3u + 2 + 6));  // side by side, the reference over the others, either side of the slider
+    EXPECT_EQ(holding(texts(page, "figcaption"), "clamped (biased)17 spp"), 2u);
+}
+
+TEST(StudyPage, WhatIsLeftOutAndWhatIsNotRankedIsSaid)
+{
+    Study study = example();
+    study.on_scenes = {{"box", "better", "not installed", "", "", 0},
+                       {"<statues>", "better", "", "the same samples in every run", "", 0},
+                       {"box", "plain", "", "", "its own", 1e-3}};
+    const auto page = page_of(study);
+    const auto words = texts(page, "p");
+    EXPECT_EQ(holding(words, "Left out: better: not installed"), 1u);
+    EXPECT_EQ(holding(words, "better: the same samples in every run."), 1u);
+    EXPECT_EQ(holding(words, "plain: errors against its own. Its own noise is a relMSE of"), 1u);
+    EXPECT_EQ(holding(texts(page, "td"), "not ranked: left out"), 2u);  // above alone: at equal time and at equal error
+    EXPECT_EQ(holding(texts(page, "td"), "not ranked: the same samples in every run"), 6u);
+    // The own reference is too noisy to tell the time to 1e-3.
+    EXPECT_EQ(row(make_study_page(study, {}), 1, "Seconds of rendering", "plain")[3],
+              "below the noise of the reference");
+}
+
+TEST(StudyPage, LevelsAndTheRatioOfTimes)
+{
+    Study study = example();
+    PictureLevel level;
+    level.scene = "box", level.method = "better", level.pictures = 8;
+    level.ratio = {0.998, 0.9982, 0.9985};
+    level.ratio_interval = {Interval{0.9979, 0.9981}, {0.9981, 0.9983}, {0.9984, 0.9986}};
+    level.systematic_relmse = 1.2e-5, level.systematic_interval = {1e-5, 1.4e-5};
+    study.levels = {level};
+    const Document page = make_study_page(study, {});
+    const auto cells = row(page, 1, "Exposure and energy", "better");
+    EXPECT_EQ(cells[2], "0.99800\n[0.99790 .. 0.99810]");
+    EXPECT_EQ(cells[5], "1.20·10⁻⁵\n[1.00·10⁻⁵ .. 1.40·10⁻⁵]");
+    const auto* ratios = std::get_if<Table>(&page.opening.at(1));
+    ASSERT_TRUE(ratios);
+    EXPECT_EQ(ratios->caption,
+              "Time to error, ratio to baseline: time of plain to relMSE 0.001 over that of the method [95 %]");
+    EXPECT_NE(ratios->rows[0][1].text.find("\nfaster"), std::string::npos);
+    EXPECT_NEAR(std::stod(ratios->rows[0][1].text.substr(std::string("×").size())), 2.5, 0.5);
+    EXPECT_EQ(ratios->rows[0][2].text, "not ranked: biased, the baseline is not");
 }
 
 TEST(StudyPage, HoldsTheWholeStudy)

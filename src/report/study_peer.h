@@ -1,0 +1,40 @@
+// What other renderers say when a study asks them: the lines of JSON of bench/peers/run, and how many samples are asked
+// of them.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lancer {
+
+struct PeerAbout {
+    std::string version;
+    bool seeds = false;    // else its random numbers are always the same
+    bool squares = false;  // samples per pixel must be square numbers
+};
+// name: of who said it, for messages. Throws Error (failed) for what is not such an object.
+PeerAbout read_peer_about(const std::string& name, const std::string& json);
+
+struct PeerRecord {
+    uint32_t spp = 0;
+    double render_wall_s = 0;
+    double render_cpu_s = std::numeric_limits<double>::quiet_NaN();  // NaN: it does not tell
+    std::vector<std::string> biases;
+};
+// A line for each picture, in this order of samples. Throws Error (failed) for anything else.
+std::vector<PeerRecord> read_peer_records(const std::string& name, const std::string& lines,
+                                          const std::vector<uint32_t>& spps);
+
+// How long the first picture that its speed is told from should take at least, as a part of the study's time.
+inline constexpr double probe_part = 1.0 / 16;
+
+// Samples per pixel of the pictures of a run: doubling from 1 on (fourfold where they must be squares), the last one so
+// that it takes the time. A doubling within a quarter of the last is left out. Without a time
+// up to `most`, which holds beside a time as well.
+std::vector<uint32_t> peer_samples(double seconds_per_sample, std::optional<double> time, std::optional<uint32_t> most,
+                                   bool squares);
+
+}  // namespace lancer
