@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/number_text.h"
+#include "report/svg_plot.h"
 
 namespace lancer::stability {
 namespace {
@@ -67,6 +68,19 @@ void add_rows(Table& table, const Result& r)
     }
 }
 
+Plot plot_of(const Sweep& sweep)
+{
+    LinePlot plot{{sweep.title, "", sweep.x, sweep.y}, Scale::logarithmic, Scale::logarithmic, {}, {}};
+    for (const SweepCurve& curve : sweep.curves) {
+        PlotSeries series{curve.name, {}};
+        for (const SweepPoint& p : curve.points) series.points.push_back({p.x, {p.error}});
+        plot.labels.description += curve.name + (&curve == &sweep.curves.back() ? "." : ", ");
+        plot.series.push_back(std::move(series));
+    }
+    plot.labels.description = sweep.y + " against " + sweep.x + ": " + plot.labels.description;
+    return {to_svg(plot)};
+}
+
 }  // namespace
 
 bool Result::passes() const
@@ -89,7 +103,7 @@ Result run_row(const Row& row, const Setup& setup)
     return result;
 }
 
-Document make_page(const std::vector<Result>& results, const std::string& tier)
+Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier)
 {
     uint64_t samples = 0, dropped = 0;
     size_t judged = 0, failed = 0;
@@ -115,6 +129,11 @@ Document make_page(const std::vector<Result>& results, const std::string& tier)
                 {}};
     for (const Result& r : results) add_rows(table, r);
     page.sections.push_back({"Rows", {table}, false});
+    if (!sweeps.empty()) {
+        Section plots{"Error against stiffness", {}, true};
+        for (const Sweep& sweep : sweeps) plots.blocks.push_back(plot_of(sweep));
+        page.sections.push_back(std::move(plots));
+    }
     return page;
 }
 

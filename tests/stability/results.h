@@ -6,6 +6,7 @@
 
 #include "report/document.h"
 #include "stability/row.h"
+#include "stability/sweep.h"
 
 namespace lancer::stability {
 
@@ -22,8 +23,8 @@ struct Result {
 // Runs a row; what it throws becomes the result's problem.
 Result run_row(const Row& row, const Setup& setup);
 
-// tier: how the rows were run, "A" to "C".
-Document make_page(const std::vector<Result>& results, const std::string& tier);
+// tier: how the rows were run, "A" to "C". Sweeps become plots.
+Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier);
 std::string to_json(const std::vector<Result>& results, const std::string& tier);
 
 }  // namespace lancer::stability

@@ -94,7 +94,7 @@ int run(const Options& o)
     });
     if (!o.folder.empty()) {
         std::filesystem::create_directories(o.folder);
-        const Document page = make_page(results, o.tier_name);
+        const Document page = make_page(results, o.only.empty() ? all_sweeps() : std::vector<Sweep>{}, o.tier_name);
         write_text(o.folder + "/stability.html", to_html(page));
         write_text(o.folder + "/stability.md", to_markdown(page, 2));
         write_text(o.folder + "/stability.json", to_json(results, o.tier_name));
