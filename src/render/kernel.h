@@ -120,7 +120,7 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
     if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
     Blocks blocks{film.pixels, film.open};
     for (uint32_t first = samples.begin; first < samples.end;) {
-        const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
+        const uint32_t last = first + std::min(samples.end - first, samples_per_block - first % samples_per_block);
         w.block.resize(size_t{tile.width()} * tile.height());
         for_pixels(film, tile, [&](size_t i, size_t k) { w.block[k] = blocks.take(i, first); });
         listener.begin_block(first);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/parallel.h"
 #include "report/number_text.h"
 #include "report/svg_plot.h"
 
@@ -89,12 +90,16 @@ bool Result::passes() const
            std::all_of(outcome.measures.begin(), outcome.measures.end(), [](const Measure& m) { return m.passes(); });
 }
 
-Result run_row(const Row& row, const Setup& setup)
+Result run_row(const Row& row, const Setup& setup, unsigned threads)
 {
     Result result{row.id, row.stiff, row.reference, row.rays ? setup.accelerator : "", !setup.fast(), "", {}, 0};
     const auto start = std::chrono::steady_clock::now();
     try {
-        result.outcome = row.run(setup);
+        const auto run = [&] { result.outcome = row.run(setup); };
+        if (row.own_threads)
+            run();
+        else
+            with_threads(threads, run);
         if (result.outcome.measures.empty()) result.problem = "nothing was measured";
     } catch (const std::exception& e) {
         result.problem = e.what();

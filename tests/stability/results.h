@@ -20,8 +20,8 @@ struct Result {
     bool passes() const;
 };
 
-// Runs a row; what it throws becomes the result's problem.
-Result run_row(const Row& row, const Setup& setup);
+// Runs a row on so many threads, unless it has its own; what it throws becomes the result's problem.
+Result run_row(const Row& row, const Setup& setup, unsigned threads);
 
 // tier: how the rows were run, "A" to "C". Sweeps become plots.
 Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier);

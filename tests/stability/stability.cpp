@@ -81,17 +81,15 @@ void print(const Result& r)
 int run(const Options& o)
 {
     std::vector<Result> results;
-    with_threads(available_threads(), [&] {
-        for (const Row& row : chosen_rows(o)) {
-            const std::vector<std::string> with = !row.rays                ? std::vector<std::string>{"embree"}
-                                                  : o.accelerators.empty() ? shown
-                                                                           : o.accelerators;
-            for (const std::string& accelerator : with) {
-                results.push_back(run_row(row, {o.tier, accelerator}));
-                print(results.back());
-            }
+    for (const Row& row : chosen_rows(o)) {
+        const std::vector<std::string> with = !row.rays                ? std::vector<std::string>{"embree"}
+                                              : o.accelerators.empty() ? shown
+                                                                       : o.accelerators;
+        for (const std::string& accelerator : with) {
+            results.push_back(run_row(row, {o.tier, accelerator}, available_threads()));
+            print(results.back());
         }
-    });
+    }
     if (!o.folder.empty()) {
         std::filesystem::create_directories(o.folder);
         const Document page = make_page(results, o.only.empty() ? all_sweeps() : std::vector<Sweep>{}, o.tier_name);
