@@ -30,7 +30,7 @@ void trace_samples(const View& view, const Accelerator& accel, const Camera& cam
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
-            const Color c = counted(w.queue.radiance[i], settings);
+            const Color c = counted(w.queue.radiance[i].color(), settings);
             if (!is_finite(c)) {
                 counters.drop(w.slots[i]);
                 continue;
@@ -166,7 +166,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     Counters counters;
     w.slots.push_back(id);
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, listener);
-    return counted(w.queue.radiance[0], settings);
+    return counted(w.queue.radiance[0].color(), settings);
 }
 
 }  // namespace lancer
