@@ -69,6 +69,15 @@ void add_rows(Table& table, const Result& r)
     }
 }
 
+std::string drops_text(const SampleCount& count)
+{
+    std::string text = count_text(static_cast<double>(count.dropped)) + " of " +
+                       significant(static_cast<double>(count.samples), 4) + " samples were dropped as not finite";
+    if (const auto bound = count.chance_below())
+        text += "; the chance of one is below " + significant(*bound, 2) + " with 95 % confidence";
+    return text + ".";
+}
+
 Plot plot_of(const Sweep& sweep)
 {
     LinePlot plot{{sweep.title, "", sweep.x, sweep.y}, Scale::logarithmic, Scale::logarithmic, {}, {}};
@@ -90,6 +99,20 @@ bool Result::passes() const
            std::all_of(outcome.measures.begin(), outcome.measures.end(), [](const Measure& m) { return m.passes(); });
 }
 
+std::optional<double> SampleCount::chance_below() const
+{
+    if (samples == 0 || dropped > 0) return {};
+    return 3 / static_cast<double>(samples);
+}
+
+SampleCount count_samples(const std::vector<Result>& results)
+{
+    SampleCount all;
+    for (const Result& r : results)
+        if (r.judged) all += {r.outcome.samples, r.outcome.dropped};
+    return all;
+}
+
 Result run_row(const Row& row, const Setup& setup, unsigned threads)
 {
     Result result{row.id, row.stiff, row.reference, row.rays ? setup.accelerator : "", !setup.fast(), "", {}, 0};
@@ -108,26 +131,18 @@ Result run_row(const Row& row, const Setup& setup, unsigned threads)
     return result;
 }
 
-Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier)
+Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier,
+                   const std::optional<SampleCount>& all_runs)
 {
-    uint64_t samples = 0, dropped = 0;
     size_t judged = 0, failed = 0;
-    for (const Result& r : results) {
-        samples += r.outcome.samples, dropped += r.outcome.dropped;
-        judged += r.judged, failed += r.judged && !r.passes();
-    }
+    for (const Result& r : results) judged += r.judged, failed += r.judged && !r.passes();
     Document page{"Stability matrix, tier " + tier, {}, {}};
     page.opening.push_back(Paragraph{
         count_text(static_cast<double>(judged - failed)) + " of " + count_text(static_cast<double>(judged)) + " pass",
         failed == 0 ? Tone::plain : Tone::bad});
-    // With none of n dropped, the chance of a drop is below 3/n with 95 % confidence (the rule of three).
-    if (samples > 0)
-        page.opening.push_back(
-            Paragraph{count_text(static_cast<double>(dropped)) + " of " + significant(static_cast<double>(samples), 4) +
-                      " samples were dropped as not finite" +
-                      (dropped == 0 ? "; the chance of one is below " +
-                                          significant(3 / static_cast<double>(samples), 2) + " with 95 % confidence"
-                                    : "")});
+    const SampleCount here = count_samples(results);
+    if (here.samples > 0) page.opening.push_back(Paragraph{"Here " + drops_text(here)});
+    if (all_runs) page.opening.push_back(Paragraph{"In all full runs so far " + drops_text(*all_runs)});
     Table table{"",
                 {"id", "what is stiff about it", "compared to", "accelerator", "measure", "value", "may be", "margin",
                  "verdict", "s", "dropped", "rays rejected"},

@@ -40,14 +40,6 @@ SampleCount count_lines(const std::string& log)
 
 }  // namespace
 
-SampleCount count_samples(const std::vector<Result>& results)
-{
-    SampleCount all;
-    for (const Result& r : results)
-        if (r.judged) all += {r.outcome.samples, r.outcome.dropped};
-    return all;
-}
-
 SampleCount append_to_log(const std::string& path, const std::vector<Result>& results, const std::string& tier)
 {
     std::string log = read_bytes(path);

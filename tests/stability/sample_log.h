@@ -8,9 +8,6 @@
 
 namespace lancer::stability {
 
-// Samples of the rows that are judged.
-SampleCount count_samples(const std::vector<Result>& results);
-
 // Appends a line: when, tier, rows that passed and failed, samples and dropped ones of this run and of all runs in the
 // log, and the bound on the chance of a drop that all runs give. Returns the counts of all runs. Lines that are not of
 // that form count for nothing. Throws Error (failed) if the file cannot be written.

@@ -12,6 +12,7 @@
 #include "report/html.h"
 #include "report/markdown.h"
 #include "stability/results.h"
+#include "stability/sample_log.h"
 
 namespace lancer::stability {
 namespace {
@@ -43,7 +44,7 @@ bool parse(int argc, char** argv, Options& o)
                 throw Error(ErrorKind::usage, {}, "--accel: '" + s + "' is not one of embree, embree-fast, bvh2, bvh8");
             o.accelerators.push_back(s);
         });
-    p.value("-o,--output", "FOLDER", "Write stability.html, .md and .json there",
+    p.value("-o,--output", "FOLDER", "Write stability.html, .md and .json there; of a full run also a line of log.csv",
             [&](const std::string& s) { o.folder = s; });
     return p.parse(argc, argv);
 }
@@ -92,7 +93,10 @@ int run(const Options& o)
     }
     if (!o.folder.empty()) {
         std::filesystem::create_directories(o.folder);
-        const Document page = make_page(results, o.only.empty() ? all_sweeps() : std::vector<Sweep>{}, o.tier_name);
+        const bool is_full = o.only.empty() && o.accelerators.empty();
+        std::optional<SampleCount> all_runs;
+        if (is_full) all_runs = append_to_log(o.folder + "/log.csv", results, o.tier_name);
+        const Document page = make_page(results, is_full ? all_sweeps() : std::vector<Sweep>{}, o.tier_name, all_runs);
         write_text(o.folder + "/stability.html", to_html(page));
         write_text(o.folder + "/stability.md", to_markdown(page, 2));
         write_text(o.folder + "/stability.json", to_json(results, o.tier_name));
