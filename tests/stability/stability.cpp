@@ -49,15 +49,23 @@ bool parse(int argc, char** argv, Options& o)
     return p.parse(argc, argv);
 }
 
+std::string names_of(const std::vector<Row>& rows)
+{
+    std::string names;
+    for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.id;
+    return names;
+}
+
 std::vector<Row> chosen_rows(const Options& o)
 {
     std::vector<Row> rows = all_rows();
     for (const std::string& id : o.only)
         if (std::none_of(rows.begin(), rows.end(), [&](const Row& r) { return r.id == id || r.id.substr(0, 1) == id; }))
-            throw Error(ErrorKind::usage, {}, "--only: there is no row '" + id + "'");
+            throw Error(ErrorKind::usage, {}, "--only: there is no row '" + id + "'; known: " + names_of(rows));
     std::erase_if(rows, [&](const Row& r) {
         return r.tier > o.tier || (!o.only.empty() && !o.only.contains(r.id) && !o.only.contains(r.id.substr(0, 1)));
     });
+    if (rows.empty()) throw Error(ErrorKind::usage, {}, "nothing to run: these rows need a higher --tier");
     return rows;
 }
 
