@@ -130,11 +130,8 @@ Table overview(const std::vector<Result>& results)
 
 std::string drops_text(const SampleCount& count)
 {
-    std::string text = count_text_of(count.dropped) + " of " + significant(static_cast<double>(count.samples), 4) +
-                       " samples were dropped as not finite";
-    if (const auto bound = count.chance_below())
-        text += "; the chance of one is below " + significant(*bound, 2) + " with 95 % confidence";
-    return text + ".";
+    return count_text_of(count.dropped) + " of " + significant(static_cast<double>(count.samples), 4) +
+           " samples were dropped as not finite";
 }
 
 // Errors of 0 have no place on a logarithmic axis: they are drawn as half a unit in the last place of a double.
@@ -178,9 +175,15 @@ Document make_page(const std::vector<Result>& results, const std::vector<Sweep>&
     page.opening.push_back(Paragraph{count_text_of(judged - failed) + " of " + count_text_of(judged) + " passed."});
     if (failed > 0) page.opening.push_back(Paragraph{"Failed" + names + ".", Tone::bad});
     const SampleCount here = count_samples(results);
-    if (here.samples > 0) page.opening.push_back(Paragraph{"In this run " + drops_text(here)});
+    if (here.samples > 0) {
+        const auto bound = here.chance_below();
+        page.opening.push_back(Paragraph{
+            "In this run " + drops_text(here) +
+            (bound ? "; the chance of one is below " + significant(*bound, 2) + " with 95 % confidence." : ".")});
+    }
+    // Without a bound: runs have the same seeds.
     if (all_runs && all_runs->samples > here.samples)
-        page.opening.push_back(Paragraph{"In all full runs so far " + drops_text(*all_runs)});
+        page.opening.push_back(Paragraph{"In all full runs so far " + drops_text(*all_runs) + "."});
     page.opening.push_back(overview(results));
     for (const Group& group : groups)
         if (const auto rows = of_group(results, group.letter); !rows.empty())

@@ -53,7 +53,7 @@ SampleCount append_to_log(const std::string& path, const std::vector<Result>& re
     std::ostringstream line;
     line << now() << ',' << tier << ',' << passed << ',' << failed << ',' << here.samples << ',' << here.dropped << ','
          << all.samples << ',' << all.dropped << ',';
-    if (const auto bound = all.chance_below()) line << *bound;
+    if (const auto bound = here.chance_below()) line << *bound;
     write_text(path, log + line.str() + "\n");
     return all;
 }
