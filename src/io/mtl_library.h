@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "io/mtl_material.h"
@@ -36,7 +36,7 @@ private:
         std::vector<MtlEntry> entries;
     };
     std::deque<Content> files_;
-    std::map<std::string, Place, std::less<>> index_;
+    std::unordered_map<std::string, Place> index_;
 };
 
 }  // namespace lancer

@@ -64,6 +64,7 @@ UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& lib
                                  Diagnostics& diagnostics)
 {
     UsedMaterials used;
+    used.reserve(summary.materials.size());
     constexpr uint64_t most_named = 10;
     uint64_t unknown = 0;
     for (const ObjSummary::Name& use : summary.materials) {

@@ -22,6 +22,7 @@ ObjMeshBuilder::ObjMeshBuilder(const ObjSummary& summary, const UsedMaterials& m
         for (const auto& m : materials_) textured_.push_back(m && reads_textures(*m));
     }
     textured_.resize(materials_.size() + 1);
+    mesh_.materials.reserve(materials_.size() + 1);
     mesh_.positions.reserve(summary.vertices);
     mesh_.normals.reserve(summary.face_normals ? summary.normals : 0);
     mesh_.triangles.reserve(summary.triangles);

@@ -58,7 +58,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
         const uint64_t seed = w.seed_of(settings, id.sample / of_path);
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
-    w.queue.radiance.assign(w.slots.size(), Color{});
+    w.queue.radiance.assign(w.slots.size(), RadianceSum{});
     // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
     // first to ask for so many, and allocate.
     const size_t most = w.slots.size() * view.plan.split;
@@ -133,7 +133,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
             if (k == 0) look_ahead(i);
             State& s = w.states[i];
             Steps steps(w.queue, s.slot);
-            const Color before = w.queue.radiance[s.slot];
+            const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
@@ -152,7 +152,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, steps);
             }
-            listener.added(s, w.queue.radiance[s.slot] - before);
+            listener.added(s, w.queue.radiance[s.slot].since(before));
         }
 
         w.occluded.resize(w.queue.shadow_rays.size());

@@ -37,7 +37,7 @@ public:
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
-        w.queue.radiance.assign(w.slots.size(), Color{});
+        w.queue.radiance.assign(w.slots.size(), RadianceSum{});
         w.hits.reserve(most);
         w.occluded.reserve(most);
         now_.clear();
@@ -320,7 +320,7 @@ inline void DiffuseBatch::add_unoccluded()
         for (size_t i = 0; i < std::min<size_t>(float_lanes, shadows_.size() - first); ++i) {
             if (w_.occluded[first + i]) continue;
             const Vec3 brought = lane(shadow.radiance, i);
-            w_.queue.radiance[shadow.slot[i]] += {brought.x, brought.y, brought.z};
+            w_.queue.radiance[shadow.slot[i]] += Color{brought.x, brought.y, brought.z};
         }
     }
 }

@@ -30,7 +30,7 @@ void trace_samples(const View& view, const Accelerator& accel, const Camera& cam
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
-            const Color c = counted(w.queue.radiance[i], settings);
+            const Color c = counted(w.queue.radiance[i].color(), settings);
             if (!is_finite(c)) {
                 counters.drop(w.slots[i]);
                 continue;
@@ -120,7 +120,7 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
     if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
     Blocks blocks{film.pixels, film.open};
     for (uint32_t first = samples.begin; first < samples.end;) {
-        const uint32_t last = std::min(samples.end, (first / samples_per_block + 1) * samples_per_block);
+        const uint32_t last = first + std::min(samples.end - first, samples_per_block - first % samples_per_block);
         w.block.resize(size_t{tile.width()} * tile.height());
         for_pixels(film, tile, [&](size_t i, size_t k) { w.block[k] = blocks.take(i, first); });
         listener.begin_block(first);
@@ -166,7 +166,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     Counters counters;
     w.slots.push_back(id);
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, listener);
-    return counted(w.queue.radiance[0], settings);
+    return counted(w.queue.radiance[0].color(), settings);
 }
 
 }  // namespace lancer

@@ -25,12 +25,12 @@ struct Look {
     double among_paths = 0, among_parts = 0;  // variance of the luminance: of whole paths, of the parts of one
 };
 
-Look look_at(std::span<const Color> samples)
+Look look_at(std::span<const RadianceSum> samples)
 {
     Look look;
     double sum = 0, squares = 0;
     for (uint32_t i = 0; i < paths; ++i) {
-        const Color a = samples[parts * i], b = samples[parts * i + 1];
+        const Color a = samples[parts * i].color(), b = samples[parts * i + 1].color();
         const auto y = [](Color c) { return luminance(double{c.r}, double{c.g}, double{c.b}); };
         const double mean = 0.5 * (y(a) + y(b)), difference = y(a) - y(b);
         if (!is_finite(a) || !is_finite(b)) return {};
@@ -93,7 +93,8 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
             Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row]);
             for (uint32_t column = first; column < end; ++column)
                 s.looks[row * s.columns + column] =
-                    look_at(std::span(w.queue.radiance).subspan(size_t{column - first} * paths * parts, paths * parts));
+                    look_at(std::span<const RadianceSum>(w.queue.radiance)
+                                .subspan(size_t{column - first} * paths * parts, paths * parts));
         }
     });
     for (const Counters& c : counters) s.counters += c;

@@ -81,7 +81,7 @@ stats::Tally trace(Route route, const Integrator& integrator, uint64_t seed, con
     trace_batch(View{stage.scene, PathPlan{}}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings,
                 integrator, w, counters, listener);
     stats::Tally t;
-    for (const Color c : w.queue.radiance) t.add(static_cast<double>(luminance(c)));
+    for (const RadianceSum& c : w.queue.radiance) t.add(static_cast<double>(luminance(c.color())));
     return t;
 }
 

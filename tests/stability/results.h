@@ -1,11 +1,13 @@
 // The matrix as it came out: rows with their measures, as a document and as JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "report/document.h"
 #include "stability/row.h"
+#include "stability/sweep.h"
 
 namespace lancer::stability {
 
@@ -19,11 +21,27 @@ struct Result {
     bool passes() const;
 };
 
-// Runs a row; what it throws becomes the result's problem.
-Result run_row(const Row& row, const Setup& setup);
+// Samples that were taken, and those of them that were no finite numbers.
+struct SampleCount {
+    uint64_t samples = 0, dropped = 0;
 
-// tier: how the rows were run, "A" to "C".
-Document make_page(const std::vector<Result>& results, const std::string& tier);
+    SampleCount& operator+=(const SampleCount& o)
+    {
+        samples += o.samples, dropped += o.dropped;
+        return *this;
+    }
+    // With none of n dropped the chance of a drop is below 3/n with 95 % confidence (the rule of three); else nothing.
+    std::optional<double> chance_below() const;
+};
+// Of the rows that are judged.
+SampleCount count_samples(const std::vector<Result>& results);
+
+// Runs a row on so many threads, unless it has its own; what it throws becomes the result's problem.
+Result run_row(const Row& row, const Setup& setup, unsigned threads);
+
+// tier: how the rows were run, "A" to "C". Sweeps become plots. all_runs: of every full run so far, if this is one.
+Document make_page(const std::vector<Result>& results, const std::vector<Sweep>& sweeps, const std::string& tier,
+                   const std::optional<SampleCount>& all_runs = {});
 std::string to_json(const std::vector<Result>& results, const std::string& tier);
 
 }  // namespace lancer::stability

@@ -27,7 +27,8 @@ double Measure::margin() const
     const double over = bound == Bound::at_most ? value : threshold,
                  under = bound == Bound::at_most ? threshold : value;
     if (over == under) return 1;
-    return over == 0 ? std::numeric_limits<double>::infinity() : under / over;
+    if (over < 0 && under < 0) return over / under;  // both below 0, such as slopes: the further, the better
+    return over <= 0 ? std::numeric_limits<double>::infinity() : under / over;
 }
 
 std::unique_ptr<Accelerator> Setup::make(const Geometry& geometry) const

@@ -67,6 +67,7 @@ struct Row {
     Tier tier = Tier::A;    // the lowest tier that runs it
     bool rays = false;      // whether the accelerator matters: such rows are run with each
     std::function<Outcome(const Setup&)> run;
+    bool own_threads = false;  // run() calls with_threads itself: it needs more than there are
 };
 
 // The groups, each in a file of its own, in the order of their ids.

@@ -12,6 +12,7 @@
 #include "report/html.h"
 #include "report/markdown.h"
 #include "stability/results.h"
+#include "stability/sample_log.h"
 
 namespace lancer::stability {
 namespace {
@@ -43,9 +44,16 @@ bool parse(int argc, char** argv, Options& o)
                 throw Error(ErrorKind::usage, {}, "--accel: '" + s + "' is not one of embree, embree-fast, bvh2, bvh8");
             o.accelerators.push_back(s);
         });
-    p.value("-o,--output", "FOLDER", "Write stability.html, .md and .json there",
+    p.value("-o,--output", "FOLDER", "Write stability.html, .md and .json there; of a full run also a line of log.csv",
             [&](const std::string& s) { o.folder = s; });
     return p.parse(argc, argv);
+}
+
+std::string names_of(const std::vector<Row>& rows)
+{
+    std::string names;
+    for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.id;
+    return names;
 }
 
 std::vector<Row> chosen_rows(const Options& o)
@@ -53,10 +61,11 @@ std::vector<Row> chosen_rows(const Options& o)
     std::vector<Row> rows = all_rows();
     for (const std::string& id : o.only)
         if (std::none_of(rows.begin(), rows.end(), [&](const Row& r) { return r.id == id || r.id.substr(0, 1) == id; }))
-            throw Error(ErrorKind::usage, {}, "--only: there is no row '" + id + "'");
+            throw Error(ErrorKind::usage, {}, "--only: there is no row '" + id + "'; known: " + names_of(rows));
     std::erase_if(rows, [&](const Row& r) {
         return r.tier > o.tier || (!o.only.empty() && !o.only.contains(r.id) && !o.only.contains(r.id.substr(0, 1)));
     });
+    if (rows.empty()) throw Error(ErrorKind::usage, {}, "nothing to run: these rows need a higher --tier");
     return rows;
 }
 
@@ -81,20 +90,21 @@ void print(const Result& r)
 int run(const Options& o)
 {
     std::vector<Result> results;
-    with_threads(available_threads(), [&] {
-        for (const Row& row : chosen_rows(o)) {
-            const std::vector<std::string> with = !row.rays                ? std::vector<std::string>{"embree"}
-                                                  : o.accelerators.empty() ? shown
-                                                                           : o.accelerators;
-            for (const std::string& accelerator : with) {
-                results.push_back(run_row(row, {o.tier, accelerator}));
-                print(results.back());
-            }
+    for (const Row& row : chosen_rows(o)) {
+        const std::vector<std::string> with = !row.rays                ? std::vector<std::string>{"embree"}
+                                              : o.accelerators.empty() ? shown
+                                                                       : o.accelerators;
+        for (const std::string& accelerator : with) {
+            results.push_back(run_row(row, {o.tier, accelerator}, available_threads()));
+            print(results.back());
         }
-    });
+    }
     if (!o.folder.empty()) {
         std::filesystem::create_directories(o.folder);
-        const Document page = make_page(results, o.tier_name);
+        const bool is_full = o.only.empty() && o.accelerators.empty();
+        std::optional<SampleCount> all_runs;
+        if (is_full) all_runs = append_to_log(o.folder + "/log.csv", results, o.tier_name);
+        const Document page = make_page(results, is_full ? all_sweeps() : std::vector<Sweep>{}, o.tier_name, all_runs);
         write_text(o.folder + "/stability.html", to_html(page));
         write_text(o.folder + "/stability.md", to_markdown(page, 2));
         write_text(o.folder + "/stability.json", to_json(results, o.tier_name));

@@ -1,7 +1,6 @@
 // Tier A of the stability matrix with each accelerator that must hold it.
 #include <gtest/gtest.h>
 
-#include "core/parallel.h"
 #include "stability/results.h"
 
 namespace lancer::stability {
@@ -27,13 +26,11 @@ class Matrix : public testing::TestWithParam<Case> {};
 
 TEST_P(Matrix, Holds)
 {
-    with_threads(1, [] {
-        const Result result = run_row(GetParam().row, {Tier::A, GetParam().accelerator});
-        EXPECT_EQ(result.problem, "");
-        EXPECT_EQ(result.outcome.dropped, 0u) << "samples that were not finite";
-        for (const Measure& m : result.outcome.measures)
-            EXPECT_TRUE(m.passes()) << m.what << ": " << m.value << ", may be " << m.threshold;
-    });
+    const Result result = run_row(GetParam().row, {Tier::A, GetParam().accelerator}, 1);
+    EXPECT_EQ(result.problem, "");
+    EXPECT_EQ(result.outcome.dropped, 0u) << "samples that were not finite";
+    for (const Measure& m : result.outcome.measures)
+        EXPECT_TRUE(m.passes()) << m.what << ": " << m.value << ", may be " << m.threshold;
 }
 
 INSTANTIATE_TEST_SUITE_P(Row, Matrix, testing::ValuesIn(cases()),
