@@ -1,4 +1,5 @@
 // Rows N of the stability matrix: how large a scene is and where it lies.
+#include "stability/exact.h"
 #include "stability/obj_text.h"
 #include "stability/pictures.h"
 #include "support/addressed.h"
@@ -94,26 +95,6 @@ Outcome far_away(const Setup& setup)
     return out;
 }
 
-double ulps_between(double a, double b)
-{
-    return std::abs(a - b) / std::ldexp(1.0, std::max(-126, std::ilogb(b)) - 23);
-}
-
-// Of a triangle of a mesh that is drawn as it is, from its plane.
-double exact_t(const Geometry& g, const Ray& ray, const Hit& hit)
-{
-    using Real = long double;
-    using V = std::array<Real, 3>;
-    const Mesh& m = g.meshes[hit.geometry];
-    const auto of = [](Vec3 v) { return V{v.x, v.y, v.z}; };
-    const auto minus = [](V a, V b) { return V{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
-    const auto dot3 = [](V a, V b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-    const auto& t = m.triangles[hit.primitive];
-    const V a = of(m.positions[t[0]]), u = minus(of(m.positions[t[1]]), a), v = minus(of(m.positions[t[2]]), a);
-    const V n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    return static_cast<double>(dot3(n, minus(a, of(ray.org))) / dot3(n, of(ray.dir)));
-}
-
 Outcome two_clusters(const Setup& setup)
 {
     SceneDescription d;
@@ -144,7 +125,7 @@ Outcome two_clusters(const Setup& setup)
         (crosses ? across : within) += wrong;
         hits += found ? 1 : 0;
         if (found && same_primitive(expected, found))
-            worst = std::max(worst, ulps_between(static_cast<double>(found.t), exact_t(scene.geometry, ray, found)));
+            worst = std::max(worst, ulps_between(static_cast<double>(found.t), triangle_t(scene.geometry, ray, found)));
     }
     Outcome out;
     out.measures = {at_most("wrong hits of rays within a cluster", within, 0),
