@@ -10,6 +10,10 @@ Outcome coincident_triangles(const Setup& setup);
 Outcome large_grid(const Setup& setup);
 Outcome one_place(const Setup& setup);
 
+// A mesh file with its materials, rendered by the program with 1, 3 and 8 threads: pixels that are not the same. Within
+// one process only the first number of threads asked for counts.
+double pixels_by_threads(const std::string& obj, const std::string& mtl, const std::string& accelerator);
+
 // A bound of seconds is held where a run takes minutes; a test would only tell of the machine's other work.
 inline Measure seconds(const Setup& setup, const std::string& what, double value, double most)
 {

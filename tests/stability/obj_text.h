@@ -30,6 +30,21 @@ inline std::string moved_obj(const std::string& text, double scale, Vec3d shift,
     return out;
 }
 
+inline std::string positions_text(const MeshData& mesh)
+{
+    std::string text;
+    char line[128];
+    for (const Vec3d& p : mesh.positions) {
+        std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
+        text += line;
+    }
+    return text;
+}
+inline std::string face_text(const std::array<uint32_t, 3>& t)
+{
+    return "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) + "\n";
+}
+
 // Loads what must be right.
 inline std::shared_ptr<const MeshData> load_right(const std::string& path)
 {
