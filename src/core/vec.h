@@ -15,6 +15,16 @@ constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 constexpr Vec2 operator*(Vec2 a, float s) { return {a.x * s, a.y * s}; }
 
+// Texture coordinates of a place: those of a plane may be millions, and still say where between two texels it lies.
+struct Vec2d {
+    double x = 0, y = 0;
+
+    constexpr Vec2d() = default;
+    constexpr Vec2d(double a, double b) : x(a), y(b) {}
+    constexpr Vec2d(Vec2 v) : x(v.x), y(v.y) {}
+    friend constexpr bool operator==(const Vec2d&, const Vec2d&) = default;
+};
+
 template <class T>
 struct Vec3T {
     T x{}, y{}, z{};

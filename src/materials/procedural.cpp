@@ -6,10 +6,9 @@
 namespace lancer {
 namespace {
 
-// In double, where the product of two floats is exact.
-double looked_up(float x, float scale, float offset)
+double looked_up(double x, float scale, float offset)
 {
-    return static_cast<double>(x) * static_cast<double>(scale) + static_cast<double>(offset);
+    return x * static_cast<double>(scale) + static_cast<double>(offset);
 }
 
 double fraction(double x) { return x - std::floor(x); }
@@ -44,7 +43,7 @@ constexpr double two_pi = 2 * pi_d;
 
 }  // namespace
 
-Color Grid::eval(Vec2 uv, Footprint footprint) const
+Color Grid::eval(Vec2d uv, Footprint footprint) const
 {
     const double x = looked_up(uv.x, scale.x, offset.x), y = looked_up(uv.y, scale.y, offset.y);
     const auto w = static_cast<double>(width);
@@ -63,10 +62,10 @@ Color Grid::eval(Vec2 uv, Footprint footprint) const
     return ground + (band - ground) * static_cast<float>(part);
 }
 
-Color Rim::eval(Vec2 uv, Footprint footprint) const
+Color Rim::eval(Vec2d uv, Footprint footprint) const
 {
     const auto w = static_cast<double>(width), half = 0.5 * static_cast<double>(faded ? 0 : footprint.width);
-    const double x = static_cast<double>(uv.x), y = 1 - static_cast<double>(uv.y);
+    const double x = uv.x, y = 1 - uv.y;
     const double x0 = x - half, x1 = x + half, y0 = y - half, y1 = y + half;
     const double whole = area_in_triangle(x0, x1, y0, y1, 1);
     float part = x < w || y < w || 1 - x - y < w ? 1 : 0;
@@ -89,9 +88,8 @@ Waves::Waves(const std::vector<Wave>& waves, Vec2 scale, Vec2 offset, bool faded
 }
 
 template <class F>
-void Waves::for_each(Vec2 uv, Footprint footprint, const F& f) const
+void Waves::for_each(Vec2d uv, Footprint footprint, const F& f) const
 {
-    const auto u = static_cast<double>(uv.x), v = static_cast<double>(uv.y);
     const auto width = static_cast<double>(footprint.width);
     const double along_u = static_cast<double>(footprint.along.x), along_v = static_cast<double>(footprint.along.y);
     for (const Term& t : terms_) {
@@ -101,11 +99,11 @@ void Waves::for_each(Vec2 uv, Footprint footprint, const F& f) const
             const double along = t.turns_u * along_u + t.turns_v * along_v;
             left = std::exp(-2 * pi_d * pi_d * (across + along * along) / 12);
         }
-        if (left > 0) f(t, fraction(t.turns_u * u + t.turns_v * v + t.turns), left);
+        if (left > 0) f(t, fraction(t.turns_u * uv.x + t.turns_v * uv.y + t.turns), left);
     }
 }
 
-Color Waves::eval(Vec2 uv, Footprint footprint) const
+Color Waves::eval(Vec2d uv, Footprint footprint) const
 {
     double height = 0;
     for_each(uv, footprint, [&](const Term& t, double phase, double left) {
@@ -115,7 +113,7 @@ Color Waves::eval(Vec2 uv, Footprint footprint) const
     return {h, h, h};
 }
 
-Vec2 Waves::slope(Vec2 uv, Footprint footprint) const
+Vec2 Waves::slope(Vec2d uv, Footprint footprint) const
 {
     double u = 0, v = 0;
     for_each(uv, footprint, [&](const Term& t, double phase, double left) {

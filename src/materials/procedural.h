@@ -19,7 +19,7 @@ struct Grid {
     bool faded = false;              // not averaged, but blended with the mean of one direction far from the origin
 
     // `ground` where uv is not finite.
-    Color eval(Vec2 uv, Footprint footprint) const;
+    Color eval(Vec2d uv, Footprint footprint) const;
 };
 
 // The same along the three sides of the triangle with the corners (0, 1), (1, 1) and (0, 0): where one of the
@@ -28,7 +28,7 @@ struct Rim {
     float width = 0.05f;
     bool faded = false;  // not averaged
 
-    Color eval(Vec2 uv, Footprint footprint) const;
+    Color eval(Vec2d uv, Footprint footprint) const;
 };
 
 // A height of amplitude * cos(2 pi t / wavelength + phase), where t grows along the direction, an angle from u to v.
@@ -45,9 +45,9 @@ public:
     // from the origin; nothing is averaged.
     Waves(const std::vector<Wave>& waves, Vec2 scale, Vec2 offset, bool faded = false);
 
-    Color eval(Vec2 uv, Footprint footprint) const;
+    Color eval(Vec2d uv, Footprint footprint) const;
     // Of the height, per unit of u and of v.
-    Vec2 slope(Vec2 uv, Footprint footprint) const;
+    Vec2 slope(Vec2d uv, Footprint footprint) const;
 
 private:
     struct Term {
@@ -55,7 +55,7 @@ private:
     };
     // f(term, phase in turns, what the footprint leaves of it), for each that it leaves something of.
     template <class F>
-    void for_each(Vec2 uv, Footprint footprint, const F& f) const;
+    void for_each(Vec2d uv, Footprint footprint, const F& f) const;
 
     std::vector<Term> terms_;
     Vec2 scale_, offset_;

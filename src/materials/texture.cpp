@@ -116,19 +116,19 @@ ImageTexture::Detail ImageTexture::detail(float width) const
     return {level, static_cast<float>(bits & 0x7fffff) * 0x1p-23f};
 }
 
-// In double: the product of two floats is exact there, so a texture repeated 100 000 times still finds its texels.
-double ImageTexture::picture_u(float u) const
+// In double: a texture repeated 100 000 times still finds its texels.
+double ImageTexture::picture_u(double u) const
 {
-    return static_cast<double>(u) * static_cast<double>(use_.scale.x) + static_cast<double>(use_.offset.x);
+    return u * static_cast<double>(use_.scale.x) + static_cast<double>(use_.offset.x);
 }
-double ImageTexture::picture_v(float v) const
+double ImageTexture::picture_v(double v) const
 {
-    return static_cast<double>(v) * static_cast<double>(use_.scale.y) + static_cast<double>(use_.offset.y);
+    return v * static_cast<double>(use_.scale.y) + static_cast<double>(use_.offset.y);
 }
 
 Color ImageTexture::adjusted(Color c) const { return c * use_.gain + Color{use_.bias, use_.bias, use_.bias}; }
 
-Color ImageTexture::eval(Vec2 uv, Footprint footprint) const
+Color ImageTexture::eval(Vec2d uv, Footprint footprint) const
 {
     const Detail d = detail(footprint.width);
     const double u = wrapped(picture_u(uv.x), use_.wrap), v = wrapped(picture_v(uv.y), use_.wrap);
@@ -138,7 +138,7 @@ Color ImageTexture::eval(Vec2 uv, Footprint footprint) const
     }));
 }
 
-Vec2 ImageTexture::slope(Vec2 uv, float width) const
+Vec2 ImageTexture::slope(Vec2d uv, float width) const
 {
     const Detail d = detail(width);
     const double u = picture_u(uv.x), v = picture_v(uv.y);

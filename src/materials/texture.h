@@ -32,10 +32,10 @@ public:
     ImageTexture(const Raster& raster, const ImageUse& use);
     // uv: of the surface. Averaged over the square of the footprint's width, 0 for the finest level, also where it is
     // longer. A uv that is not finite gives some colour of the picture.
-    Color eval(Vec2 uv, Footprint footprint) const;
+    Color eval(Vec2d uv, Footprint footprint) const;
     // Of the first channel, per texel of the finest level, towards +u and +v of the surface: a difference over one
     // texel of the level that the footprint asks for.
-    Vec2 slope(Vec2 uv, float width) const;
+    Vec2 slope(Vec2d uv, float width) const;
     // The average of the finest level.
     Color mean() const { return adjusted(pyramid_.mean); }
     // Of the finest level.
@@ -52,8 +52,8 @@ private:
         float next;  // part of the next coarser level; 0 at the coarsest
     };
     Detail detail(float width) const;
-    double picture_u(float u) const;
-    double picture_v(float v) const;
+    double picture_u(double u) const;
+    double picture_v(double v) const;
     Color adjusted(Color c) const;
 
     ImageUse use_;
@@ -65,15 +65,15 @@ private:
 struct Checker {
     Color even{1, 1, 1}, odd{};
     Vec2 scale{1, 1}, offset{0, 0};  // as for images
-    // In double, where the product of two floats is exact. `odd` where uv is not finite.
-    Color eval(Vec2 uv, Footprint) const
+    // `odd` where uv is not finite.
+    Color eval(Vec2d uv, Footprint) const
     {
         const auto parity = [](double x) {
             const double cell = std::floor(x);
             return cell - 2 * std::floor(cell * 0.5);
         };
-        const auto place = [](float x, float factor, float shift) {
-            return static_cast<double>(x) * static_cast<double>(factor) + static_cast<double>(shift);
+        const auto place = [](double x, float factor, float shift) {
+            return x * static_cast<double>(factor) + static_cast<double>(shift);
         };
         return parity(place(uv.x, scale.x, offset.x)) == parity(place(uv.y, scale.y, offset.y)) ? even : odd;
     }
@@ -101,7 +101,7 @@ struct FloatParam {
 // A place on a surface as far as materials may know it.
 struct ShadingPoint {
     bool front = true;                  // the path arrives from the side of the geometric normal
-    Vec2 uv{};                          // of the surface; only filled where the material reads textures
+    Vec2d uv{};                         // of the surface; only filled where the material reads textures
     float uv_width = 0;                 // footprint of the ray there, in uv
     Vec2 uv_along{};                    // what is more of it along the ray; see Footprint
     const Texture* textures = nullptr;  // what indices of textures refer to

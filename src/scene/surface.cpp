@@ -112,15 +112,16 @@ void map_sphere(Surface& s, const Sphere& sphere, const Normalisation& normalisa
 void map_plane(Surface& s, const Normalisation& normalisation, const PlaneMap& map, Vec3d p, Vec3d n, Vec3d d,
                float width, std::optional<Tangents>& tangents)
 {
-    const auto to_uv = [&](Vec3d x) {
-        return Vec2{static_cast<float>(dot(x, map.u)), static_cast<float>(dot(x, map.v))};
-    };
+    const auto to_uv = [&](Vec3d x) { return Vec2d{dot(x, map.u), dot(x, map.v)}; };
     s.uv = to_uv(normalisation.to_file(p) - map.origin);
     const double w = static_cast<double>(width) / normalisation.scale;
     s.uv_width = static_cast<float>(w * std::sqrt(length(cross(map.u, map.v))));
     // The cone's cut with the plane is longer than wide by the cosine.
     const double cos = std::abs(dot(n, d));
-    if (cos > 0) s.uv_along = to_uv((d - n * dot(n, d)) * (w / cos));
+    if (cos > 0) {
+        const Vec2d along = to_uv((d - n * dot(n, d)) * (w / cos));
+        s.uv_along = {static_cast<float>(along.x), static_cast<float>(along.y)};
+    }
     const double lu = length(map.step_u), lv = length(map.step_v);
     tangents = Tangents{
         to_float(map.step_u / lu), to_float(map.step_v / lv), {static_cast<float>(lu), static_cast<float>(lv)}};
@@ -162,11 +163,11 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     std::optional<Tangents> tangents;
     const auto reads_uv = [&] { return scene.traits[s.material].reads_uv; };
     // Spheres and planes: along the ray in double, then back onto the surface; what remains is the rounding to float.
-    const auto along = [&] { return to_double(ray.org) + to_double(ray.dir) * static_cast<double>(hit.t); };
+    const auto along = [&](double t) { return to_double(ray.org) + to_double(ray.dir) * t; };
     switch (hit.kind) {
         case Kind::sphere: {
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
-            const Vec3d n = normalize(along() - sphere.center);
+            const Vec3d n = normalize(along(static_cast<double>(hit.t)) - sphere.center);
             s.p = to_float(sphere.center + n * sphere.radius);
             s.p_error = sphere_point_error(sphere, s.p);
             s.n = s.ns = to_float(n);
@@ -177,7 +178,9 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         }
         case Kind::plane: {
             const Plane& plane = scene.geometry.planes[hit.primitive];
-            const Vec3d there = along(), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
+            // Towards the horizon the float nearest to t lies squares away, and that is along the plane.
+            const double t = intersect(plane, ray).value_or(static_cast<double>(hit.t));
+            const Vec3d there = along(t), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
             s.p = to_float(p);
             s.p_error = abs(s.p) * gamma(4);
             s.n = s.ns = to_float(plane.normal);

@@ -23,7 +23,7 @@ struct Surface {
     uint32_t light;  // id of the light that this place belongs to, or Scene::none
     float t;
     float area = 0;               // of a triangle as a whole, scene units; else 0
-    Vec2 uv{};                    // texture coordinates; only filled where the material reads textures
+    Vec2d uv{};                   // texture coordinates; only filled where the material reads textures
     float uv_width = 0;           // footprint of the ray's cone there, in uv
     Vec2 uv_along{};              // of a plane: what is more of it along the ray; see Footprint
     float eta = 0;                // index beyond over index before, where the media on the ray's way tell; else 0

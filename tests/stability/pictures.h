@@ -1,0 +1,112 @@
+// Pictures for rows: rendered with a given accelerator, counted into the row's outcome, compared by bits and by Welch's
+// test. Rows about pictures try every accelerator by themselves: Embree's fast mode cannot render.
+#pragma once
+
+#include <array>
+
+#include "stability/row.h"
+#include "support/render.h"
+#include "support/significance.h"
+
+namespace lancer::stability {
+
+// Those that the product promises something for; automatic is what a user gets who names none.
+inline constexpr std::array judged_kinds{AccelKind::automatic, AccelKind::embree, AccelKind::bvh2, AccelKind::bvh8};
+inline constexpr std::array judged_names{"embree", "bvh2", "bvh8"};
+
+// The default plans nothing: small pictures would spend most of their time on the pilot.
+struct Shot {
+    uint32_t width = 24, height = 24, spp = 8;
+    AnyIntegrator integrator = Path{.split = false, .roulette_by_pixel = false};
+    AccelKind accel = AccelKind::automatic;
+    SamplerKind sampler = SamplerKind::sobol;
+    uint64_t seed = 0;
+    unsigned threads = 1;
+    std::string isa = "avx2";
+};
+
+inline Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
+{
+    RenderRequest r;
+    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp}, r.threads = shot.threads;
+    r.settings.integrator = shot.integrator;
+    r.settings.accel = shot.accel;
+    r.settings.isa = shot.isa;
+    r.settings.kernel.sampler = shot.sampler;
+    r.settings.kernel.seed = shot.seed;
+    r.settings.kernel.filter = Filter(FilterKind::box);
+    Rendered made = render(d, r);
+    out.samples += uint64_t{shot.width} * shot.height * shot.spp;
+    out.dropped += made.counters.dropped;
+    return std::move(made.film);
+}
+
+inline double luminance_of(const Pixel& p) { return static_cast<double>(luminance(p.mean())); }
+inline double mean_luminance(const Film& film)
+{
+    double sum = 0;
+    for (const Pixel& p : film.pixels) sum += luminance_of(p);
+    return sum / static_cast<double>(film.pixels.size());
+}
+
+inline double pixels_that_differ(const Film& a, const Film& b)
+{
+    double n = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i)
+        n += a.pixels[i].sum != b.pixels[i].sum || a.pixels[i].n != b.pixels[i].n;
+    return n;
+}
+// Root of the mean squared difference over the mean of `a`.
+inline double relative_rmse(const Film& a, const Film& b)
+{
+    double squares = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i) {
+        const double d = luminance_of(a.pixels[i]) - luminance_of(b.pixels[i]);
+        squares += d * d;
+    }
+    return std::sqrt(squares / static_cast<double>(a.pixels.size())) / mean_luminance(a);
+}
+
+// Means of 8 x 8 pixels, and of the whole as the last, over pictures with seeds of their own: shot.seed says which. By
+// independent samples: what Sobol's points leave of the noise is too far from normal for tests of a few pictures.
+inline std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, Shot shot, uint32_t pictures, Outcome& out)
+{
+    const uint32_t across = shot.width / 8;
+    std::vector<stats::Tally> tiles(size_t{across} * (shot.height / 8) + 1);
+    const uint64_t first = shot.seed * 1000003;
+    shot.sampler = SamplerKind::independent;
+    for (uint32_t k = 0; k < pictures; ++k) {
+        shot.seed = first + k;
+        const Film film = take(d, shot, out);
+        std::vector<double> sum(tiles.size());
+        for (uint32_t y = 0; y < shot.height; ++y)
+            for (uint32_t x = 0; x < shot.width; ++x)
+                sum[size_t{y / 8} * across + x / 8] += luminance_of(film.at(x, y)) / 64;
+        for (size_t i = 0; i + 1 < tiles.size(); ++i) sum.back() += sum[i] / static_cast<double>(tiles.size() - 1);
+        for (size_t i = 0; i < tiles.size(); ++i) tiles[i].add(sum[i]);
+    }
+    return tiles;
+}
+
+// The least p-value of a family of tests, held to Sidak's level of it.
+struct LeastP {
+    double p = 1;
+    size_t tests = 0;
+
+    void add(double of_one) { p = of_one <= p ? of_one : std::isnan(of_one) ? 0 : p, ++tests; }
+    // Every tile and the whole. rounding: what the sums may differ by though they are of the same samples.
+    void add(const std::vector<stats::Tally>& a, const std::vector<stats::Tally>& b)
+    {
+        for (size_t i = 0; i < a.size(); ++i) add(stats::welch_p(a[i], b[i], 1e-6));
+    }
+    double threshold() const { return sidak(0.01, std::max<size_t>(1, tests)); }
+    Measure measure(const std::string& what) const { return at_least(what, p, threshold()); }
+};
+// What four sigma of the difference of two whole pictures are, relative to the mean: a smaller bias would not show.
+inline Measure detectable(const std::vector<stats::Tally>& a, const std::vector<stats::Tally>& b)
+{
+    return told("bias of the whole that would show, relative",
+                4 * std::hypot(a.back().error(), b.back().error()) / a.back().mean);
+}
+
+}  // namespace lancer::stability
