@@ -208,7 +208,8 @@ inline void DiffuseBatch::sample_direct(const Vertices& v)
         if (pick.size() > 1) chosen = pick.stretch(u.x);
     } else {
         const Float8 number = address.get1(v.path.sample);
-        for (uint32_t i = 0; i < float_lanes; ++i) chosen.index[i] = pick.sample(lengthened(number[i], u.x[i]));
+        for (uint32_t i = 0; i < float_lanes; ++i)
+            chosen.index[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
     }
     const LightSampleLanes light = sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
     const Float8 zero{}, cos_i = dot(light.wi, v.ns);
