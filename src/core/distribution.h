@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/lanes.h"
+#include "core/vec.h"
 
 namespace lancer {
 
@@ -19,6 +22,15 @@ inline double lengthened(float u, float other)
     h = (h ^ h >> 32) * 0xd1342543de82ef95u;
     return static_cast<double>(u) + static_cast<double>(h >> 40) * 0x1p-48;
 }
+// And with all the bits that a double in [0, 1) can have, a hash of two others: of lights by the million, with powers
+// that differ by the million, there are some whose chance is below 2^-48.
+inline double lengthened(float u, Vec2 others)
+{
+    const uint64_t both = std::bit_cast<uint32_t>(others.x) | uint64_t{std::bit_cast<uint32_t>(others.y)} << 32;
+    uint64_t h = (both ^ both >> 31) * 0x9e3779b97f4a7c15u;
+    h = (h ^ h >> 32) * 0xd1342543de82ef95u;
+    return static_cast<double>(u) + static_cast<double>(h >> 35) * 0x1p-53;
+}
 
 // Indices with probability proportional to their weight. Sums in double: a float sum of 2^24 equal weights stalls.
 class Discrete {
@@ -29,7 +41,13 @@ public:
     {
         cumulative_.reserve(weights.size());
         double sum = 0;
-        for (const double w : weights) cumulative_.push_back(sum += w);
+        for (const double w : weights) {
+            const double before = sum;
+            sum += w;
+            // What the sum so far would swallow gets the least part that there is: what weighs something is drawn.
+            if (w > 0 && sum == before) sum = std::nextafter(sum, std::numeric_limits<double>::infinity());
+            cumulative_.push_back(sum);
+        }
         total_ = sum;
         if (total_ <= 0) cumulative_.clear();
         stretches_ = !empty() && size() <= few;

@@ -191,7 +191,7 @@ private:
         if (pick.empty()) return;
         const float u = pick.size() > 1 ? v.sampler.get1(v.s.depth, Dim::light) : 0;
         const Vec2 on_light = v.sampler.get2(v.s.depth, Dim::light);
-        const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light.x)) : 0;
+        const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light)) : 0;
         if (const Sphere* sphere = sphere_of(scene, id)) {
             auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light.x, on_light.y)
                                    : to_its_center(*sphere, v.surface.p, v.n());

@@ -167,8 +167,9 @@ bool scatter(const V& view, const State& s, State& n, const Surface& surface, co
     return send_on(view, s, n, surface, frame, b, sampler);
 }
 
-// See survives_roulette().
-inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_cap = 0.95f;
+// See survives_roulette(). The cap ends loops that lose nothing, after a thousand bounces or so. What survives it
+// weighs more, bounce by bounce: between walls whose albedo squared is above the cap light has no finite variance.
+inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_cap = 0.999f;
 
 // Russian roulette on what a ray may still bring. Where it is known what its pixel shows: on the part of that, so that
 // dark pixels keep the rays that bright ones can do without; roulette on the throughput alone ends the same paths
@@ -176,8 +177,7 @@ inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_ca
 // factor of 1.5 more or less changes the error at equal time by a few per cent, less costs much; fitted once, on four
 // scenes. Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is
 // the energy that the path still carries that decides, but not at the first vertices: on bright scenes ending paths
-// there costs several times the samples. Unbiased; the cap of 0.95 ends loops that lose nothing. split: into how many
-// rays such a path splits.
+// there costs several times the samples. Unbiased. split: into how many rays such a path splits.
 inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
     float q = s.depth < first_depth ? 1 : roulette_cap;

@@ -48,7 +48,7 @@ inline Fresnel fresnel_dielectric(float cos_i, float eta)
 }
 
 // wo: unit, local, z > 0.
-inline Fresnel fresnel_dielectric(Vec3 wo, float eta)
+inline Fresnel fresnel_dielectric(Vec3 wo, double eta)
 {
     const double x = wo.x, y = wo.y;
     return fresnel_dielectric(std::min(1.0, static_cast<double>(wo.z)), x * x + y * y, eta);

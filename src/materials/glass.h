@@ -12,7 +12,9 @@ namespace lancer {
 
 struct GlassBsdf {
     Color tint;
-    float eta;            // index beyond the surface over index on wo's side
+    // Index beyond the surface over index on wo's side. In double: rounded to float it is not the inverse of the one
+    // seen from the other side, and where a facet is met near the critical angle light differs by the root of that.
+    double eta;
     float alpha = 0;      // 0: smooth
     bool fresnel = true;  // else a smooth boundary only refracts
 
@@ -38,14 +40,17 @@ private:
         const auto [reflectance, cos_t] = fresnel ? boundary : only_refracting(boundary);
         if (u < reflectance)
             return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = tint, .pdf = reflectance, .delta = true};
-        const float scale = 1 / eta;
+        const auto scale = static_cast<float>(1 / eta);
         const Vec3 wi = normalize(Vec3{-wo.x * scale, -wo.y * scale, -cos_t});
-        return BsdfSample{
-            .wi = wi, .weight = tint * (scale * scale), .pdf = 1 - reflectance, .delta = true, .eta = eta};
+        return BsdfSample{.wi = wi,
+                          .weight = tint * (scale * scale),
+                          .pdf = 1 - reflectance,
+                          .delta = true,
+                          .eta = static_cast<float>(eta)};
     }
     FresnelT<double> facet_fresnel(double cos) const
     {
-        return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), static_cast<double>(eta));
+        return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta);
     }
     BsdfValue value(double f_cos, double pdf) const
     {
@@ -62,7 +67,7 @@ private:
             return value(reflected * facets.f_cos, reflected * facets.pdf);
         }
         // The facet that refracts wo to wi: its normal is along wo + eta wi, on wo's side of the surface.
-        const double n = static_cast<double>(eta);
+        const double n = eta;
         const Vec3d sum = wo + n * wi;
         const double length2 = dot(sum, sum), scale = std::copysign(1 / std::sqrt(length2), sum.z);
         const double cos_o = scale * dot(wo, sum), cos_i = scale * dot(wi, sum);
@@ -77,7 +82,7 @@ private:
     {
         const Ggx ggx{static_cast<double>(alpha)};
         const Vec3d wo = unit_in_double(w), h = ggx.sample_visible(wo, v);
-        const double cos_o = std::min(1.0, dot(wo, h)), n = static_cast<double>(eta);
+        const double cos_o = std::min(1.0, dot(wo, h)), n = eta;
         const auto [reflectance, cos_t] = facet_fresnel(cos_o);
         const bool through = !(u < static_cast<float>(reflectance));
         const Vec3d turned = through ? h * (cos_o / n - cos_t) - wo / n : mirrored(wo, h);
@@ -85,7 +90,8 @@ private:
         if (wi.z == 0 || (wi.z < 0) != through) return {};
         const BsdfValue f = eval_rough(wo, wi);
         if (!(f.pdf > 0)) return {};
-        return BsdfSample{.wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = through ? eta : 1};
+        return BsdfSample{
+            .wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = through ? static_cast<float>(eta) : 1};
     }
 };
 static_assert(Bsdf<GlassBsdf>);
@@ -103,7 +109,7 @@ struct Glass {
         // from nothing the boundary is smooth: one of index 1 is not there, however rough.
         const float alpha = alpha_of_roughness(p.eval(roughness)), n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
-        return {p.base(tint), p.front ? n : 1 / n, bends ? alpha : 0, fresnel};
+        return {p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, fresnel};
     }
     Phong phong(const ShadingPoint& p) const
     {

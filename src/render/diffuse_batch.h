@@ -217,11 +217,11 @@ inline LightSampleLanes DiffuseBatch::sample_light(const Vertices& v, const Addr
     const Float8 number = address.get1(v.path.sample);
     std::array<uint32_t, float_lanes> ids{};
     if (!view_.scene.lights.tree) {
-        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], u.x[i]));
+        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
         return sample_lights(scene_, ids, v.origin, u);
     }
     std::array<double, float_lanes> numbers;
-    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], u.x[i]);
+    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
     std::array<LightTree::Choice, float_lanes> choices{};
     view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
     Float8 probability{};

@@ -167,7 +167,7 @@ float probability_of(const LightTable& table, uint32_t id, Vec3 from, Vec3 norma
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
     if (scene.lights.pick.empty()) return {};
-    const auto [id, probability] = choose_light(scene.lights, from, lengthened(pick, u.x));
+    const auto [id, probability] = choose_light(scene.lights, from, lengthened(pick, u));
     if (!(probability > 0)) return {};
     auto s = sample_given_light(scene, from, id, u, through);
     if (s) s->pdf *= probability;
@@ -186,7 +186,7 @@ std::optional<LightSample> sample_extended_light(const Scene& scene, const Surfa
 {
     const LightTable& table = scene.lights;
     if (table.deltas == table.lights.size() || table.pick.empty()) return {};
-    const auto [id, probability] = table.pick.sample_from(table.deltas, lengthened(pick, u.x));
+    const auto [id, probability] = table.pick.sample_from(table.deltas, lengthened(pick, u));
     if (!(probability > 0)) return {};
     auto s = sample_given_light(scene, from, id, u);
     if (s) s->pdf *= probability;

@@ -110,6 +110,20 @@ TEST(Discrete, TheSumOf2To25EqualWeightsIsExact)
     EXPECT_EQ(d.sample(1 - 0x1p-24f), n - 2);
 }
 
+// A thousand beside what is 10^17 times as heavy: each has the least part that a double can tell, and is in it.
+TEST(Discrete, WhatWeighsSomethingIsNotSwallowed)
+{
+    std::vector<double> weights(1001, 1e-7);
+    weights[0] = 1e10;
+    const Discrete d(weights);
+    std::vector<uint64_t> observed(1001);
+    for (int i = 1; i < 4000; ++i) ++observed[d.sample(1 - i * 0x1p-53)];
+    for (uint32_t i = 1; i <= 1000; ++i) {
+        ASSERT_GT(d.probability(i), 0) << i;
+        ASSERT_GT(observed[i], 0u) << i;
+    }
+}
+
 // A thousand indices that share a millionth: the 17 numbers of 24 bits that lead to them choose all of them alike.
 TEST(Discrete, LengthenedNumbersReachWhatIsRare)
 {
@@ -127,6 +141,22 @@ TEST(Discrete, LengthenedNumbersReachWhatIsRare)
     }
     observed.erase(observed.begin());
     EXPECT_GT(chi_square_uniform(observed).p, 0.01);
+}
+
+// All 29 bits of them.
+TEST(Discrete, LengthenedByTwoNumbersIsUniformToItsLastBit)
+{
+    std::vector<uint64_t> first(256), last(256);
+    Random random(54);
+    for (int i = 0; i < 400000; ++i) {
+        const float u = random.unit();
+        const double below = (lengthened(u, random.unit2()) - static_cast<double>(u)) * 0x1p53;
+        ASSERT_LT(below, 0x1p29);
+        ASSERT_EQ(below, std::floor(below));
+        ++first[static_cast<size_t>(below) >> 21], ++last[static_cast<size_t>(below) & 255];
+    }
+    EXPECT_GT(chi_square_uniform(first).p, 0.01);
+    EXPECT_GT(chi_square_uniform(last).p, 0.01);
 }
 
 // By the first of two numbers and by both: lengthening keeps a pair of them uniform in the square.

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
+#include "support/lit_places.h"
 #include "support/random.h"
 #include "support/shoot.h"
-#include "support/stage.h"
 
 namespace lancer {
 namespace {
@@ -75,32 +75,9 @@ TEST(SphereLight, LightsAPlaneByItsSolidAngle)
                 }
 }
 
-// Lights behind a wall, or in a closed box or ball, 1e-4 from its surface: not a trace on this side.
 TEST(Hidden, LightsGiveExactlyNothing)
 {
-    SceneDescription wall;
-    wall.materials = {make_lambert("wall", {0.8f, 0.8f, 0.8f}), make_emitter("lamp", {5, 5, 5})};
-    wall.materials[1].emission_both_sides = true;
-    wall.planes.push_back(plane_of({0, 0, 0}, {0, 0, 1}, "wall"));
-    wall.spheres.push_back(sphere_of({0.5, 0.1, 0.6}, 0.5, "wall"));
-    wall.lights = {light_of(LightType::point, {9, 9, 9}, {-0.5, 0.2, -1e-4}),
-                   light_of(LightType::sphere, {9, 9, 9}, {0.3, 0, -0.2 - 1e-4}, 0.2)};
-    wall.meshes.push_back(triangle_mesh({-1, -1, -1e-4}, {1, -1, -1e-4}, {0, 1, -0.5}, wall.materials[1]));
-    wall.camera = make_camera({0.2, 0.3, 3}, {0, 0, 0}, 50);
-
-    SceneDescription boxes;
-    boxes.materials = wall.materials;
-    // A floor that ends: from 100 away float does not tell a distance from one 1e-4 longer.
-    boxes.meshes.push_back(make_mesh(make_quad({-9, -1, 9}, {9, -1, 9}, {9, -1, -9}, {-9, -1, -9})));
-    boxes.spheres.push_back(sphere_of({1.2, 0, 0}, 0.8, "wall"));
-    boxes.meshes.push_back(
-        make_mesh(make_cube(make_lambert("box", {0.8f, 0.8f, 0.8f})), {{-1, 0, 0}, {10, 20, 30}, {0.7, 0.7, 0.7}}));
-    boxes.lights = {light_of(LightType::point, {9, 9, 9}, {1.2, 0.8 - 1e-4, 0}),
-                    light_of(LightType::sphere, {9, 9, 9}, {1.2, 0, 0}, 0.8 - 1e-4),
-                    light_of(LightType::sphere, {9, 9, 9}, {-1, 0, 0}, 0.69)};
-    boxes.camera = make_camera({0.2, 0.3, 5}, {0, 0, 0}, 50);
-
-    for (const SceneDescription& d : {wall, boxes})
+    for (const SceneDescription& d : hidden_lights())
         for (const AccelKind accel : {AccelKind::embree, AccelKind::list}) {
             const Film film = shoot(d, {.spp = 64, .accel = accel});
             for (const Pixel& p : film.pixels) ASSERT_EQ(p.sum[0] + p.sum[1] + p.sum[2], 0);

@@ -6,25 +6,10 @@
 #include <complex>
 #include <vector>
 
+#include "support/exact_fresnel.h"
+
 namespace lancer {
 namespace {
-
-struct Exact {
-    long double reflectance, cos_t;
-};
-
-// Amplitudes by Fresnel's equations as every book has them; 64 bits of mantissa bear the cancellation.
-Exact exact(float cos_i_float, float eta_float)
-{
-    const long double cos_i = cos_i_float, eta = eta_float;
-    // eta^2 cos_t^2 without a difference of nearly equal numbers as eta tends to 1.
-    const long double g2 = (eta - 1) * (eta + 1) + cos_i * cos_i;
-    if (g2 <= 0) return {1, 0};
-    const long double cos_t = std::sqrt(g2) / eta;
-    const long double s = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    const long double p = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-    return {(s * s + p * p) / 2, cos_t};
-}
 
 // Half an ulp, and a little for what is rounded before.
 constexpr double one_rounding = 0x1.01p-24;
@@ -44,7 +29,7 @@ TEST(Fresnel, IsTheExactReflectanceRoundedOnce)
     for (const float eta : indices)
         for (const float c : cosines()) {
             const Fresnel f = fresnel_dielectric(c, eta);
-            const Exact e = exact(c, eta);
+            const ExactFresnel e = exact_fresnel(c, eta);
             ASSERT_TRUE(f.reflectance >= 0 && f.reflectance <= 1) << eta << " " << c;
             const auto error = static_cast<double>(std::abs(f.reflectance - e.reflectance));
             EXPECT_LE(error, one_rounding * static_cast<double>(e.reflectance)) << eta << " " << c;
@@ -59,7 +44,7 @@ TEST(Fresnel, IsSoundAroundTheCriticalAngle)
         for (int i = 0; i < 8; ++i) c = std::nextafter(c, 0.0f);
         for (int i = -8; i <= 8; ++i, c = std::min(1.0f, std::nextafter(c, 2.0f))) {
             const Fresnel f = fresnel_dielectric(c, eta);
-            const Exact e = exact(c, eta);
+            const ExactFresnel e = exact_fresnel(c, eta);
             ASSERT_TRUE(f.reflectance >= 0 && f.reflectance <= 1) << eta << " " << i;
             ASSERT_TRUE(f.cos_t >= 0 && f.cos_t <= 1) << eta << " " << i;
             EXPECT_EQ(f.cos_t == 0, e.cos_t == 0) << eta << " " << i;

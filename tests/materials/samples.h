@@ -158,7 +158,7 @@ template <class B>
 float eta_through(const B& bsdf)
 {
     if constexpr (requires { bsdf.eta; })
-        return bsdf.eta;
+        return static_cast<float>(bsdf.eta);
     else
         return 1;
 }

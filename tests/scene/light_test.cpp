@@ -2,37 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "integrators/transport.h"
-#include "support/random.h"
+#include "support/lit_places.h"
 #include "support/rasters.h"
-#include "support/significance.h"
-#include "support/stage.h"
 
 namespace lancer {
 namespace {
-
-// Irradiance at a place by light sampling, without occlusion: the mean over a jittered grid.
-stats::Tally irradiance(const Scene& scene, const Surface& from, int side, Random& random)
-{
-    stats::Tally sum;
-    for (int i = 0; i < side; ++i)
-        for (int j = 0; j < side; ++j) {
-            const auto jitter = [&](int k) {
-                return std::min(1 - 0x1p-24f, (static_cast<float>(k) + random.unit()) / static_cast<float>(side));
-            };
-            const float u = jitter(i);
-            const auto s = sample_light(scene, from, random.unit(), {u, jitter(j)});
-            sum.add(s ? static_cast<double>(s->radiance.r * std::max(0.0f, dot(s->wi, from.n)) / s->pdf) : 0);
-        }
-    return sum;
-}
-
-Scene sphere_at(double distance, double radius)
-{
-    SceneDescription d;
-    d.lights.push_back(light_of(LightType::sphere, {2, 2, 2}, {0, distance, 0}, radius));
-    d.spheres.push_back(sphere_of({0, 0, 0}, distance / 1024));  // keeps the origin in the scene's frame
-    return build_scene(d);
-}
 
 // E = pi L (r / d)^2 for a place that faces the centre, from all but touching to a speck.
 TEST(SphereLight, IrradianceIsThatOfItsSolidAngle)
@@ -89,19 +63,6 @@ TEST(SphereLight, IsDarkInside)
     const Surface from = receiver({0.1f, 0.2f, 0}, {0, 1, 0});
     for (int i = 0; i < 100; ++i) EXPECT_FALSE(sample_light(stage.scene, from, 0, {static_cast<float>(i) / 100, 0.3f}));
     EXPECT_TRUE(is_black(stage.scene.emission[stage.scene.sphere_material[0]].towards(false)));
-}
-
-// Lambert's formula: E = L / 2 times the sum over the edges of their angle seen from the place, times the cosine
-// between the normal and that of the plane through the edge.
-double lambert(Vec3d p, Vec3d n, std::array<Vec3d, 3> corner)
-{
-    double sum = 0;
-    for (Vec3d& c : corner) c = normalize(c - p);
-    for (size_t i = 0; i < 3; ++i) {
-        const Vec3d a = corner[i], b = corner[(i + 1) % 3], x = cross(a, b);
-        sum += std::atan2(length(x), dot(a, b)) * dot(normalize(x), n);
-    }
-    return 0.5 * std::abs(sum);
 }
 
 TEST(TriangleLight, IrradianceIsLambertsFormula)

@@ -1,8 +1,18 @@
 // Rows D of the stability matrix.
-#include "stability/row.h"
+#include <algorithm>
+
+#include "stability/groups.h"
 
 namespace lancer::stability {
 
-std::vector<Row> surface_rows() { return {}; }
+std::vector<Row> surface_rows()
+{
+    std::vector<Row> all;
+    for (auto* part : {mirror_rows, dielectric_rows, facet_rows, furnace_rows})
+        for (Row& row : part()) all.push_back(std::move(row));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Row& a, const Row& b) { return std::stoi(a.id.substr(1)) < std::stoi(b.id.substr(1)); });
+    return all;
+}
 
 }  // namespace lancer::stability
