@@ -12,6 +12,7 @@ namespace lancer {
 class CornerTable {
 public:
     using Corners = std::array<uint32_t, 3>;
+    static constexpr uint32_t none = UINT32_MAX;
 
     CornerTable() = default;
     // has(triangle): whether its corners are kept.
@@ -26,11 +27,13 @@ public:
             marks[t / 64].which |= uint64_t{1} << t % 64;
             ++kept;
         }
-        if (kept == all.size()) {
+        if (kept == 0) return;
+        if (kept * sizeof(Corners) + marks.size() * sizeof(Mark) >= all.size() * sizeof(Corners)) {
             corners_ = all;
+            for (uint32_t t = 0; t < all.size(); ++t)
+                if (!marks[t / 64].has(t)) corners_[t] = {none, none, none};
             return;
         }
-        if (kept == 0) return;
         marks_ = std::move(marks);
         corners_.reserve(kept);
         for (uint32_t t = 0; t < all.size(); ++t)
@@ -41,13 +44,13 @@ public:
     // Null where the triangle has none.
     const Corners* find(uint32_t triangle) const
     {
-        if (marks_.empty()) return corners_.empty() ? nullptr : &corners_[triangle];
+        if (marks_.empty()) return corners_.empty() || corners_[triangle][0] == none ? nullptr : &corners_[triangle];
         const Mark& m = marks_[triangle / 64];
         if (!m.has(triangle)) return nullptr;
         const uint64_t below = m.which & ((uint64_t{1} << triangle % 64) - 1);
         return &corners_[m.before + static_cast<uint32_t>(std::popcount(below))];
     }
-    // Of all triangles that have any, in order; to be renumbered or turned round.
+    // In the order of their triangles, to be renumbered or turned round; `none` stays what it is.
     std::vector<Corners>& all() { return corners_; }
     uint64_t bytes() const { return corners_.size() * sizeof(Corners) + marks_.size() * sizeof(Mark); }
 
@@ -59,7 +62,7 @@ private:
         bool has(uint32_t triangle) const { return which >> triangle % 64 & 1; }
     };
     std::vector<Corners> corners_;
-    std::vector<Mark> marks_;  // empty: all triangles have corners, or none has
+    std::vector<Mark> marks_;  // empty: nearly all triangles have corners, and there is an entry for each; or none has
 };
 
 }  // namespace lancer

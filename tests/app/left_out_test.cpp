@@ -24,9 +24,9 @@ TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
 {
     write("grey.ppm", "P6 1 2 255\n\x10\x20\x30\x40\x50\x60");
     write("worn.toml", std::string(small_scene) +
-                           "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\nbase_color_texture = "
+                           "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
                            "\"grey.ppm\"\n");
-    write("unused.toml", std::string(small_scene) + "[material.m]\nbase_color_texture = \"grey.ppm\"\n");
+    write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"grey.ppm\"\n");
     const std::string without = mapped_while_rendering("scene.toml");
     expect_words(without, "embree");
     EXPECT_EQ(without.find("OpenImageIO"), std::string::npos);
@@ -42,10 +42,10 @@ TEST_F(LeftOut, PicturesThatNothingWearsAreNotOpened)
         return metadata("x.exr", "scene_hash");
     };
     write("a.ppm", "P6 1 1 255\n\x10\x20\x30");
-    write("unused.toml", std::string(small_scene) + "[material.m]\nbase_color_texture = \"a.ppm\"\n");
+    write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"a.ppm\"\n");
     write("worn.toml", std::string(small_scene) +
                            "[[sphere]]\nmaterial = \"x\"\n[material.x]\ntype = \"mix\"\nfirst = "
-                           "\"m\"\nsecond = \"m\"\n[material.m]\nbase_color_texture = "
+                           "\"m\"\nsecond = \"m\"\n[material.m]\ntexture = "
                            "\"a.ppm\"\n");
     const std::string unused = scene_hash("unused.toml"), worn = scene_hash("worn.toml");
     write("a.ppm", "P6 1 1 255\n\x10\x20\x31");
@@ -55,11 +55,12 @@ TEST_F(LeftOut, PicturesThatNothingWearsAreNotOpened)
 
 TEST_F(LeftOut, IsInTheStatistics)
 {
-    write("some.toml", std::string(small_scene) + "[material.unused]\n[[light]]\ntype = \"point\"\nintensity = 0\n");
+    write("some.toml", std::string(small_scene) +
+                           "[material.unused]\n[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 0\n");
     const Said said =
         run({"render", "some.toml", "--size", "16x16", "-s", "1", "-o", "x.exr", "--verbose", "--stats", "x.json"});
     EXPECT_EQ(said.code, 0) << said.err;
-    expect_words(said.err, "left out; drawn by the kernel 'all':\n  1 lights without power");
+    expect_words(said.err, "left out; drawn by the kernel 'all':\nlancer:   1 lights without power");
     const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
     EXPECT_EQ(stats["settings"]["kernel"], "all");
     EXPECT_EQ(stats["samples"]["of_open_sky"], 0) << "there is a plane";
