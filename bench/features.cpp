@@ -104,15 +104,18 @@ std::vector<Feature> features()
         {"vertex normals", scene([](SceneDescription& d) {
              d.meshes.push_back(speck(lambert("speck", {1, 1, 1}), true));
          })},
-        {"spheres",
-         scene([](SceneDescription& d) { d.spheres.push_back({.where = {}, .center = behind, .radius = 1e-3}); })},
+        {"spheres", scene([](SceneDescription& d) {
+             SphereDescription& sphere = d.spheres.emplace_back();
+             sphere.center = behind, sphere.radius = 1e-3;
+         })},
         {"planes", scene([](SceneDescription& d) {
-             d.planes.push_back({.where = {}, .point = behind, .normal = {0, 0, 1}});
+             PlaneDescription& plane = d.planes.emplace_back();
+             plane.point = behind, plane.normal = {0, 0, 1};
          })},
         {"instances", scene([](SceneDescription& d) {
              d.meshes.push_back(speck(lambert("speck", {1, 1, 1})));
              d.meshes.back().name = "speck";
-             d.instances.push_back({.where = {}, .mesh = "speck", .transform = {}});
+             d.instances.emplace_back().mesh = "speck";
          })},
         {"media", worn([](MaterialDescription& m) {
              m.type = MaterialType::glass, m.absorption = {1, 1, 1};
