@@ -13,7 +13,7 @@ target_link_libraries(lancer PRIVATE lancer_app)
 set_target_properties(lancer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 # OpenImageIO stands in a module of its own, opened on first need: linking it would cost every start 0.2 s.
-if(EXISTS ${CMAKE_SOURCE_DIR}/src/io/oiio_module.cpp)
+if(LANCER_WITH_OIIO AND EXISTS ${CMAKE_SOURCE_DIR}/src/io/oiio_module.cpp)
   add_library(lancer_oiio MODULE src/io/oiio_module.cpp)
   target_link_libraries(lancer_oiio PRIVATE lancer_flags lancer_arch lancer_warnings PkgConfig::OIIO Imath::Imath)
   set_target_properties(lancer_oiio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})

@@ -92,6 +92,7 @@ measure() {
 }
 measure accel "${meshes[@]}"
 measure limit
+measure features
 measure scaling
 measure render
 measure agreement "${meshes[@]}"

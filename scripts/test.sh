@@ -6,7 +6,8 @@ usage() {
     cat <<'END'
 usage: scripts/test.sh [--slow]
   (nothing)  release build with warnings as errors, all its tests
-  --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer
+  --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer, and each way to leave
+             parts out is built and draws a picture
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
 END
 }
@@ -90,6 +91,29 @@ run() {
     fi
 }
 
+# Every combination of the parts that a build may do without, one after the other in one folder, so that little is
+# compiled twice: library and program. Each must draw the pixels of the whole program; each counts as one test.
+build_combinations() {
+    local folder=$PWD/build/parts i part options status
+    local parts=(OIIO DISPLAY_SERVER CLASSIC)
+    mkdir -p "$folder"
+    build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/whole.exr" || return
+    for ((i = 0; i < (1 << ${#parts[@]}) - 1; ++i)); do
+        options=(-DLANCER_TESTS=OFF -DLANCER_WERROR=ON)
+        for part in "${!parts[@]}"; do
+            if (((i >> part) & 1)); then options+=("-DLANCER_WITH_${parts[part]}=ON")
+            else options+=("-DLANCER_WITH_${parts[part]}=OFF"); fi
+        done
+        echo "Building ${options[*]:2} (log: build/parts/build.log)"
+        status=0
+        { cmake --preset release -B "$folder" "${options[@]}" && cmake --build "$folder" -j "$(build_jobs)" --target lancer &&
+            "$folder/lancer" render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/part.exr" &&
+            "$folder/lancer" compare "$folder/part.exr" "$folder/whole.exr" --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
+        if ((status == 0)); then passed=$((passed + 1))
+        else tail -n 25 "$folder/build.log"; failed=$((failed + 1)); fi
+    done
+}
+
 if ! scripts/install-deps.sh; then
     failed=1
     finish
@@ -105,5 +129,7 @@ if $slow; then
     run_under=(env TSAN_OPTIONS="ignore_noninstrumented_modules=1 ${TSAN_OPTIONS-}")
     if setarch -R true 2>/dev/null; then run_under+=(setarch -R); fi
     run tsan -DLANCER_WERROR=OFF
+    run_under=(env)
+    build_combinations
 fi
 finish

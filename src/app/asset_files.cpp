@@ -20,14 +20,43 @@ void add_pictures(std::vector<std::string>& files, const MaterialDescription& m)
         if (*use) add(files, (*use)->file);
 }
 
-std::vector<std::string> picture_files(const SceneDescription& scene)
+// The names of materials that something of the scene wears, mixes with or stands in.
+std::set<std::string> used_materials(const SceneDescription& scene)
+{
+    std::set<std::string> used;
+    const auto use = [&](const std::string& name, const std::optional<Bands>& bands = {}) {
+        used.insert(name);
+        if (bands) used.insert(bands->material);
+    };
+    for (const MeshDescription& m : scene.meshes) use(m.material, m.bands);
+    for (const SphereDescription& s : scene.spheres) use(s.material);
+    for (const PlaneDescription& p : scene.planes) use(p.material, p.bands);
+    for (const MaterialOverride& o : scene.overrides) use(o.material);
+    if (scene.camera) use(scene.camera->inside);
+    for (size_t before = 0; before != used.size();) {
+        before = used.size();
+        for (const MaterialDescription& m : scene.materials)
+            if (m.type == MaterialType::mix && used.count(m.name)) use(m.first), use(m.second);
+    }
+    return used;
+}
+
+enum class Which {
+    named,  // in some file
+    used,   // by what is drawn: the others are not opened
+};
+
+std::vector<std::string> picture_files(const SceneDescription& scene, Which which)
 {
     std::vector<std::string> files;
     std::set<const MeshData*> seen;
+    const std::set<std::string> used = used_materials(scene);
+    const auto wants = [&](const std::string& material) { return which == Which::named || used.count(material); };
     for (const MeshDescription& mesh : scene.meshes)
-        if (mesh.data && seen.insert(mesh.data.get()).second)
+        if (mesh.data && (which == Which::named || mesh.material.empty()) && seen.insert(mesh.data.get()).second)
             for (const MaterialDescription& m : mesh.data->materials) add_pictures(files, m);
-    for (const MaterialDescription& m : scene.materials) add_pictures(files, m);
+    for (const MaterialDescription& m : scene.materials)
+        if (wants(m.name)) add_pictures(files, m);
     for (const MaterialOverride& o : scene.overrides)
         if (o.change) add_pictures(files, o.change({}));
     for (const LightDescription& light : scene.lights) add(files, light.file);
@@ -66,7 +95,7 @@ std::vector<std::string> input_files(const SceneDescription& scene)
         add(files, mesh.data->file);
         for (const std::string& file : mesh.data->material_files) add(files, file);
     }
-    for (const std::string& file : picture_files(scene)) add(files, file);
+    for (const std::string& file : picture_files(scene, Which::named)) add(files, file);
     return files;
 }
 
@@ -77,7 +106,7 @@ void hash_assets(SceneDescription& scene)
     for (const MeshDescription& mesh : scene.meshes)
         if (mesh.data && seen.insert(mesh.data.get()).second)
             scene.content_hash = scene.content_hash * odd + mesh.data->content_hash;
-    for (const std::string& file : picture_files(scene))
+    for (const std::string& file : picture_files(scene, Which::used))
         scene.content_hash = scene.content_hash * odd + hash_file(file);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/left_out.h"
 #include "app/load_scene.h"
 #include "app/options.h"
 #include "app/paths.h"
@@ -15,6 +16,7 @@
 #include "io/image_read.h"
 #include "io/png.h"
 #include "scene/background.h"
+#include "scene/features.h"
 
 namespace lancer {
 namespace {
@@ -166,7 +168,7 @@ private:
         for (const Mesh& m : scene_.geometry.meshes) geometry += bytes_of(m.positions) + bytes_of(m.triangles);
         uint64_t shading = 0, textures = 0;
         for (const MeshShading& s : scene_.shading)
-            shading += bytes_of(s.normals) + bytes_of(s.normal_triangles) + bytes_of(s.uvs) + bytes_of(s.uv_triangles) +
+            shading += bytes_of(s.normals) + bytes_of(s.normal_triangles) + bytes_of(s.uvs) + s.uv_triangles.bytes() +
                        bytes_of(s.face_material) + bytes_of(s.emitter_rank);
         for (const Texture& t : scene_.textures)
             if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();
@@ -177,19 +179,12 @@ private:
     std::string features() const
     {
         std::string text;
-        const auto add = [&](bool used, const char* name) {
+        const auto add = [&](bool used, std::string_view name) {
             if (used) text += (text.empty() ? "" : ", ") + std::string(name);
         };
-        const auto any_mesh = [&](auto f) { return std::any_of(scene_.shading.begin(), scene_.shading.end(), f); };
-        const auto any = [&](auto f) { return std::any_of(scene_.traits.begin(), scene_.traits.end(), f); };
-        add(any_mesh([](const MeshShading& s) { return !s.normals.empty(); }), "vertex normals");
-        add(any_mesh([](const MeshShading& s) { return !s.uvs.empty(); }), "texture coordinates");
-        add(any([](const MaterialTraits& t) { return t.has_holes(); }), "opacity");
-        add(any([](const MaterialTraits& t) { return t.bump != no_texture; }), "bump maps");
-        add(any([](const MaterialTraits& t) { return t.normal_map != no_texture; }), "normal maps");
-        add(!scene_.mixes.empty(), "mixed materials");
+        const Features has = features_of(scene_);
+        for (size_t i = 0; i < feature_names.size(); ++i) add(has.has(static_cast<Feature>(i)), feature_names[i]);
         add(!d_.overrides.empty(), "material overrides");
-        add(!d_.instances.empty(), "instances");
         return text.empty() ? "none" : text;
     }
 
@@ -245,8 +240,11 @@ int print_scene(const InfoOptions& options)
         Scene scene = Scene::begin(completed, diagnostics, images.source());
         const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
+        say("kernel", std::string(name_of(renderer.profile())));
+        say("left out", "");
+        for (const LeftOut& l : left_out_of(renderer)) print_result("  " + to_string(l));
     });
-    say("left out", diagnostics.warnings().empty() ? "nothing" : "");
+    say("warnings", diagnostics.warnings().empty() ? "none" : "");
     for (const auto& warning : diagnostics.warnings()) print_result("  " + to_string(warning));
     return exit_done;
 }

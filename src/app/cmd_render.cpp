@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/error_log.h"
+#include "app/left_out.h"
 #include "app/live_view.h"
 #include "app/outputs.h"
 #include "app/prepare.h"
@@ -46,7 +47,8 @@ private:
     void write(const Film& film);
     void write_stats();
     void say_settings() const;
-    void say_plan(const PathPlan& plan) const;
+    void say_left_out() const;
+    void say_plan(const Renderer& renderer, const PathPlan& plan) const;
     void say_summary() const;
     void say_dropped() const;
 
@@ -113,7 +115,8 @@ void Run::describe(const Renderer& renderer)
                     .lights = scene.lights.lights.size(),
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
-                    .warnings = prepared_.warnings};
+                    .warnings = prepared_.warnings,
+                    .left_out = left_out_of(renderer)};
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,
@@ -129,6 +132,7 @@ void Run::describe(const Renderer& renderer)
                        .filter = s.filter,
                        .accel = s.accel,
                        .isa = s.isa,
+                       .kernel = std::string(name_of(renderer.profile())),
                        .switches = s.switches,
                        .biases = biases_of(renderer.integrator()),
                        .hash = settings_hash(s.spp)};
@@ -233,8 +237,7 @@ void Run::render(const Renderer& renderer)
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose && std::holds_alternative<Path>(renderer.integrator()))
-            say_plan(renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) say_plan(renderer, renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (stats_.samples + stats_.counters.dropped == 0) return;
@@ -265,8 +268,19 @@ void Run::say_settings() const
                format_text(" --spp %u --threads %u", settings_.spp, settings_.threads));
 }
 
-void Run::say_plan(const PathPlan& plan) const
+void Run::say_left_out() const
 {
+    print_note("left out; drawn by the kernel '" + stats_.settings.kernel + "':");
+    for (const LeftOut& l : stats_.scene.left_out) print_note("  " + to_string(l));
+}
+
+void Run::say_plan(const Renderer& renderer, const PathPlan& plan) const
+{
+    const auto open = static_cast<size_t>(std::count(plan.open.begin(), plan.open.end(), 1));
+    if (open)
+        print_note(format_text("left out: camera rays of %zu of %zu squares of %u pixels, which see only sky", open,
+                               plan.open.size(), plan.open_cell));
+    if (!std::holds_alternative<Path>(renderer.integrator())) return;
     print_note(format_text("plan: %u rays on from the first surface that spreads light; roulette by ", plan.split) +
                (plan.worth.empty() ? std::string("the throughput")
                                    : format_text("what squares of %u pixels show", plan.cell)));
@@ -319,7 +333,7 @@ int Run::execute()
         });
         settings_.accel = name_of(renderer->accelerator_kind());  // not automatic any more
         describe(*renderer);
-        if (options_.verbose) say_settings();
+        if (options_.verbose) say_settings(), say_left_out();
         render(*renderer);
     });
     if (stats_.phases.back().name != "write") {

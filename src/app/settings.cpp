@@ -57,6 +57,8 @@ Settings settings_of_scene(const RenderDescription& scene)
 void take_legacy(Settings& s, bool says_filter, bool says_stop)
 {
     if (!s.switches[Switch::legacy]) return;
+    if (!knows_legacy())
+        throw Error(ErrorKind::usage, {}, "legacy: this build of lancer was made with LANCER_WITH_CLASSIC=OFF");
     if (!is_classic(s.integrator)) {
         s.grid = PixelGrid::shifted;
         s.tonemap = ToneMap::gamma22;

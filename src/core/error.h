@@ -15,6 +15,7 @@ namespace lancer {
 struct Location {
     std::string file;
     uint32_t line = 0, column = 0;
+    friend bool operator==(const Location&, const Location&) = default;
 };
 
 // "file", "file:line" or "file:line:column", as far as known; "" for no file.

@@ -40,6 +40,13 @@ std::vector<std::string_view> names_of_integrators()
     return names;
 }
 
+bool knows_legacy()
+{
+    bool found = false;
+    for_each_integrator([&]<class Integrator>(const Integrator&) { found = found || is_legacy<Integrator>(); });
+    return found;
+}
+
 bool is_classic(std::string_view name)
 {
     bool found = false;

@@ -16,7 +16,14 @@
 
 namespace lancer {
 
+#ifdef LANCER_NO_CLASSIC
+using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion>;
+#else
 using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion, LegacyPath>;
+#endif
+
+// Whether the ways of the past are in this build.
+bool knows_legacy();
 
 // Whether an integrator is one of the two that the course's ray tracer had; with legacy the others go the student's
 // way.

@@ -25,6 +25,15 @@ struct PathPlan {
     uint32_t cell = 0, columns = 0;
     std::vector<Color> worth;
 
+    // Squares of open_cell pixels, row by row, in which no camera ray of the picture meets anything, and what it sees
+    // instead is the same everywhere: 1 where that is so. Empty: nowhere.
+    uint32_t open_cell = 0, open_columns = 0;
+    std::vector<uint8_t> open;
+    bool is_open(uint32_t x, uint32_t y) const
+    {
+        return !open.empty() && open[size_t{y / open_cell} * open_columns + x / open_cell] != 0;
+    }
+
     // Of a pixel; negative if it is not known.
     Color worth_at(uint32_t x, uint32_t y) const
     {

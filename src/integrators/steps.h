@@ -78,7 +78,8 @@ struct Queue {
     std::vector<State> next;
 };
 
-// The steps of one sample. Their order is the order of summation: all adds of a depth, then its shadow rays, then its
+// The steps of one sample. A shadow ray that would bring nothing is not traced.
+// Their order is the order of summation: all adds of a depth, then its shadow rays, then its
 // tinted ones, those that went through fewer surfaces first.
 class Steps {
 public:
@@ -93,6 +94,7 @@ public:
     template <class F>
     void shadow_from(F&& f, Color radiance_if_unoccluded)
     {
+        if (is_black(radiance_if_unoccluded)) return;
         Ray& ray = queue_.shadow_rays.emplace_back();
         f(ray);
         if (!is_traceable(ray)) {
@@ -105,6 +107,7 @@ public:
     // colour of the light itself, for is_spent().
     void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light)
     {
+        if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return spoil();
         queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_});
     }

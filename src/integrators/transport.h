@@ -106,6 +106,14 @@ bool samples_light(const V& view, const B& bsdf, DirectLight how)
     return true;
 }
 
+// Whether a place swallows all light, as lamps do: nothing needs to be sampled there.
+template <class B>
+bool scatters_nothing(const B& bsdf)
+{
+    if constexpr (requires { bsdf.albedo; }) return is_black(bsdf.albedo);
+    return false;
+}
+
 // Next-event estimation at a vertex.
 template <class V, class B>
 void sample_direct(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
@@ -148,6 +156,7 @@ bool send_on(const V& view, const State& s, State& n, const Surface& surface, co
     n.ray = {.org = ray_origin(surface, wi), .dir = wi};
     n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
+    if (is_black(n.throughput)) return false;
     n.pdf = b->pdf;
     n.normal = surface.ns;
     n.eta_scale *= b->eta * b->eta;
@@ -212,6 +221,7 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
     add_emission(view, s, surface, how, parts, steps);
     if (s.last) return;
     view.with_bsdf(surface, sampler, s.depth, [&](const auto& bsdf) {
+        if (scatters_nothing(bsdf)) return;
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
         const bool samples = samples_light(view, bsdf, how);

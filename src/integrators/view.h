@@ -82,6 +82,7 @@ struct View {
         const float pdf = pdf_environment(normal, wi);
         return pdf > 0 ? pdf / static_cast<float>(scene.lights.pick.share_from(scene.lights.deltas)) : 0;
     }
+    bool has_media() const { return !scene.media.empty(); }
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {

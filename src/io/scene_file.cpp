@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,17 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     // What an override gives to a material of a mesh is known only when it is applied.
     const bool uvs =
         !scene.overrides.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), reads_textures);
-    const MeshOptions options{.assets = &assets, .pictures = scene_options.pictures, .uvs = uvs};
+    MeshOptions options{.assets = &assets, .pictures = {}, .uvs = uvs};
+    // Materials of files that every mesh replaces by its own are not worn, and their pictures not read.
+    std::set<std::string> worn;
+    for (size_t i = 0; i < files.size(); ++i)
+        if (scene.meshes[i].material.empty()) worn.insert(files[i].file.identity);
     std::map<std::string, std::shared_ptr<const MeshData>> loaded;
     for (size_t i = 0; i < files.size(); ++i) {
         const AssetFolder::Found& file = files[i].file;
         if (file.path.empty()) continue;
         const auto [entry, is_new] = loaded.try_emplace(file.identity);
+        options.pictures = worn.count(file.identity) ? scene_options.pictures : RasterSource{};
         if (is_new) entry->second = scene_options.mesh_loader(file.path, diagnostics, options);
         scene.meshes[i].data = entry->second;
         // No caller should meet a null that nobody has reported.

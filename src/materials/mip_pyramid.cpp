@@ -165,6 +165,17 @@ uint64_t MipPyramid::bytes() const
     return std::visit([](const auto& v) { return v.size() * sizeof(v[0]); }, values);
 }
 
+bool MipPyramid::is_constant() const
+{
+    return std::visit(
+        [&](const auto& v) {
+            for (size_t i = channels; i < v.size(); ++i)
+                if (v[i] != v[i - channels]) return false;
+            return true;
+        },
+        values);
+}
+
 MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked)
 {
     const Channel channel = resolve(raster, asked);

@@ -20,6 +20,7 @@ enum class Channel : uint8_t { color, red, green, blue, alpha, luminance, automa
 struct MipLevel {
     uint32_t width = 0, height = 0;
     size_t first = 0;  // where its values begin
+    friend bool operator==(const MipLevel&, const MipLevel&) = default;
 };
 
 struct MipPyramid {
@@ -32,6 +33,9 @@ struct MipPyramid {
     uint64_t not_finite = 0;        // numbers of the picture that were not, and count as 0
 
     uint64_t bytes() const;
+    // Whether all texels of all levels are alike.
+    bool is_constant() const;
+    friend bool operator==(const MipPyramid&, const MipPyramid&) = default;
 };
 
 MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel channel);

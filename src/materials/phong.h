@@ -14,6 +14,8 @@ struct Phong {
     float shininess = 0;  // exponent of the highlight, >= 0
     float diffusion = 1, reflexion = 0, refraction = 0;  // parts, >= 0; their sum may exceed 1
     float inside_ior = 1, outside_ior = 1;               // behind the geometric normal and in front of it
+
+    friend bool operator==(const Phong&, const Phong&) = default;
 };
 
 // From a (t = 0) to b (t = 1), field by field.

@@ -99,10 +99,17 @@ float sign_of(float x) { return x > 0 ? 1.0f : x < 0 ? -1.0f : 0.0f; }
 
 ImageTexture::ImageTexture(const Raster& raster, const ImageUse& use)
     : use_(use),
-      pyramid_(build_pyramid(raster, use.encoding, use.channel)),
+      pyramid_(std::make_shared<const MipPyramid>(build_pyramid(raster, use.encoding, use.channel))),
       footprint_scale_(std::max(std::abs(use.scale.x) * static_cast<float>(width()),
                                 std::abs(use.scale.y) * static_cast<float>(height())))
 {
+}
+
+bool ImageTexture::share(const ImageTexture& other)
+{
+    if (pyramid_ == other.pyramid_ || !(*pyramid_ == *other.pyramid_)) return false;
+    pyramid_ = other.pyramid_;
+    return true;
 }
 
 // Between levels the blend is linear in the footprint, not in its logarithm: no worse, and no call of libm.
@@ -111,7 +118,7 @@ ImageTexture::Detail ImageTexture::detail(float width) const
     const float texels = width * footprint_scale_;
     if (!(texels > 1)) return {0, 0};
     const auto bits = std::bit_cast<uint32_t>(texels);
-    const uint32_t level = (bits >> 23) - 127, last = static_cast<uint32_t>(pyramid_.levels.size()) - 1;
+    const uint32_t level = (bits >> 23) - 127, last = static_cast<uint32_t>(pyramid_->levels.size()) - 1;
     if (level >= last) return {last, 0};
     return {level, static_cast<float>(bits & 0x7fffff) * 0x1p-23f};
 }
@@ -132,7 +139,7 @@ Color ImageTexture::eval(Vec2d uv, Footprint footprint) const
 {
     const Detail d = detail(footprint.width);
     const double u = wrapped(picture_u(uv.x), use_.wrap), v = wrapped(picture_v(uv.y), use_.wrap);
-    return adjusted(with_texels(pyramid_, use_.wrap, [&](const auto& texels) {
+    return adjusted(with_texels(*pyramid_, use_.wrap, [&](const auto& texels) {
         const Color fine = texels.bilinear(d.level, u, v);
         return d.next == 0 ? fine : mix(fine, texels.bilinear(d.level + 1, u, v), d.next);
     }));
@@ -146,14 +153,14 @@ Vec2 ImageTexture::slope(Vec2d uv, float width) const
         return texels.bilinear(level, wrapped(x, use_.wrap), wrapped(y, use_.wrap)).r;
     };
     const auto of_level = [&](const auto& texels, uint32_t level) {
-        const MipLevel &l = pyramid_.levels[level], &finest = pyramid_.levels[0];
+        const MipLevel &l = pyramid_->levels[level], &finest = pyramid_->levels[0];
         const double half_u = 0.5 / l.width, half_v = 0.5 / l.height;
         const float du = at(texels, level, u + half_u, v) - at(texels, level, u - half_u, v);
         const float dv = at(texels, level, u, v + half_v) - at(texels, level, u, v - half_v);
         return Vec2{du * static_cast<float>(l.width) / static_cast<float>(finest.width),
                     dv * static_cast<float>(l.height) / static_cast<float>(finest.height)};
     };
-    const Vec2 s = with_texels(pyramid_, use_.wrap, [&](const auto& texels) {
+    const Vec2 s = with_texels(*pyramid_, use_.wrap, [&](const auto& texels) {
         const Vec2 fine = of_level(texels, d.level);
         if (d.next == 0) return fine;
         const Vec2 coarse = of_level(texels, d.level + 1);

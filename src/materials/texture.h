@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <variant>
 
 #include "core/color.h"
@@ -37,14 +38,18 @@ public:
     // texel of the level that the footprint asks for.
     Vec2 slope(Vec2d uv, float width) const;
     // The average of the finest level.
-    Color mean() const { return adjusted(pyramid_.mean); }
+    Color mean() const { return adjusted(pyramid_->mean); }
     // Of the finest level.
-    uint32_t width() const { return pyramid_.levels[0].width; }
-    uint32_t height() const { return pyramid_.levels[0].height; }
+    uint32_t width() const { return pyramid_->levels[0].width; }
+    uint32_t height() const { return pyramid_->levels[0].height; }
     const ImageUse& use() const { return use_; }
-    uint64_t bytes() const { return pyramid_.bytes(); }
+    uint64_t bytes() const { return pyramid_->bytes(); }
+    // Whether eval() gives the same everywhere: all texels of all levels are alike.
+    bool is_constant() const { return pyramid_->is_constant(); }
+    // Takes the texels of another texture for its own if they are alike; whether they are, and were not shared before.
+    bool share(const ImageTexture& other);
     // How many numbers of the picture were not finite; they count as 0.
-    uint64_t not_finite() const { return pyramid_.not_finite; }
+    uint64_t not_finite() const { return pyramid_->not_finite; }
 
 private:
     struct Detail {
@@ -57,7 +62,7 @@ private:
     Color adjusted(Color c) const;
 
     ImageUse use_;
-    MipPyramid pyramid_;
+    std::shared_ptr<const MipPyramid> pyramid_;
     float footprint_scale_;  // texels of the finest level per unit of uv, along the finer axis
 };
 

@@ -47,8 +47,8 @@ struct Made {
 };
 
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
-template <class Integrator, class Listener>
-void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+template <class V, class Integrator, class Listener>
+void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                  const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
                  const Listener& listener)
 {
@@ -115,7 +115,7 @@ void trace_batch(const View& view, const Accelerator& accel, const Camera& camer
                 integrator.ahead(view, vertices, aheads[group]);
             }
     };
-    const bool has_media = !view.scene.media.empty();
+    const bool has_media = view.has_media();
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const State& s : w.states) w.rays.push_back(s.ray);

@@ -15,6 +15,8 @@ namespace lancer {
 struct DiffusePath {
     const Path& path;
     const DiffuseScene& scene;
+
+    void miss(const View& view, const State& s, Steps& steps) const { path.miss(view, s, steps); }
 };
 
 class DiffuseBatch {
@@ -238,14 +240,15 @@ inline void DiffuseBatch::sample_direct(const Vertices& v)
     const Float8 pdf = cos_i * (1 / pi);
     const Vec3x8 f_cos = v.albedo * pdf;
     const Mask8 lit = light.found & (dot(light.wi, v.n) > zero) & (cos_i > zero) & (v.cos_o > zero) & ~is_black(f_cos);
-    const uint32_t wanted = bits(lit) & v.hit;
-    if (wanted == 0) return;
+    if ((bits(lit) & v.hit) == 0) return;
     Float8 weight = all_lanes(1.0f);
     if (path_.direct.mis) {
         const Float8 r = pdf / light.pdf;
         weight = 1.0f / (1.0f + r * r);
     }
     const Vec3x8 radiance = times(times(v.path.throughput, f_cos), light.radiance) * (weight / light.pdf);
+    const uint32_t wanted = bits(lit & ~is_black(radiance)) & v.hit;
+    if (wanted == 0) return;
     // shadow_ray()
     const Float8 reach = length(light.point - v.origin) * gamma(16);
     const Vec3x8 end = offset_origin(light.point, light.p_error + Vec3x8{reach, reach, reach}, light.n, -light.wi);
@@ -262,7 +265,7 @@ inline void DiffuseBatch::scatter(Vertices& v)
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
     const Float8 zero{}, no_end = all_lanes(std::numeric_limits<float>::infinity());
-    const Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
+    Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((bits(reflects) & v.hit) == 0) return;
     PathLanes& next = v.path;  // from here on that of what is sent on
     if (splits) {
@@ -272,6 +275,8 @@ inline void DiffuseBatch::scatter(Vertices& v)
         next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
     }
     next.throughput = times(next.throughput, v.albedo);
+    reflects &= ~is_black(next.throughput);
+    if ((bits(reflects) & v.hit) == 0) return;
     const auto [q, is_certain] = survival(v, next.throughput);
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);

@@ -1,5 +1,5 @@
 // The samples of a tile: which, in what order, and how they are summed and end. Only the files kernels_NAME.cpp include
-// this, each for one integrator, so that they compile side by side.
+// this, each for one integrator, so that they compile side by side; and a bench, with views (V) that know less.
 #pragma once
 
 #include <algorithm>
@@ -20,32 +20,39 @@ inline Color counted(Color radiance, const KernelSettings& settings)
     return {clamp(radiance.r), clamp(radiance.g), clamp(radiance.b)};
 }
 
+// What a camera ray brings that meets nothing, in a scene where it is the same for all of them.
+template <class V, class Integrator>
+Color seen_of_open_sky(const V& view, const Integrator& integrator, Workspace& w)
+{
+    w.queue.radiance.assign(1, RadianceSum{});
+    Steps steps(w.queue, 0);
+    State s;
+    s.ray.dir = {0, 0, 1};
+    integrator.miss(view, s, steps);
+    return w.queue.radiance[0].color();
+}
+
 // Sums samples [begin, end) of every pixel of a tile, as far as the pixel wants them, into w.block.
-template <class Integrator, class Listener>
-void trace_samples(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+template <class V, class Integrator, class Listener>
+void trace_samples(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                    const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                    Counters& counters, const Listener& listener)
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
+    const auto count = [&](const SampleId& id, Color c) {
+        if (!is_finite(c)) return counters.drop(id);
+        Pixel& p = w.block[index(id)];
+        const double y = luminance(c);
+        p += {{c.r, c.g, c.b}, y * y, 1};
+        if (!w.last.empty()) w.last[index(id)] = c;
+        if (film.replicates.empty() || w.is_pilot) return;
+        const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
+        ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
+        r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
+    };
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
-        for (size_t i = 0; i < w.slots.size(); ++i) {
-            const Color c = counted(w.queue.radiance[i].color(), settings);
-            if (!is_finite(c)) {
-                counters.drop(w.slots[i]);
-                continue;
-            }
-            Pixel& p = w.block[index(w.slots[i])];
-            const double y = luminance(c);
-            p += {{c.r, c.g, c.b}, y * y, 1};
-            if (!w.last.empty()) w.last[index(w.slots[i])] = c;
-            if (!film.replicates.empty() && !w.is_pilot) {
-                const SampleId& id = w.slots[i];
-                const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
-                ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
-                r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
-            }
-        }
+        for (size_t i = 0; i < w.slots.size(); ++i) count(w.slots[i], counted(w.queue.radiance[i].color(), settings));
         w.slots.clear();
     };
     const auto end_of = [&](uint32_t x, uint32_t y) {
@@ -53,6 +60,9 @@ void trace_samples(const View& view, const Accelerator& accel, const Camera& cam
         const uint32_t wanted = film.wanted[film.index(x, y)];
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
+    // What every camera ray sees that meets nothing, where the plan knows such pixels.
+    constexpr bool hears_nothing = std::is_same_v<Listener, NoListener>;
+    const Color sky = view.plan.open.empty() ? Color{} : counted(seen_of_open_sky(view, integrator, w), settings);
     constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
     w.slots.clear();
     const uint32_t batch = batch_of<Integrator>(settings);
@@ -60,17 +70,23 @@ void trace_samples(const View& view, const Accelerator& accel, const Camera& cam
     for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
         for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
             for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
-                for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x)
+                for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x) {
+                    if (hears_nothing && view.plan.is_open(x, y)) {
+                        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.open_samples)
+                            count({x, y, i}, sky);
+                        continue;
+                    }
                     for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) {
                         w.slots.push_back({x, y, i});
                         if (w.slots.size() == batch) flush();
                     }
+                }
     flush();
 }
 
 // Finds out what the pixels of a tile want that do not know it yet: all of them, when the first samples are asked for.
-template <class Integrator>
-void trace_pilots(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+template <class V, class Integrator>
+void trace_pilots(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                   const Integrator& integrator, Film& film, Tile tile, Workspace& w, Counters& counters)
 {
     if (film.wanted[film.index(tile.x0, tile.y0)] != 0) return;
@@ -90,8 +106,8 @@ void trace_pilots(const View& view, const Accelerator& accel, const Camera& came
 }
 
 // As trace_samples(), and after each sample asks of every pixel whether it was the last one.
-template <class Integrator, class Listener>
-void trace_one_by_one(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+template <class V, class Integrator, class Listener>
+void trace_one_by_one(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                       const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                       Counters& counters, const Listener& listener)
 {
@@ -111,8 +127,8 @@ void trace_one_by_one(const View& view, const Accelerator& accel, const Camera& 
 }
 
 // Renders samples [begin, end) of every pixel of a tile into the film.
-template <class Integrator, class Listener>
-void render_tile(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+template <class V, class Integrator, class Listener>
+void render_tile(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                  const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                  Counters& counters, const Listener& listener)
 {
@@ -128,9 +144,9 @@ void render_tile(const View& view, const Accelerator& accel, const Camera& camer
             how(view, accel, camera, settings, integrator, film, tile, SampleRange{first, last}, w, counters, listener);
         };
         if (stop == StopRule::last_sample)
-            trace(trace_one_by_one<Integrator, Listener>);
+            trace(trace_one_by_one<V, Integrator, Listener>);
         else
-            trace(trace_samples<Integrator, Listener>);
+            trace(trace_samples<V, Integrator, Listener>);
         for_pixels(film, tile, [&](size_t i, size_t k) { blocks.put(i, w.block[k], last); });
         listener.end_block(last);
         first = last;

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "core/parallel.h"
+#include "render/open_sky.h"
 #include "scene/holes.h"
 
 namespace lancer {
@@ -72,9 +73,9 @@ const PathPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t he
 {
     if (!piloted_ || !(piloted_->camera == camera) || piloted_->width != width || piloted_->height != height) {
         const auto* path = std::get_if<Path>(&settings_.integrator);
-        piloted_.emplace(
-            Piloted{camera, width, height,
-                    path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : PathPlan{}});
+        PathPlan plan = path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : PathPlan{};
+        find_open_sky(scene_, camera, width, height, plan);
+        piloted_.emplace(Piloted{camera, width, height, std::move(plan)});
     }
     return piloted_->plan;
 }

@@ -13,15 +13,24 @@ std::shared_ptr<const DiffuseScene> diffuse_scene_for(const Scene& scene, const 
 
 }  // namespace
 
+Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted)
+{
+    const auto* path = std::get_if<Path>(&integrator);
+    if (wanted == Profile::all || !path || !diffuse_scene_for(scene, *path)) return Profile::all;
+    return Profile::diffuse;
+}
+
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings)
 {
+    const Profile profile = profile_of(scene, integrator, settings.profile);
     return std::visit(
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
             if constexpr (std::is_same_v<Integrator, Path>)
-                if (const auto plain = diffuse_scene_for(scene, concrete))
-                    return [&, plain](const PathPlan& plan, const Camera& camera, Film& film, Tile tile,
-                                      SampleRange samples, Workspace& w, Counters& counters) {
+                if (profile == Profile::diffuse)
+                    return [&, plain = diffuse_scene_for(scene, concrete)](const PathPlan& plan, const Camera& camera,
+                                                                           Film& film, Tile tile, SampleRange samples,
+                                                                           Workspace& w, Counters& counters) {
                         const View view{scene, plan};
                         // Who looks at what is hit first wants to see it one by one.
                         if (film.aovs.empty())

@@ -11,6 +11,9 @@ namespace lancer {
 // One call per tile, so the type erasure costs nothing; below it only concrete types.
 using TileKernel = std::function<void(const PathPlan&, const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
 
+// The version of the kernel that draws a complete scene: the plainest that covers it, or the one that is asked for.
+Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted = {});
+
 // All references must outlive the kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings);

@@ -10,6 +10,7 @@
 #include "integrators/view.h"
 #include "render/diffuse_states.h"
 #include "render/filter.h"
+#include "render/profile.h"
 #include "render/stop_rule.h"
 #include "scene/camera.h"
 
@@ -23,6 +24,7 @@ struct KernelSettings {
     uint32_t batch = 256;             // paths under way at once, >= 1
     StopRule stop = StopRule::never;  // looked at only if the film has `wanted`
     double stop_error = 0.01;         // see samples_for()
+    std::optional<Profile> profile;   // rather than the plainest that covers the scene; ignored if it does not
     bool clamp = false;               // each sample to [0, 1] before it is averaged; legacy
     // Path i is number i / replicates of replicate i mod replicates, each of which has random numbers of its own: how
     // far they lie apart tells the error without a bias, at the price that each has fewer points to spread evenly.
@@ -45,6 +47,7 @@ struct SampleId {
 
 struct Counters {
     uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
+    uint64_t open_samples = 0;              // of camera rays that were not traced: see PathPlan::open
     uint64_t dropped = 0;                   // samples that were not finite
     std::optional<SampleId> first_dropped;  // in order of x, y, sample
 
@@ -55,7 +58,8 @@ struct Counters {
     }
     Counters& operator+=(const Counters& o)
     {
-        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays, dropped += o.dropped;
+        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays;
+        open_samples += o.open_samples, dropped += o.dropped;
         if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
         return *this;
     }

@@ -21,13 +21,26 @@ Json context_of(const RunStats& s)
             {"command_line", c.command_line}};
 }
 
+Json left_out_of(const std::vector<LeftOut>& all)
+{
+    Json json = Json::array();
+    for (const LeftOut& l : all) json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}});
+    return json;
+}
+
 Json scene_of(const RunStats::SceneFigures& s)
 {
-    return {{"file", s.file},           {"content_hash", to_hex(s.content_hash)},
-            {"triangles", s.triangles}, {"meshes", s.meshes},
-            {"instances", s.instances}, {"spheres", s.spheres},
-            {"planes", s.planes},       {"lights", s.lights},
-            {"materials", s.materials}, {"accelerator_bytes", s.accelerator_bytes},
+    return {{"file", s.file},
+            {"content_hash", to_hex(s.content_hash)},
+            {"triangles", s.triangles},
+            {"meshes", s.meshes},
+            {"instances", s.instances},
+            {"spheres", s.spheres},
+            {"planes", s.planes},
+            {"lights", s.lights},
+            {"materials", s.materials},
+            {"accelerator_bytes", s.accelerator_bytes},
+            {"left_out", left_out_of(s.left_out)},
             {"warnings", s.warnings}};
 }
 
@@ -53,6 +66,7 @@ Json settings_of(const RunStats::SettingsUsed& s)
             {"filter", s.filter},
             {"accel", s.accel},
             {"isa", s.isa},
+            {"kernel", s.kernel},
             {"threads", s.threads},
             {"tile", s.tile},
             {"batch", s.batch},
@@ -73,7 +87,10 @@ Json samples_of(const RunStats& s)
     Json dropped{{"count", s.counters.dropped}};
     if (const auto& first = s.counters.first_dropped)
         dropped["first"] = {{"x", first->x}, {"y", first->y}, {"sample", first->sample}};
-    return {{"count", s.samples}, {"per_second", rate(s.samples, s.render_s)}, {"dropped", dropped}};
+    return {{"count", s.samples},
+            {"of_open_sky", s.counters.open_samples},
+            {"per_second", rate(s.samples, s.render_s)},
+            {"dropped", dropped}};
 }
 
 }  // namespace

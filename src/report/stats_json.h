@@ -8,6 +8,7 @@
 #include "core/film.h"
 #include "core/switches.h"
 #include "render/workspace.h"
+#include "scene/left_out.h"
 
 namespace lancer {
 
@@ -22,12 +23,14 @@ struct RunStats {
         uint64_t triangles = 0, meshes = 0, instances = 0, spheres = 0, planes = 0, lights = 0, materials = 0;
         uint64_t accelerator_bytes = 0;
         std::vector<std::string> warnings;
+        std::vector<LeftOut> left_out;
     };
     struct SettingsUsed {
         uint32_t width = 0, height = 0, spp = 0, replicates = 1, max_depth = 0, threads = 0, tile = 0, batch = 0;
         Tile crop;
         uint64_t seed = 0;
         std::string integrator, sampler, filter, accel, isa;
+        std::string kernel;  // see Profile
         Switches switches;
         std::vector<std::string> biases;  // of the integrator, whatever its settings
         std::string hash;                 // of all that decides the value of a pixel, but the scene

@@ -41,6 +41,14 @@ Ray Camera::ray(Vec2 film, Vec2 lens) const
     return {.org = position_ + on_lens, .dir = normalize(d * focus_ - on_lens)};
 }
 
+Camera::Seen Camera::seen(Vec3d p) const
+{
+    const Vec3d d = p - to_double(position_), right = to_double(right_), down = to_double(down_);
+    const double depth = dot(d, to_double(forward_));
+    return {dot(d, right) / dot(right, right) + static_cast<double>(centre_.x) * depth,
+            dot(d, down) / dot(down, down) + static_cast<double>(centre_.y) * depth, depth};
+}
+
 CameraDescription fit_camera(const Bounds& subject, double aspect)
 {
     constexpr double margin = 0.9;  // of the picture that the subject may fill

@@ -27,6 +27,14 @@ public:
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 
+    bool is_pinhole() const { return lens_right_ == Vec3{}; }
+    Vec3 position() const { return position_; }
+    // A place as a pinhole sees it: it lies at (x / depth, y / depth) of the film, in pixels, where depth > 0.
+    struct Seen {
+        double x, y, depth;
+    };
+    Seen seen(Vec3d p) const;
+
     friend bool operator==(const Camera&, const Camera&) = default;
 
 private:

@@ -153,7 +153,7 @@ void check_texture_coordinates(const SceneDescription& d, const Scene& scene, Di
         for (uint32_t t = 0; t < triangles; ++t) {
             if (!scene.traits[s.material_of(t)].reads_uv) continue;
             ++textured;
-            if (s.uvs.empty() || s.uv_triangles[t][0] == MeshData::no_uv) ++lacking;
+            if (!s.uv_triangles.find(t)) ++lacking;
         }
         if (lacking)
             problems.warning({d.meshes[i].data->file}, "no texture coordinates in " + std::to_string(lacking) + " of " +

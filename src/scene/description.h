@@ -72,6 +72,9 @@ struct MaterialDescription {
     float weight = 0.5f;               // mix: of the second
     TextureUse weight_map{};
     Phong phong{};  // interface; its diffuse colour is base_color
+
+    // Said at the same place, with the same name, and the same.
+    friend bool operator==(const MaterialDescription&, const MaterialDescription&) = default;
 };
 
 // Every texture that a material may have.

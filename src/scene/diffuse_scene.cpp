@@ -1,38 +1,9 @@
 #include "scene/diffuse_scene.h"
 
-#include <algorithm>
-
 namespace lancer {
 namespace {
 
 using Row = DiffuseScene::Row;
-
-bool is_plain(const Scene& scene)
-{
-    const Geometry& g = scene.geometry;
-    return g.spheres.empty() && g.planes.empty() && g.instances.empty() && !g.holes.let_pass && scene.mixes.empty() &&
-           scene.media.empty() && !scene.environment_map && !scene.background && !scene.glow && !scene.legacy &&
-           !scene.terminator_fix;
-}
-
-bool is_plain(const Scene& scene, uint32_t material)
-{
-    const auto* lambert = std::get_if<Lambert>(&scene.materials[material]);
-    const MaterialTraits& traits = scene.traits[material];
-    return lambert && lambert->albedo.texture == no_texture && !traits.tilts() && !traits.has_holes() &&
-           scene.emission[material].radiance.texture == no_texture;
-}
-
-// Whether all lights are flat triangles, or the sky is the only one.
-bool has_plain_lights(const Scene& scene)
-{
-    const std::vector<Light>& lights = scene.lights.lights;
-    if (lights.size() == 1 && std::holds_alternative<EnvironmentLight>(lights[0])) return true;
-    return std::all_of(lights.begin(), lights.end(), [](const Light& light) {
-        const auto* triangle = std::get_if<TriangleLight>(&light);
-        return triangle && triangle->area > 0;
-    });
-}
 
 Row row(Vec3 v, float w = 0) { return {v.x, v.y, v.z, w}; }
 Row row(Color c, float w = 0) { return {c.r, c.g, c.b, w}; }
@@ -55,17 +26,9 @@ DiffuseScene::Light table_of(const Scene& scene, uint32_t id)
 
 std::optional<DiffuseScene> DiffuseScene::of(const Scene& scene)
 {
-    if (!is_plain(scene) || !has_plain_lights(scene)) return {};
-    for (const MeshShading& mesh : scene.shading) {
-        if (!mesh.colors.empty()) return {};
-        if (mesh.face_material.empty() && !is_plain(scene, mesh.material)) return {};
-        std::vector<bool> seen(scene.materials.size());
-        for (const uint32_t material : mesh.face_material) {
-            if (seen[material]) continue;
-            if (!is_plain(scene, material)) return {};
-            seen[material] = true;
-        }
-    }
+    const Features needed = features_of(scene);
+    const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
+    if (!features.covers(needed) || (has_lamps && has_sky)) return {};
     DiffuseScene d;
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/vec_lanes.h"
+#include "scene/features.h"
 #include "scene/scene.h"
 
 namespace lancer {
@@ -21,6 +22,10 @@ struct DiffuseScene {
         Row n_area;       // normal of its front side, and area
         Row front, back;  // radiance to either side; front.w: probability of being chosen
     };
+
+    // What it may have; and of lamps and a sky only one.
+    static constexpr Features features{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
+                                       Feature::constant_sky, Feature::light_tree};
 
     std::vector<Row> albedo;      // of each material
     std::vector<uint8_t> shines;  // of each material, whether any of its sides does

@@ -74,8 +74,10 @@ void MaterialTable::resolve_named(size_t index)
 uint32_t MaterialTable::texture(const TextureUse& use)
 {
     if (!use) return no_texture;
-    if (const auto it = std::find(textures_.begin(), textures_.end(), *use); it != textures_.end())
+    if (const auto it = std::find(textures_.begin(), textures_.end(), *use); it != textures_.end()) {
+        scene_.left_out.add("textures that are there already", 1);
         return static_cast<uint32_t>(it - textures_.begin());
+    }
     const auto id = static_cast<uint32_t>(textures_.size());
     textures_.push_back(*use);
     if (use->type != TextureType::image) {
@@ -126,6 +128,20 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
 }
 
 uint32_t MaterialTable::add(const MaterialDescription& m)
+{
+    // A material file that several meshes name brings the same ones again and again.
+    for (const auto& [known, id] : added_[m.name]) {
+        if (!(known == m)) continue;
+        scene_.left_out.add("materials that are there already", 1,
+                            sizeof(Material) + sizeof(Emission) + sizeof(MaterialTraits));
+        return id;
+    }
+    const uint32_t id = make(m);
+    added_[m.name].emplace_back(m, id);
+    return id;
+}
+
+uint32_t MaterialTable::make(const MaterialDescription& m)
 {
     const auto id_of = [&](const TextureUse& use) { return texture(use); };
     if (m.type == MaterialType::mix)
@@ -220,8 +236,10 @@ void MaterialTable::finish()
     if (d_.camera && !d_.camera->inside.empty()) put_camera_into(d_.camera->inside, d_.camera->where);
     finish_media(scene_);
     for (size_t i = 0; i < d_.materials.size(); ++i)
-        if (!used_[i])
+        if (!used_[i]) {
+            scene_.left_out.add("materials that nothing uses", 1);
             diagnostics_.warning(d_.materials[i].where, "material '" + d_.materials[i].name + "' is not used");
+        }
     for (size_t i = 0; i < d_.overrides.size(); ++i)
         if (!override_used_[i])
             diagnostics_.warning(d_.overrides[i].where,

@@ -19,7 +19,7 @@ public:
                   const RasterSource& images);
 
     // The id of a material as it is described.
-    uint32_t add(const MaterialDescription& material);
+    uint32_t add(const MaterialDescription& material);  // again what there is: the same id
     // The same of a mesh file, under the overrides.
     uint32_t add_from_file(const MaterialDescription& material);
     // The id of a named material or preset; an empty name is the default grey, as is an unknown one, so that building
@@ -36,6 +36,7 @@ public:
 
 private:
     uint32_t default_material();
+    uint32_t make(const MaterialDescription& material);
     uint32_t texture(const TextureUse& use);
     uint32_t add_plain(const MaterialDescription& material, const Material& bsdf);
     uint32_t add_mix(const MaterialDescription& material, uint32_t first, uint32_t second, FloatParam weight);
@@ -47,7 +48,8 @@ private:
     Diagnostics& diagnostics_;
     const RasterSource& images_;
     MaterialBuilder builder_;
-    std::map<std::string, size_t> index_;      // of names, in d_.materials
+    std::map<std::string, std::vector<std::pair<MaterialDescription, uint32_t>>> added_;  // by name
+    std::map<std::string, size_t> index_;                                                 // of names, in d_.materials
     std::map<std::string, uint32_t> presets_;  // ids of those that are in use
     std::vector<uint32_t> ids_;                // of d_.materials, or none
     std::vector<bool> used_, in_progress_, override_used_;

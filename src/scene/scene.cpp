@@ -1,13 +1,16 @@
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <map>
 
 #include "core/names.h"
 #include "core/srgb.h"
 #include "scene/background.h"
 #include "scene/environment.h"
+#include "scene/fold.h"
 #include "scene/light_table.h"
 #include "scene/material_table.h"
+#include "scene/mesh_tables.h"
 #include "scene/shapes.h"
 #include "scene/texture_table.h"
 
@@ -106,21 +109,7 @@ private:
 
         Mesh mesh;
         mesh.instanced = instanced;
-        mesh.positions.reserve(data.positions.size() + 1);
-        for (const Vec3d& p : data.positions) mesh.positions.push_back(to_float(place.point(p)));
-        mesh.positions.emplace_back();
-        for (const Vec3& p : mesh.positions)
-            if (!is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
-                diagnostics_.error(m.where, "this mesh lies too far from the rest of the scene");
-                break;
-            }
-        mesh.triangles = data.triangles;
-
         MeshShading shading;
-        const Transform back = inverse(place);
-        for (const Vec3& n : data.normals)
-            shading.normals.push_back(to_float(normalize(back.normal_by_inverse(to_double(n)))));
-        shading.normal_triangles = data.normal_triangles;
         if (m.bands) {
             shading.material = materials_.banded(m.material, *m.bands, TextureType::rim, m.where);
         } else if (!m.material.empty()) {
@@ -131,21 +120,21 @@ private:
             if (ids.size() == 1 || data.face_material.empty()) {
                 shading.material = ids.empty() ? materials_.named("", m.where) : ids[0];
             } else {
-                shading.face_material.reserve(data.face_material.size());
-                for (const uint32_t f : data.face_material) shading.face_material.push_back(ids[f]);
+                std::vector<uint32_t> of_faces(data.face_material.size());
+                std::transform(data.face_material.begin(), data.face_material.end(), of_faces.begin(),
+                               [&](uint32_t f) { return ids[f]; });
+                set_materials(shading, std::move(of_faces));
             }
         }
-        const auto reads_uv = [&](uint32_t id) { return scene_.traits[id].reads_uv; };
-        if (shading.face_material.empty()
-                ? reads_uv(shading.material)
-                : std::any_of(shading.face_material.begin(), shading.face_material.end(), reads_uv)) {
-            shading.uvs = data.uvs;
-            shading.uv_triangles = data.uv_triangles;
-        }
-        shading.colors = linear_colors(data, m.vertex_colors);
+        fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading, scene_.left_out);
+        for (const Vec3& p : mesh.positions)
+            if (!is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
+                diagnostics_.error(m.where, "this mesh lies too far from the rest of the scene");
+                break;
+            }
         // A mirroring map turns the winding round, not the side that a face shows.
         if (place.determinant() < 0)
-            for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles})
+            for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles.all()})
                 for (auto& t : *triangles) std::swap(t[1], t[2]);
         scene_.geometry.meshes.push_back(std::move(mesh));
         scene_.shading.push_back(std::move(shading));
@@ -181,7 +170,10 @@ private:
     {
         const double s2 = scene_.normalisation.scale * scene_.normalisation.scale;
         for (const auto& l : d_.lights) {
-            if (is_black(l.power)) continue;
+            if (is_black(l.power)) {
+                scene_.left_out.add("lights without power", 1);
+                continue;
+            }
             if (l.type == LightType::point) {
                 const Vec3d p = scene_.normalisation.to_scene(l.position);
                 check_near(p, l.where, "this light");
@@ -247,6 +239,9 @@ void Scene::complete(Diagnostics& diagnostics)
 {
     if (is_complete) return;
     receive_textures(*this, diagnostics);
+    share_texels(*this);
+    fold_constants(*this);
+    drop_unread_uvs(*this);
     receive_environment(*this, diagnostics);
     receive_background(*this, diagnostics);
     diagnostics.throw_if_errors();

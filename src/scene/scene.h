@@ -12,7 +12,9 @@
 #include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/material.h"
+#include "scene/corner_table.h"
 #include "scene/description.h"
+#include "scene/left_out.h"
 #include "scene/light.h"
 #include "scene/placement.h"
 #include "scene/surface.h"
@@ -24,7 +26,7 @@ struct MeshShading {
     std::vector<Vec3> normals;                              // unit; empty if the mesh is flat
     std::vector<std::array<uint32_t, 3>> normal_triangles;  // per triangle, MeshData::no_normal where it is flat
     std::vector<Vec2> uvs;                                  // empty unless a texture is looked up with them
-    std::vector<std::array<uint32_t, 3>> uv_triangles;      // per triangle, MeshData::no_uv where it has none
+    CornerTable uv_triangles;                               // of those triangles that have any and read them
     std::vector<uint32_t> face_material;                    // per triangle; empty if the mesh has one material
     std::vector<Color> colors;                              // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
@@ -67,6 +69,7 @@ struct Scene {
     std::vector<DirectionalLight> directional_lights;         // likewise
 
     std::string file;  // of the description
+    LeftOutList left_out;
     Normalisation normalisation;
     Bounds bounds;  // of all but planes and giant spheres, scene units
 

@@ -11,9 +11,9 @@ namespace {
 // Corners of a triangle in texture space; nothing where the mesh keeps none.
 std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32_t triangle)
 {
-    if (shading.uvs.empty() || shading.uv_triangles[triangle][0] == MeshData::no_uv) return {};
-    const auto& i = shading.uv_triangles[triangle];
-    return std::array{shading.uvs[i[0]], shading.uvs[i[1]], shading.uvs[i[2]]};
+    const auto* const i = shading.uv_triangles.find(triangle);
+    if (!i) return {};
+    return std::array{shading.uvs[(*i)[0]], shading.uvs[(*i)[1]], shading.uvs[(*i)[2]]};
 }
 
 Vec2 weighed(const std::array<Vec2, 3>& corners, Vec2 uv)

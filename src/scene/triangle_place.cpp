@@ -108,15 +108,15 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
         if (!s.face_material.empty()) prefetch(&s.face_material[triangle]);
         if (!s.emitter_rank.empty()) prefetch(&s.emitter_rank[triangle]);
         if (!s.normals.empty()) prefetch(&s.normal_triangles[triangle]);
-        if (!s.uvs.empty()) prefetch(&s.uv_triangles[triangle]);
+        if (const auto* corners = s.uv_triangles.find(triangle)) prefetch(corners);
     });
     for_meshes([](const MeshShading& s, uint32_t triangle) {
-        const auto corners = [&](const auto& list, const auto& triangles, uint32_t none) {
-            if (list.empty() || triangles[triangle][0] == none) return;
-            for (const uint32_t corner : triangles[triangle]) prefetch(&list[corner]);
+        const auto fetch = [](const auto& list, const auto& corners) {
+            for (const uint32_t corner : corners) prefetch(&list[corner]);
         };
-        corners(s.normals, s.normal_triangles, MeshData::no_normal);
-        corners(s.uvs, s.uv_triangles, MeshData::no_uv);
+        if (!s.normals.empty() && s.normal_triangles[triangle][0] != MeshData::no_normal)
+            fetch(s.normals, s.normal_triangles[triangle]);
+        if (const auto* corners = s.uv_triangles.find(triangle)) fetch(s.uvs, *corners);
     });
 }
 

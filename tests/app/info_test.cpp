@@ -24,8 +24,13 @@ TEST_F(Info, OfAScene)
          {"file          full.toml\n", "triangles     3, drawn 6\n", "vertices      4\n",
           "shapes        2 instances, 1 mesh, 1 plane, 1 sphere\n", "bounds        -1 -1 -1 to 6 3 1\n", " glass",
           "lights        2 emitting triangles, 1 point\n", "cameras       the unnamed one, close\n",
-          "textures      none\n", "accelerator ", "features      opacity, instances\n",
-          "left out      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
+          "textures      none\n", "accelerator ",
+          "features      spheres, planes, instances, opacity, lambert, glass, point lights, triangle lights, smooth or "
+          "instanced "
+          "triangle lights\n",
+          "kernel        all\n", "left out      \n  1 materials that nothing uses\n",
+          "  1 module for pictures, which is not opened\n",
+          "warnings      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
         expect_words(said.out, line);
     EXPECT_EQ(run({"info", "none.toml"}).code, 66);
 }
@@ -41,7 +46,7 @@ TEST_F(Info, OfShapesMadeOfOthers)
     EXPECT_EQ(said.code, 0) << said.err;
     expect_words(said.out, "shapes        1 bubble, 1 plane, 1 plane of water, 1 pyramid, 1 triangle\n");
     expect_words(said.out, "triangles     5, drawn 5\n");
-    expect_words(said.out, "left out      nothing\n");
+    expect_words(said.out, "warnings      none\n");
     const Said checked = run({"check", "--strict", "shapes.toml"});
     EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
     expect_words(checked.out, "0 errors, 0 warnings, 0 notes\n");

@@ -41,7 +41,7 @@ TEST(Pass, CountsItsRays)
 {
     RenderRequest r;
     const Counters c = render(cornell_scene(), r).counters;
-    EXPECT_EQ(c.camera_rays, uint64_t{r.width} * r.height * r.spp[0]);
+    EXPECT_EQ(c.camera_rays + c.open_samples, uint64_t{r.width} * r.height * r.spp[0]);
     EXPECT_GT(c.bounce_rays, c.camera_rays / 2);
     EXPECT_GT(c.shadow_rays, c.camera_rays / 2);
     EXPECT_EQ(c.dropped, 0u);
@@ -150,7 +150,8 @@ TEST_P(Stopping, LeavesEachTileWholeOrUntouched)
                     }
             }
             EXPECT_EQ(touched, done);
-            EXPECT_EQ(result.counters.camera_rays, static_cast<uint64_t>(done) * 8 * 8 * 16);
+            EXPECT_EQ(result.counters.camera_rays + result.counters.open_samples,
+                      static_cast<uint64_t>(done) * 8 * 8 * 16);
         }
     });
 }

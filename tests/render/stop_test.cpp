@@ -130,7 +130,7 @@ TEST(StopRules, ConfidenceDoesNotMoveTheMean)
             r.settings = settings_of(StopRule::confidence, 0.2, 2 * seed + 1, sampler);
             const Rendered early = render(d, r);
             stopped.add(mean_of(early.film));
-            traced += early.counters.camera_rays;
+            traced += early.counters.camera_rays + early.counters.open_samples;
 
             r.settings.kernel.stop = StopRule::never;
             const Film all = render(d, r).film;

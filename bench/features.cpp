@@ -1,0 +1,370 @@
+// bench_features: what the things cost that a scene does without. Each is compiled and unused, there and unseen, and
+// left out.
+#include <algorithm>
+
+#include "app/console.h"
+#include "core/parallel.h"
+#include "harness/generate.h"
+#include "harness/meshes.h"
+#include "harness/stage.h"
+#include "render/kernel.h"
+#include "report/statistics.h"
+
+namespace lancer::bench {
+namespace {
+
+// ---- scenes that lack everything, and how a thing comes into them where no ray meets it
+
+struct Base {
+    std::string name;
+    SceneDescription description;
+};
+
+MaterialDescription lambert(const std::string& name, Color albedo)
+{
+    MaterialDescription m;
+    m.name = name, m.base_color = albedo;
+    return m;
+}
+
+// A closed room of one material with a panel of light below its ceiling, seen from within.
+Base make_base(const std::string& name, uint64_t triangles)
+{
+    MeshData room = *make_room(std::max<uint64_t>(triangles, 40'000));
+    if (triangles == 0) room.triangles.resize(12);  // its walls
+    room.materials = {lambert("wall", {0.7f, 0.7f, 0.7f})};
+    MeshData panel;
+    panel.positions = {{-0.4, 0.98, -0.4}, {0.4, 0.98, -0.4}, {0.4, 0.98, 0.4}, {-0.4, 0.98, 0.4}};
+    panel.triangles = {{0, 1, 2}, {0, 2, 3}};
+    panel.materials = {lambert("panel", {})};
+    panel.materials[0].emission = {8, 8, 8};
+    SceneDescription d;
+    for (MeshData* mesh : {&room, &panel})
+        d.meshes.emplace_back().data = std::make_shared<const MeshData>(std::move(*mesh));
+    d.camera = camera_at({0.1, 0.2, 0.95}, {0, 0, 0}, 70);
+    return {name, std::move(d)};
+}
+
+// Behind a wall, and small.
+const Vec3d behind{0, 0, -1.01};
+
+MeshDescription speck(const MaterialDescription& material, bool smooth = false)
+{
+    MeshData data;
+    data.positions = {behind, behind + Vec3d{1e-3, 0, 0}, behind + Vec3d{0, 1e-3, 0}};
+    data.triangles = data.uv_triangles = {{0, 1, 2}};
+    data.uvs = {{0, 0}, {1, 0}, {0, 1}};
+    if (smooth) data.normals = {{0, 0, 1}, {0.1f, 0, 0.99f}, {0, 0.1f, 0.99f}}, data.normal_triangles = data.triangles;
+    data.materials = {material};
+    MeshDescription mesh;
+    mesh.data = std::make_shared<const MeshData>(std::move(data));
+    return mesh;
+}
+void add_speck(SceneDescription& d, const std::function<void(MaterialDescription&)>& change)
+{
+    MaterialDescription m = lambert("speck", {0.5f, 0.5f, 0.5f});
+    change(m);
+    d.meshes.push_back(speck(m));
+}
+TextureUse texture(TextureType type)
+{
+    TextureDescription t;
+    t.type = type;
+    t.waves = {{0.01, 0.3, 0.2, 0}};
+    return t;
+}
+// So dim that it is in every table and never chosen.
+void add_light(SceneDescription& d, LightType type)
+{
+    LightDescription l;
+    l.type = type, l.position = behind - Vec3d{0, 0, 0.01}, l.radius = 1e-3, l.power = {1e-20f, 1e-20f, 1e-20f};
+    d.lights.push_back(l);
+}
+
+struct Feature {
+    std::string name;
+    std::function<void(SceneDescription&, PictureOptions&, Film&)> bring;  // called for a film of no pixels, too
+};
+
+std::vector<Feature> features()
+{
+    const auto scene = [](auto f) { return [f](SceneDescription& d, PictureOptions&, Film&) { f(d); }; };
+    const auto material = [&](MaterialType type, float roughness = 0) {
+        return scene([=](SceneDescription& d) {
+            add_speck(d, [=](MaterialDescription& m) { m.type = type, m.roughness = roughness; });
+        });
+    };
+    const auto light = [&](LightType type) { return scene([=](SceneDescription& d) { add_light(d, type); }); };
+    const auto worn = [&](auto change) { return scene([=](SceneDescription& d) { add_speck(d, change); }); };
+    return {
+        {"textures", worn([](MaterialDescription& m) { m.base_color_map = texture(TextureType::checker); })},
+        {"bump maps", worn([](MaterialDescription& m) { m.bump_map = texture(TextureType::waves); })},
+        {"normal maps", worn([](MaterialDescription& m) { m.normal_map = texture(TextureType::checker); })},
+        {"cut-outs", worn([](MaterialDescription& m) { m.opacity = 0.5f; })},
+        {"vertex normals", scene([](SceneDescription& d) {
+             d.meshes.push_back(speck(lambert("speck", {1, 1, 1}), true));
+         })},
+        {"spheres", scene([](SceneDescription& d) {
+             SphereDescription& sphere = d.spheres.emplace_back();
+             sphere.center = behind, sphere.radius = 1e-3;
+         })},
+        {"planes", scene([](SceneDescription& d) {
+             PlaneDescription& plane = d.planes.emplace_back();
+             plane.point = behind, plane.normal = {0, 0, 1};
+         })},
+        {"instances", scene([](SceneDescription& d) {
+             d.meshes.push_back(speck(lambert("speck", {1, 1, 1})));
+             d.meshes.back().name = "speck";
+             d.instances.emplace_back().mesh = "speck";
+         })},
+        {"media", worn([](MaterialDescription& m) {
+             m.type = MaterialType::glass, m.absorption = {1, 1, 1};
+         })},
+        {"mirror", material(MaterialType::mirror)},
+        {"metal", material(MaterialType::metal, 0.3f)},
+        {"glass", material(MaterialType::glass)},
+        {"plastic", material(MaterialType::plastic, 0.3f)},
+        {"interface", material(MaterialType::interface)},
+        {"mixes", scene([](SceneDescription& d) {
+             MaterialDescription mix = lambert("mix", {});
+             mix.type = MaterialType::mix, mix.first = "a", mix.second = "b";
+             d.materials.insert(d.materials.end(), {lambert("a", {1, 1, 1}), lambert("b", {0, 0, 0}), mix});
+             d.meshes.push_back(speck(lambert("", {})));
+             d.meshes.back().material = "mix";
+         })},
+        {"point lights", light(LightType::point)},
+        {"directional lights", light(LightType::directional)},
+        {"sphere lights", light(LightType::sphere)},
+        {"sky of one colour", light(LightType::environment)},
+        {"thin lens",
+         scene([](SceneDescription& d) { d.camera->type = CameraType::thin_lens, d.camera->aperture = 1e-9; })},
+        {"wide filter", [](SceneDescription&, PictureOptions& p, Film&) { p.filter = "blackman-harris"; }},
+        {"AOVs", [](SceneDescription&, PictureOptions&, Film& f) { f.aovs.resize(f.pixels.size()); }},
+        {"replicates",
+         [](SceneDescription&, PictureOptions& p, Film& f) {
+             p.replicates = 4;
+             f.replicates.resize(4 * f.pixels.size());
+         }},
+    };
+}
+
+// ---- pictures
+
+template <class T>
+uint64_t bytes_of(const std::vector<T>& v)
+{
+    return v.size() * sizeof(T);
+}
+
+// All tables that grow with a scene or its picture.
+uint64_t bytes_of(const Stage& stage, const Film& film)
+{
+    const Scene& s = stage.scene;
+    uint64_t bytes = stage.renderer.accelerator().stats().bytes + bytes_of(s.geometry.spheres) +
+                     bytes_of(s.geometry.planes) + bytes_of(s.geometry.instances) + bytes_of(s.materials) +
+                     bytes_of(s.traits) + bytes_of(s.emission) + bytes_of(s.textures) + bytes_of(s.lights.lights);
+    for (const Mesh& m : s.geometry.meshes) bytes += bytes_of(m.positions) + bytes_of(m.triangles);
+    for (const MeshShading& m : s.shading)
+        bytes += bytes_of(m.normals) + bytes_of(m.normal_triangles) + bytes_of(m.uvs) + m.uv_triangles.bytes() +
+                 bytes_of(m.face_material) + bytes_of(m.emitter_rank) + bytes_of(m.colors);
+    for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) bytes += bytes_of(asked);
+    for (const Texture& t : s.textures)
+        if (const auto* image = std::get_if<ImageTexture>(&t)) bytes += image->bytes();
+    return bytes + bytes_of(film.pixels) + bytes_of(film.aovs) + bytes_of(film.wanted) + bytes_of(film.replicates);
+}
+
+PictureOptions options_for(std::optional<std::string> filter = "box")
+{
+    PictureOptions p;
+    p.size = {{128, 96}};
+    p.filter = std::move(filter);
+    p.accel = "embree";  // the same whatever the number of triangles
+    p.threads = 1;
+    return p;
+}
+
+constexpr uint32_t spp = 4;
+
+struct Picture {
+    std::unique_ptr<Stage> stage;
+    std::unique_ptr<Renderer> renderer;  // instead of the stage's, if it is forced to something
+    Film film{0, 0, {}};
+
+    Picture(const SceneDescription& d, const PictureOptions& options, std::optional<Profile> profile)
+        : stage(std::make_unique<Stage>(d, options)), film(stage->film())
+    {
+        if (!profile) return;
+        RenderSettings settings = stage->render;
+        settings.kernel.profile = profile;
+        Diagnostics unheard;
+        renderer = std::make_unique<Renderer>(Scene::build(d, unheard), settings);
+    }
+    double samples() const { return static_cast<double>(film.width) * film.height * spp; }
+    // From an empty film, with all that was asked of it.
+    void draw()
+    {
+        Film drawn = film;
+        (renderer ? *renderer : stage->renderer).pass(stage->camera, drawn, stage->tiles(), {0, spp});
+        keep(drawn.pixels);
+    }
+};
+
+double milliseconds_to_build(const SceneDescription& d, const PictureOptions& options)
+{
+    std::vector<double> times;
+    for (int i = 0; i < 5; ++i) {
+        const double start = thread_ns();
+        const Stage stage(d, options);
+        times.push_back(1e-6 * (thread_ns() - start));
+    }
+    return median(times);
+}
+
+void measure_unseen(const Base& base, const Feature& feature, const Options& options, Report& report)
+{
+    SceneDescription with = base.description;
+    PictureOptions picture = options_for(), with_picture = picture;
+    Film none(0, 0, {});
+    feature.bring(with, with_picture, none);
+    Picture chosen(base.description, picture, {}), all(base.description, picture, Profile::all),
+        unseen(with, with_picture, Profile::all);
+    feature.bring(with = base.description, with_picture, unseen.film);
+    const std::vector<Contestant> contestants{{"unseen", unseen.samples(), [&] { unseen.draw(); }},
+                                              {"all", all.samples(), [&] { all.draw(); }},
+                                              {"chosen", chosen.samples(), [&] { chosen.draw(); }}};
+    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, 1);
+    Json& row = report.add("features", joined({"unseen", base.name, feature.name}), timings[1], 1);
+    row["mesh"] = base.name, row["way"] = feature.name;
+    const auto bytes =
+        static_cast<double>(bytes_of(*unseen.stage, unseen.film)) - static_cast<double>(bytes_of(*all.stage, all.film));
+    row["bytes"] = bytes;
+    row["bytes_per_triangle"] = bytes / static_cast<double>(all.stage->scene.triangle_count());
+    row["startup_ms"] = milliseconds_to_build(with, with_picture) - milliseconds_to_build(base.description, picture);
+    const Spread saved = spread_of(speed_ratios(timings[0].cpu, timings[2].cpu));
+    row["saved_in_all"] = saved.median;  // by the kernel that the scene gets without it
+    add_ratio(row, "unseen", timings[0], timings[1], 1);
+    print_row(row);
+}
+
+// ---- the kernel for all, and what its code costs where nothing uses it
+
+// Mixes of materials are not asked about.
+struct NoMixes : View {
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
+    {
+        const ShadingPoint point = scene.shading_point(s);
+        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[s.material]);
+    }
+};
+// Lambert is all there is.
+struct OnlyLambert : View {
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
+    {
+        return f(std::get_if<Lambert>(&scene.materials[s.material])->at(scene.shading_point(s)));
+    }
+};
+struct NoCutOuts : View {
+    static uint32_t ray_key(const Sampler&, uint32_t, Dim) { return 0; }
+};
+struct NoMedia : View {
+    static constexpr bool has_media() { return false; }
+};
+
+template <class V>
+Contestant contestant(const std::string& name, const Picture& picture, const Path& path, const PathPlan& plan)
+{
+    return {name, picture.samples(), [&picture, path, plan] {
+                const Stage& stage = *picture.stage;
+                Film film = picture.film;
+                Workspace w;
+                Counters counters;
+                for (const Tile& tile : stage.tiles())
+                    render_tile(V{{stage.scene, plan}}, stage.renderer.accelerator(), stage.camera, stage.render.kernel,
+                                path, film, tile, SampleRange{0, spp}, w, counters, NoListener{});
+                keep(film.pixels);
+            }};
+}
+// The same, with nothing taken out.
+struct Everything : View {};
+
+void measure_unused(const Base& base, const Options& options, Report& report)
+{
+    const Picture picture(base.description, options_for(), {});
+    const PathPlan plan = picture.stage->renderer.plan(picture.stage->camera, picture.film.width, picture.film.height);
+    const Path path = std::get<Path>(picture.stage->render.integrator);
+    const std::vector<Contestant> contestants{
+        contestant<Everything>("everything", picture, path, plan), contestant<NoMixes>("mixes", picture, path, plan),
+        contestant<OnlyLambert>("materials but Lambert", picture, path, plan),
+        contestant<NoCutOuts>("cut-outs", picture, path, plan), contestant<NoMedia>("media", picture, path, plan)};
+    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, 1);
+    for (size_t i = 1; i < contestants.size(); ++i) {
+        Json& row = report.add("features", joined({"unused", base.name, contestants[i].name}), timings[i], 1);
+        row["mesh"] = base.name, row["way"] = contestants[i].name;
+        add_ratio(row, "everything", timings[0], timings[i], 1);
+        print_row(row);
+    }
+}
+
+void measure_saved(const Base& base, const Options& options, Report& report)
+{
+    Picture chosen(base.description, options_for(), {}), all(base.description, options_for(), Profile::all);
+    const std::vector<Timing> timings =
+        take_turns({{"all", all.samples(), [&] { all.draw(); }}, {"chosen", chosen.samples(), [&] { chosen.draw(); }}},
+                   options.repetitions, 1);
+    Json& row = report.add("features", joined({"saved", base.name}), timings[1], 1);
+    row["mesh"] = base.name, row["way"] = std::string(name_of(chosen.stage->renderer.profile()));
+    add_ratio(row, "all", timings[0], timings[1], 1);
+    print_row(row);
+}
+
+// ---- whole files
+
+void measure_scene(const SharedRoom& room, const Options& options, Report& report)
+{
+    const std::string file = shared_scene(room.file, options.cache);
+    if (file.empty() || !options.wants(room.name)) return;
+    const double start = wall_ns();
+    const SceneDescription description = load_description(file);
+    const Picture picture(description, options_for(), {});
+    const double seconds = 1e-9 * (wall_ns() - start);
+    Json& row = report.add("features", joined({"scene", room.name}));
+    row["mesh"] = room.name;
+    const auto triangles = static_cast<double>(picture.stage->scene.triangle_count());
+    uint64_t textures = 0;
+    for (const Texture& t : picture.stage->scene.textures)
+        if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();
+    row["triangles"] = triangles;
+    row["bytes_per_triangle"] = static_cast<double>(bytes_of(*picture.stage, Film(0, 0, {})) - textures) / triangles;
+    row["texture_bytes"] = textures;
+    row["seconds_to_first_ray"] = seconds;
+    for (const LeftOut& l : picture.stage->scene.left_out.all()) row["left_out: " + l.what] = l.bytes;
+    print_row(row);
+}
+
+}  // namespace
+}  // namespace lancer::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lancer::bench;
+    return run_program(
+        argc, argv, "bench_features",
+        "What the things cost that a scene does without: there and unseen (unseen/...), compiled and unused "
+        "(unused/...), and what the kernel for plain scenes saves (saved/...).\nWhole files: bytes per triangle, "
+        "seconds to the first ray.",
+        [](const Options& options, Report& report) {
+            lancer::with_threads(1, [&] {
+                std::vector<Base> bases{make_base("walls", 0)};
+                if (options.full || options.wants("room")) bases.push_back(make_base("room", 100'000));
+                for (const Base& base : bases) {
+                    if (!options.wants(base.name)) continue;
+                    measure_saved(base, options, report);
+                    measure_unused(base, options, report);
+                    for (const Feature& feature : features()) measure_unseen(base, feature, options, report);
+                }
+            });
+            for (const SharedRoom& room : shared_rooms()) measure_scene(room, options, report);
+        });
+}

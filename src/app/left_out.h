@@ -1,0 +1,16 @@
+// What a render does without, told by `lancer info`, --verbose and --stats.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace lancer {
+
+// What building the scene left out, then what tracing it does: kinds of geometry, and the module for pictures.
+std::vector<LeftOut> left_out_of(const Renderer& renderer);
+// "12 materials that nothing uses", with the memory that it saves where that is known.
+std::string to_string(const LeftOut& l);
+
+}  // namespace lancer

@@ -1,0 +1,186 @@
+#include "render/open_sky.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lancer {
+namespace {
+
+constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
+constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
+constexpr uint32_t least_cell = 4, most_columns = 1024;
+constexpr uint64_t most_triangles = 4'000'000;  // to look at each of more would take longer than it saves
+
+bool sees_one_colour(const Scene& scene)
+{
+    return !scene.environment_map && !scene.background && !scene.glow && scene.media.empty() &&
+           scene.geometry.planes.empty();
+}
+
+// Counts how many rectangles cover each cell of a grid: four corners are marked for each, and summed in the end.
+class Coverage {
+public:
+    Coverage(const Camera& camera, uint32_t width, uint32_t height)
+        : camera_(camera),
+          cell_(std::max(least_cell, (std::max(width, height) + most_columns - 1) / most_columns)),
+          columns_((width + cell_ - 1) / cell_),
+          rows_((height + cell_ - 1) / cell_),
+          marks_(size_t{columns_ + 1} * (rows_ + 1)),
+          // Directions of float, and the way that accelerators take through boxes, are good for some 1e-6 of a radian.
+          margin_(reach + 4e-6 / static_cast<double>(camera.pixel_spread()))
+    {
+        const double m = margin_;
+        sides_ = {Side{1, 0, m}, Side{-1, 0, width + m}, Side{0, 1, m}, Side{0, -1, height + m}, Side{0, 0, 1}};
+    }
+    bool is_useful() const { return margin_ < 0.25 * cell_ * std::max(columns_, rows_); }
+
+    // A triangle whose corners are known up to `error`, scene units.
+    void add(const std::array<Vec3d, 3>& corners, double error)
+    {
+        std::array<Camera::Seen, 3> seen;
+        double least = INFINITY;
+        for (size_t i = 0; i < 3; ++i) seen[i] = camera_.seen(corners[i]), least = std::min(least, seen[i].depth);
+        const double blur = error / static_cast<double>(camera_.pixel_spread());
+        if (least > nearest * error) return add_rectangle(seen, blur / least);
+        add_clipped({seen.begin(), seen.end()}, error);
+    }
+    std::vector<uint8_t> uncovered() const
+    {
+        std::vector<uint8_t> open(size_t{columns_} * rows_);
+        std::vector<int64_t> above(columns_);
+        for (uint32_t y = 0; y < rows_; ++y) {
+            int64_t along = 0;
+            for (uint32_t x = 0; x < columns_; ++x) {
+                along += marks_[size_t{y} * (columns_ + 1) + x];
+                above[x] += along;
+                open[size_t{y} * columns_ + x] = above[x] == 0;
+            }
+        }
+        return open;
+    }
+    bool any_open() const
+    {
+        const std::vector<uint8_t> open = uncovered();
+        return std::find(open.begin(), open.end(), 1) != open.end();
+    }
+    uint32_t cell() const { return cell_; }
+    uint32_t columns() const { return columns_; }
+
+private:
+    // The inner side of an edge of the film, seen from the camera: x * p.x + y * p.y + depth * p.depth >= 0.
+    struct Side {
+        double x, y, depth;
+        double at(const Camera::Seen& p) const { return x * p.x + y * p.y + depth * p.depth; }
+    };
+
+    // Of what lies before the camera and on the film; where it comes up to the camera itself, all of the film.
+    void add_clipped(std::vector<Camera::Seen> polygon, double error)
+    {
+        const double blur = error / static_cast<double>(camera_.pixel_spread());
+        double least = INFINITY;
+        for (const Side& side : sides_) {
+            std::vector<Camera::Seen> inside;
+            for (size_t i = 0; i < polygon.size(); ++i) {
+                const Camera::Seen &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+                const double at_a = side.at(a) + blur, at_b = side.at(b) + blur;
+                if (at_a >= 0) inside.push_back(a);
+                if ((at_a >= 0) == (at_b >= 0)) continue;
+                const double t = at_a / (at_a - at_b);
+                inside.push_back({a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.depth + (b.depth - a.depth) * t});
+            }
+            polygon = std::move(inside);
+        }
+        if (polygon.empty()) return;
+        for (const Camera::Seen& p : polygon) least = std::min(least, p.depth);
+        if (!(least > nearest * error)) return mark(0, 0, columns_, rows_);
+        add_rectangle(polygon, blur / least);
+    }
+    template <class Points>
+    void add_rectangle(const Points& points, double blur)
+    {
+        double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+        for (const Camera::Seen& p : points) {
+            const double x = p.x / p.depth, y = p.y / p.depth;
+            x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
+        }
+        const double m = margin_ + blur;
+        if (!(std::isfinite(x0 + x1 + y0 + y1))) return mark(0, 0, columns_, rows_);
+        const auto first = [&](double at, uint32_t n) {
+            return static_cast<uint32_t>(std::clamp(std::floor((at - m) / cell_), 0.0, static_cast<double>(n)));
+        };
+        const auto end = [&](double at, uint32_t n) {
+            return static_cast<uint32_t>(std::clamp(std::floor((at + m) / cell_) + 1, 0.0, static_cast<double>(n)));
+        };
+        const uint32_t left = first(x0, columns_), right = end(x1, columns_), top = first(y0, rows_),
+                       bottom = end(y1, rows_);
+        if (left < right && top < bottom) mark(left, top, right, bottom);
+    }
+    void mark(uint32_t left, uint32_t top, uint32_t right, uint32_t bottom)
+    {
+        const auto at = [&](uint32_t x, uint32_t y) -> int64_t& { return marks_[size_t{y} * (columns_ + 1) + x]; };
+        ++at(left, top), --at(right, top), --at(left, bottom), ++at(right, bottom);
+    }
+
+    const Camera& camera_;
+    uint32_t cell_, columns_, rows_;
+    std::vector<int64_t> marks_;  // a column and a row more than there are cells
+    double margin_;               // pixels
+    std::array<Side, 5> sides_;
+};
+
+// The twelve triangles of a box that was moved.
+void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const auto& error_at)
+{
+    std::array<Vec3d, 8> corners;
+    for (size_t i = 0; i < 8; ++i)
+        corners[i] =
+            place.point({i & 1 ? b.upper.x : b.lower.x, i & 2 ? b.upper.y : b.lower.y, i & 4 ? b.upper.z : b.lower.z});
+    constexpr std::array<std::array<size_t, 4>, 6> faces{
+        {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+    double error = 0;
+    for (const Vec3d& c : corners) error = std::max(error, error_at(c));
+    for (const auto& f : faces) {
+        coverage.add({corners[f[0]], corners[f[1]], corners[f[2]]}, error);
+        coverage.add({corners[f[0]], corners[f[2]], corners[f[3]]}, error);
+    }
+}
+
+}  // namespace
+
+void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, PathPlan& plan)
+{
+    if (!camera.is_pinhole() || !sees_one_colour(scene) || scene.triangle_count() > most_triangles) return;
+    Coverage coverage(camera, width, height);
+    if (!coverage.is_useful()) return;
+    const Geometry& g = scene.geometry;
+    const double camera_reach = max_component(abs(to_double(camera.position())));
+    const auto error_at = [&](const Vec3d& p) { return 1e-6 * (max_component(abs(p)) + camera_reach); };
+    uint64_t looked_at = 0, look_again = 1024;
+    for (const Mesh& mesh : g.meshes) {
+        if (mesh.instanced) continue;
+        for (const auto& t : mesh.triangles) {
+            const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
+                        c = to_double(mesh.positions[t[2]]);
+            coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
+            // In a room this is soon known.
+            if (++looked_at < look_again) continue;
+            look_again *= 2;
+            if (!coverage.any_open()) return;
+        }
+    }
+    std::vector<Bounds> of_meshes(g.meshes.size());
+    for (const Instance& i : g.instances) {
+        Bounds& b = of_meshes[i.mesh];
+        const Mesh& mesh = g.meshes[i.mesh];
+        if (b.empty())
+            for (size_t k = 0; k + 1 < mesh.positions.size(); ++k) b.grow(to_double(mesh.positions[k]));
+        if (!b.empty()) add_box(coverage, b, i.to_world, error_at);
+    }
+    for (const Sphere& s : g.spheres) add_box(coverage, bounds(s), {}, error_at);
+    if (!coverage.any_open()) return;
+    plan.open = coverage.uncovered();
+    plan.open_cell = coverage.cell(), plan.open_columns = coverage.columns();
+}
+
+}  // namespace lancer

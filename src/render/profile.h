@@ -1,0 +1,16 @@
+// The compiled versions of the pixel loop. A version that knows less than another is faster, and draws the same bits.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace lancer {
+
+enum class Profile {
+    diffuse,  // see scene/diffuse_scene.h; of the integrator `path`, without AOVs
+    all,      // everything there is
+};
+inline constexpr std::array<std::string_view, 2> profile_names{"diffuse", "all"};
+inline std::string_view name_of(Profile p) { return profile_names[static_cast<size_t>(p)]; }
+
+}  // namespace lancer

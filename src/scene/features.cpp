@@ -1,0 +1,79 @@
+#include "scene/features.h"
+
+#include "scene/scene.h"
+
+namespace lancer {
+namespace {
+
+// Which materials some surface wears, with the parts of those that are mixes.
+std::vector<bool> worn_materials(const Scene& scene)
+{
+    std::vector<bool> worn(scene.materials.size());
+    for (const uint32_t m : scene.sphere_material) worn[m] = true;
+    for (const uint32_t m : scene.plane_material) worn[m] = true;
+    for (const MeshShading& mesh : scene.shading) {
+        if (mesh.face_material.empty()) worn[mesh.material] = true;
+        for (const uint32_t m : mesh.face_material) worn[m] = true;
+    }
+    // Parts come before the mixes that are made of them.
+    for (size_t id = scene.mix_of.size(); id-- > 0;) {
+        if (!worn[id] || scene.mix_of[id] == Scene::none) continue;
+        const Mix& mix = scene.mixes[scene.mix_of[id]];
+        worn[mix.first] = worn[mix.second] = true;
+    }
+    return worn;
+}
+
+void add_material(const Scene& scene, uint32_t id, Features& f)
+{
+    constexpr std::array kinds{Feature::lambert, Feature::mirror,  Feature::metal,
+                               Feature::glass,   Feature::plastic, Feature::interface};
+    static_assert(kinds.size() == std::variant_size_v<Material>);
+    const bool is_mix = !scene.mix_of.empty() && scene.mix_of[id] != Scene::none;
+    f.add(is_mix ? Feature::mixes : kinds[scene.materials[id].index()]);
+    const MaterialTraits& traits = scene.traits[id];
+    f.add(Feature::textures, traits.reads_uv);
+    f.add(Feature::bump_maps, traits.bump != no_texture);
+    f.add(Feature::normal_maps, traits.normal_map != no_texture);
+    f.add(Feature::cut_outs, traits.has_holes());
+    f.add(Feature::textured_lights, scene.emission[id].radiance.texture != no_texture);
+}
+
+void add_light(const Light& light, Features& f)
+{
+    constexpr std::array kinds{Feature::point_lights, Feature::directional_lights, Feature::sphere_lights,
+                               Feature::triangle_lights};
+    static_assert(kinds.size() + 1 == std::variant_size_v<Light>);
+    if (light.index() < kinds.size()) f.add(kinds[light.index()]);
+    const auto* triangle = std::get_if<TriangleLight>(&light);
+    f.add(Feature::shaped_triangle_lights, triangle && !(triangle->area > 0));
+}
+
+}  // namespace
+
+Features features_of(const Scene& scene)
+{
+    Features f;
+    f.add(Feature::spheres, !scene.geometry.spheres.empty());
+    f.add(Feature::planes, !scene.geometry.planes.empty());
+    f.add(Feature::instances, !scene.geometry.instances.empty());
+    for (const MeshShading& mesh : scene.shading) {
+        f.add(Feature::vertex_normals, !mesh.normals.empty());
+        f.add(Feature::vertex_colors, !mesh.colors.empty());
+    }
+    const std::vector<bool> worn = worn_materials(scene);
+    for (uint32_t id = 0; id < worn.size(); ++id)
+        if (worn[id]) add_material(scene, id, f);
+    f.add(Feature::cut_outs, scene.geometry.holes.let_pass != nullptr);
+    f.add(Feature::media, !scene.media.empty());
+    for (const Light& light : scene.lights.lights) add_light(light, f);
+    f.add(Feature::constant_sky, !is_black(scene.environment));
+    f.add(Feature::sky_map, scene.environment_map != nullptr);
+    f.add(Feature::background, scene.background || scene.glow);
+    f.add(Feature::light_tree, scene.lights.tree != nullptr);
+    f.add(Feature::terminator, scene.terminator_fix);
+    f.add(Feature::legacy, scene.legacy);
+    return f;
+}
+
+}  // namespace lancer

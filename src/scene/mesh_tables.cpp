@@ -1,0 +1,121 @@
+#include "scene/mesh_tables.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lancer {
+namespace {
+
+using Corners = CornerTable::Corners;
+
+template <class T>
+uint64_t bytes_of(const std::vector<T>& v)
+{
+    return v.size() * sizeof(T);
+}
+
+// Which of `values` stay, and under which number: those that some corner names, in the order of the file.
+struct Renumbering {
+    std::vector<uint32_t> number;  // of each value; empty: all stay as they are
+    uint64_t kept = 0;
+
+    Renumbering(const std::vector<Corners>& all, size_t values)
+    {
+        constexpr uint32_t named = 1;
+        number.assign(values, 0);
+        for (const Corners& corners : all)
+            for (const uint32_t i : corners)
+                if (i < values) number[i] = named;  // what is no index says that there is none
+        for (uint32_t& n : number)
+            if (n == named)
+                n = static_cast<uint32_t>(kept++);
+            else
+                n = UINT32_MAX;
+        if (kept == values) number.clear();
+    }
+    void apply(std::vector<Corners>& all) const
+    {
+        if (number.empty()) return;
+        for (Corners& corners : all)
+            for (uint32_t& i : corners)
+                if (i < number.size()) i = number[i];
+    }
+    template <class T, class F>
+    auto kept_of(const std::vector<T>& values, const F& change) const
+    {
+        std::vector<decltype(change(values[0]))> result;
+        result.reserve(kept + 1);
+        for (size_t i = 0; i < values.size(); ++i)
+            if (number.empty() || number[i] != UINT32_MAX) result.push_back(change(values[i]));
+        return result;
+    }
+};
+
+bool any_reads_uv(const MeshShading& s, const std::vector<MaterialTraits>& traits)
+{
+    if (s.face_material.empty()) return traits[s.material].reads_uv;
+    return std::any_of(s.face_material.begin(), s.face_material.end(), [&](uint32_t m) { return traits[m].reads_uv; });
+}
+
+constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";
+
+}  // namespace
+
+void set_materials(MeshShading& shading, std::vector<uint32_t> of_faces)
+{
+    const bool is_one = std::all_of(of_faces.begin(), of_faces.end(), [&](uint32_t m) { return m == of_faces[0]; });
+    shading.face_material.clear();
+    if (is_one && !of_faces.empty())
+        shading.material = of_faces[0];
+    else
+        shading.face_material = std::move(of_faces);
+}
+
+void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,
+                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
+{
+    const auto same = [](const auto& x) { return x; };
+    mesh.triangles = data.triangles;
+    const Renumbering positions(data.triangles, data.positions.size());
+    positions.apply(mesh.triangles);
+    mesh.positions = positions.kept_of(data.positions, [&](const Vec3d& p) { return to_float(place.point(p)); });
+    mesh.positions.emplace_back();
+    shading.colors = positions.kept_of(colors, same);
+    const uint64_t unused = data.positions.size() - positions.kept;
+    left_out.add("vertices of no triangle", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
+
+    const Transform back = inverse(place);
+    const Renumbering normals(data.normal_triangles, data.normals.size());
+    left_out.add(
+        "vertex normals of no triangle", data.normals.size() - normals.kept,
+        (data.normals.size() - normals.kept) * sizeof(Vec3) + (normals.kept ? 0 : bytes_of(data.normal_triangles)));
+    if (normals.kept) {
+        shading.normals = normals.kept_of(
+            data.normals, [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); });
+        shading.normal_triangles = data.normal_triangles;
+        normals.apply(shading.normal_triangles);
+    }
+
+    if (data.uvs.empty()) return;
+    shading.uv_triangles = CornerTable(data.uv_triangles, [&](uint32_t t) {
+        return data.uv_triangles[t][0] != MeshData::no_uv && traits[shading.material_of(t)].reads_uv;
+    });
+    const Renumbering uvs(shading.uv_triangles.all(), data.uvs.size());
+    uvs.apply(shading.uv_triangles.all());
+    shading.uvs = uvs.kept_of(data.uvs, same);
+    left_out.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
+                 bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
+                     std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
+}
+
+void drop_unread_uvs(Scene& scene)
+{
+    for (MeshShading& s : scene.shading) {
+        if (s.uvs.empty() || any_reads_uv(s, scene.traits)) continue;
+        scene.left_out.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
+        s.uvs = {};
+        s.uv_triangles = {};
+    }
+}
+
+}  // namespace lancer

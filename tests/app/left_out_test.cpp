@@ -1,0 +1,79 @@
+// What the program does without, as it tells and as the system sees it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+
+namespace lancer {
+namespace {
+
+class LeftOut : public AppTest {
+protected:
+    // What is mapped into a render of the scene once it traces rays.
+    std::string mapped_while_rendering(const std::string& scene)
+    {
+        Program program(folder_,
+                        {"render", scene, "--size", "64x64", "-s", "1000000", "-o", "x.exr", "--verbose", "-t", "1"});
+        EXPECT_TRUE(program.wait_for_message("left out; drawn by")) << program.err();
+        return read_bytes("/proc/" + std::to_string(program.pid()) + "/maps");
+    }
+};
+
+TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
+{
+    write("grey.ppm", "P6 1 2 255\n\x10\x20\x30\x40\x50\x60");
+    write("worn.toml", std::string(small_scene) +
+                           "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
+                           "\"grey.ppm\"\n");
+    write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"grey.ppm\"\n");
+    const std::string without = mapped_while_rendering("scene.toml");
+    expect_words(without, "embree");
+    EXPECT_EQ(without.find("OpenImageIO"), std::string::npos);
+    EXPECT_EQ(mapped_while_rendering("unused.toml").find("OpenImageIO"), std::string::npos);
+    expect_words(mapped_while_rendering("worn.toml"), "OpenImageIO");
+}
+
+// Of a picture that nothing wears neither the bytes nor the name count: it may be gone.
+TEST_F(LeftOut, PicturesThatNothingWearsAreNotOpened)
+{
+    const auto scene_hash = [&](const std::string& scene) {
+        EXPECT_EQ(run({"render", scene, "--size", "8x8", "-s", "1", "-q", "-o", "x.exr"}).code, 0);
+        return metadata("x.exr", "scene_hash");
+    };
+    write("a.ppm", "P6 1 1 255\n\x10\x20\x30");
+    write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"a.ppm\"\n");
+    write("worn.toml", std::string(small_scene) +
+                           "[[sphere]]\nmaterial = \"x\"\n[material.x]\ntype = \"mix\"\nfirst = "
+                           "\"m\"\nsecond = \"m\"\n[material.m]\ntexture = "
+                           "\"a.ppm\"\n");
+    const std::string unused = scene_hash("unused.toml"), worn = scene_hash("worn.toml");
+    write("a.ppm", "P6 1 1 255\n\x10\x20\x31");
+    EXPECT_EQ(scene_hash("unused.toml"), unused);
+    EXPECT_NE(scene_hash("worn.toml"), worn);
+}
+
+TEST_F(LeftOut, IsInTheStatistics)
+{
+    write("some.toml", std::string(small_scene) +
+                           "[material.unused]\n[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 0\n");
+    const Said said =
+        run({"render", "some.toml", "--size", "16x16", "-s", "1", "-o", "x.exr", "--verbose", "--stats", "x.json"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    expect_words(said.err, "left out; drawn by the kernel 'all':\nlancer:   1 lights without power");
+    const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
+    EXPECT_EQ(stats["settings"]["kernel"], "all");
+    EXPECT_EQ(stats["samples"]["of_open_sky"], 0) << "there is a plane";
+    std::string all;
+    for (const auto& l : stats["scene"]["left_out"]) {
+        all += l["what"].get<std::string>() + "\n";
+        EXPECT_GT(l["count"], 0);
+        EXPECT_GE(l["bytes"], 0);
+    }
+    expect_words(all, "lights without power\n");
+    expect_words(all, "materials that nothing uses\n");
+    expect_words(all, "module for pictures, which is not opened\n");
+}
+
+}  // namespace
+}  // namespace lancer

@@ -1,0 +1,183 @@
+// What building a scene leaves out, and that what stays is the same.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "scene/features.h"
+#include "support/stage.h"
+
+namespace lancer {
+namespace {
+
+// How many of something were left out.
+uint64_t count_of(const Scene& scene, const std::string& what)
+{
+    for (const LeftOut& l : scene.left_out.all())
+        if (l.what.find(what) != std::string::npos) return l.count;
+    return 0;
+}
+
+// Grey of 51 everywhere, but "two" has another texel.
+RasterFuture even_picture(const std::string& file)
+{
+    Raster r = {.width = 5, .height = 3, .channels = 3, .bytes = {}, .floats = {}, .is_float = false};
+    r.bytes.assign(45, 51);
+    if (file == "two") r.bytes[0] = 52;
+    std::promise<std::shared_ptr<const Raster>> promise;
+    promise.set_value(std::make_shared<const Raster>(std::move(r)));
+    return promise.get_future().share();
+}
+
+SceneDescription worn(const std::string& picture)
+{
+    MaterialDescription m = make_lambert("m", {0.5f, 0.25f, 1});
+    m.base_color_map = picture_of(picture, Encoding::linear);
+    m.opacity_map = picture_of(picture, Encoding::linear, Channel::alpha);
+    m.bump_map = heights_of(picture);
+    m.emission = {1, 2, 3};
+    m.emission_map = picture_of(picture, Encoding::linear);
+    SceneDescription d;
+    d.meshes.push_back(make_mesh(make_mapped_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1}, m)));
+    return d;
+}
+
+TEST(LeftOut, PicturesOfOneValueBecomeFactors)
+{
+    const Scene one = build_scene(worn("one"), even_picture), two = build_scene(worn("two"), even_picture);
+    const uint32_t id = one.shading[0].material;
+    EXPECT_EQ(std::get<Lambert>(one.materials[id]).albedo.texture, no_texture);
+    EXPECT_EQ(std::get<Lambert>(one.materials[id]).albedo.value, Color({0.5f, 0.25f, 1}) * (51 / 255.0f));
+    EXPECT_EQ(one.emission[id].radiance.value, Color({1, 2, 3}) * (51 / 255.0f));
+    EXPECT_EQ(one.traits[id].bump, no_texture);
+    EXPECT_FALSE(one.traits[id].has_holes()) << "the picture has no alpha";
+    EXPECT_FALSE(one.traits[id].reads_uv);
+    EXPECT_TRUE(one.shading[0].uvs.empty() && one.shading[0].uv_triangles.empty());
+    EXPECT_EQ(count_of(one, "textures of one value"), 3u);
+    EXPECT_EQ(count_of(one, "texture coordinates"), 2u);
+    EXPECT_FALSE(features_of(one).has(Feature::textures));
+    // Another texel, and all of it is needed but the alpha that is not there.
+    const uint32_t other = two.shading[0].material;
+    EXPECT_NE(std::get<Lambert>(two.materials[other]).albedo.texture, no_texture);
+    EXPECT_NE(two.traits[other].bump, no_texture);
+    EXPECT_TRUE(two.traits[other].reads_uv);
+    EXPECT_FALSE(two.shading[0].uvs.empty());
+    EXPECT_EQ(count_of(two, "textures of one value"), 1u);
+}
+
+TEST(LeftOut, TheSamePictureUnderTwoNamesIsKeptOnce)
+{
+    MaterialDescription a = make_lambert("a", {1, 1, 1}), b = a;
+    b.name = "b";
+    a.base_color_map = picture_of("two", Encoding::linear);
+    b.base_color_map = picture_of("two", Encoding::linear);
+    b.base_color_map->use.scale = {2, 3};
+    SceneDescription d;
+    d.materials = {a, b};
+    d.spheres = {sphere_of({0, 0, 0}, 1, "a"), sphere_of({3, 0, 0}, 1, "b")};
+    const Scene s = build_scene(d, even_picture);
+    ASSERT_EQ(s.textures.size(), 2u);
+    EXPECT_EQ(count_of(s, "texels of another"), 1u);
+    d.materials[1].base_color_map->use.channel = Channel::red;
+    EXPECT_EQ(count_of(build_scene(d, even_picture), "texels of another"), 0u);
+}
+
+// Vertices, normals and texture coordinates that no triangle names, put between those that some does.
+TEST(LeftOut, WhatNoTriangleNamesIsNotKept)
+{
+    MaterialDescription mapped = make_lambert("mapped", {1, 1, 1});
+    mapped.base_color_map = picture_of("two", Encoding::linear);
+    MeshData data = *make_mapped_quad({0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {3, 5}, mapped);
+    data.materials.push_back(make_lambert("plain", {1, 1, 1}));
+    data.face_material = {0, 1};
+    data.normals = {{0, 0, 1}, {0.6f, 0, 0.8f}};
+    data.normal_triangles = {{1, 1, 1}, {1, 1, 1}};
+    MeshData padded = data;
+    const auto pad = [](auto& values, auto& triangles) {
+        values.insert(values.begin(), values.back());
+        values.push_back(values.front());
+        for (auto& t : triangles)
+            for (uint32_t& i : t) ++i;
+    };
+    pad(padded.positions, padded.triangles);
+    pad(padded.normals, padded.normal_triangles);
+    pad(padded.uvs, padded.uv_triangles);
+    const auto stage_of = [](const MeshData& mesh) {
+        SceneDescription d;
+        d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(mesh)));
+        return std::make_unique<Stage>(d, even_picture);
+    };
+    const auto a = stage_of(data), b = stage_of(padded);
+    EXPECT_EQ(count_of(a->scene, "vertices of no"), 0u);
+    EXPECT_EQ(count_of(b->scene, "vertices of no"), 2u);
+    EXPECT_EQ(count_of(a->scene, "normals of no"), 1u);
+    EXPECT_EQ(count_of(b->scene, "normals of no"), 3u);
+    EXPECT_EQ(b->scene.geometry.meshes[0].positions.size(), 5u);
+    EXPECT_EQ(b->scene.shading[0].normals.size(), 1u);
+    EXPECT_EQ(b->scene.shading[0].uvs.size(), 3u) << "of the triangle that reads them";
+    for (const Vec3d from : {Vec3d{1.5, 0.2, 1}, Vec3d{0.5, 1.7, 1}}) {
+        const auto p = a->look(a->to_scene(from), {0, 0, -1}), q = b->look(b->to_scene(from), {0, 0, -1});
+        ASSERT_TRUE(p && q);
+        EXPECT_EQ(p->p, q->p);
+        EXPECT_EQ(p->ns, q->ns);
+        EXPECT_EQ(p->uv, q->uv);
+        EXPECT_EQ(p->uv == Vec2{}, from.x < 1) << "only who reads them has any";
+    }
+}
+
+TEST(LeftOut, CornersAreFoundWhereverTheyAre)
+{
+    std::vector<CornerTable::Corners> all(1000);
+    for (uint32_t i = 0; i < all.size(); ++i) all[i] = {i, 2 * i, 3 * i};
+    const CornerTable nearly(all, [](uint32_t t) { return t != 77; });
+    for (uint32_t i = 0; i < all.size(); ++i) EXPECT_EQ(nearly.find(i) == nullptr, i == 77);
+    EXPECT_EQ(nearly.bytes(), all.size() * sizeof(all[0])) << "not worth a list of who has some";
+    for (const uint32_t step : {1u, 2u, 3u, 64u, 65u, 2000u}) {
+        CornerTable table(all, [&](uint32_t t) { return t % step == step / 2; });
+        uint64_t found = 0;
+        for (uint32_t i = 0; i < all.size(); ++i) {
+            const CornerTable::Corners* const c = table.find(i);
+            EXPECT_EQ(c != nullptr, i % step == step / 2) << i << " of " << step;
+            EXPECT_EQ(c ? *c : all[i], all[i]);
+            found += c != nullptr;
+        }
+        EXPECT_EQ(table.all().size(), found) << step;
+        EXPECT_LE(table.bytes(), found * sizeof(all[0]) + (step == 1 ? 0 : 16 * (all.size() / 64 + 1))) << step;
+    }
+    EXPECT_TRUE(CornerTable(all, [](uint32_t) { return false; }).empty());
+}
+
+// A material file that two meshes name, and one material of it on all faces of one of them.
+TEST(LeftOut, MaterialsThatComeAgainAreMerged)
+{
+    MeshData data = *make_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, make_lambert("a", {0.1f, 0.2f, 0.3f}));
+    data.materials.push_back(make_lambert("b", {1, 1, 1}));
+    data.face_material = {0, 1};
+    SceneDescription d;
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(data)));
+    data.face_material = {1, 1};
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(data)));
+    const Scene s = build_scene(d);
+    EXPECT_EQ(s.materials.size(), 2u);
+    EXPECT_EQ(count_of(s, "there already"), 2u);
+    EXPECT_EQ(s.shading[0].face_material.size(), 2u);
+    EXPECT_TRUE(s.shading[1].face_material.empty());
+    EXPECT_EQ(s.shading[1].material_of(1), s.shading[0].material_of(1));
+    // The same, but from another line: it may be another one tomorrow, and has a number of its own.
+    data.materials[0].where.line = 7;
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(data)));
+    EXPECT_EQ(build_scene(d).materials.size(), 3u);
+}
+
+TEST(LeftOut, LightsAndMaterialsAreCounted)
+{
+    SceneDescription d;
+    d.materials = {make_lambert("unused", {1, 1, 1})};
+    d.spheres = {sphere_of({0, 0, 0}, 1)};
+    d.lights = {sky_of({}), light_of(LightType::point, {}, {0, 2, 0}), sky_of({1, 1, 1})};
+    const Scene s = build_scene(d);
+    EXPECT_EQ(count_of(s, "lights without power"), 2u);
+    EXPECT_EQ(count_of(s, "materials that nothing uses"), 1u);
+}
+
+}  // namespace
+}  // namespace lancer
