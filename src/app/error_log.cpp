@@ -1,23 +1,29 @@
 #include "app/error_log.h"
 
 #include "app/console.h"
+#include "core/names.h"
 #include "io/atomic_file.h"
-#include "io/image_read.h"
 #include "report/flip.h"
 
 namespace lancer {
 namespace {
 
-std::optional<Image> read_linear(const std::string& path)
+std::optional<ComparedPicture> read_if_any(const std::string& path)
 {
     if (path.empty()) return {};
-    return read_image(path, Encoding::srgb);
+    return read_compared(path);
+}
+
+void warn_of(const std::string& a, const std::string& b, const std::string& seed)
+{
+    print_problem("warning: " + a + " and " + b + " share their samples (seed " + seed +
+                  "): errors come out too small; render one with another --seed");
 }
 
 }  // namespace
 
 ErrorLog::ErrorLog(const RenderOptions& options)
-    : path_(options.error_log), reference_(read_linear(options.reference)), reference2_(read_linear(options.reference2))
+    : path_(options.error_log), reference_(read_if_any(options.reference)), reference2_(read_if_any(options.reference2))
 {
     text_ =
         "spp,wall_s,cpu_s,camera_rays,bounce_rays,shadow_rays,rmse,relmse,relmse_trimmed,relmse_unbiased,smape,flip,"
@@ -27,7 +33,17 @@ ErrorLog::ErrorLog(const RenderOptions& options)
 void ErrorLog::require_size(const Image& picture) const
 {
     for (const auto* reference : {&reference_, &reference2_})
-        if (*reference) require_same_windows(picture, **reference);
+        if (*reference) require_same_windows(picture, (*reference)->image);
+}
+
+void ErrorLog::warn_of_shared_samples(uint64_t seed) const
+{
+    for (const auto* reference : {&reference_, &reference2_})
+        if (*reference && (*reference)->said("seed") == std::to_string(seed))
+            warn_of("this picture", in_quotes((*reference)->path), std::to_string(seed));
+    if (!reference2_) return;
+    if (const auto both = shared_seed(*reference_, *reference2_))
+        warn_of(in_quotes(reference_->path), in_quotes(reference2_->path), *both);
 }
 
 void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_seconds)
@@ -35,12 +51,12 @@ void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_secon
     const auto number = [](std::optional<double> x) { return x ? shortest(*x) : std::string(); };
     const auto known = [&](double x) { return number(x > 0 ? std::optional(x) : std::nullopt); };
     last_.reset();
-    if (reference_) last_ = compare(picture, *reference_);
+    if (reference_) last_ = compare(picture, reference_->image);
     const auto metric = [&](double Metrics::*which) { return last_ ? number((*last_).*which) : std::string(); };
     std::optional<double> unbiased;
-    if (reference2_) unbiased = unbiased_squared_error(picture, *reference_, *reference2_);
+    if (reference2_) unbiased = unbiased_squared_error(picture, reference_->image, reference2_->image);
     // Only where it is written down: it takes a while.
-    const std::string flip = reference_ && !path_.empty() ? shortest(flip_hdr(picture, *reference_).mean) : "";
+    const std::string flip = reference_ && !path_.empty() ? shortest(flip_hdr(picture, reference_->image).mean) : "";
     const double spp =
         static_cast<double>(stats.samples + stats.counters.dropped) / static_cast<double>(picture.pixels.size());
     const Counters& rays = stats.counters;
