@@ -98,7 +98,7 @@ TEST_F(Defects, ALightCountedTwice)
     expect_bias({"--seed", "4", "-s", "16", "-D", "light.0.radiance=[32,32,32]"}, 100);
 }
 
-// One ray of 16 finds the lamp, and shows 16 times the mean. Cut off at 1, which is what a lamp of radiance 1 gives.
+// One ray of 16 finds the lamp, and shows 16 times the mean: cut off at 1, as much as of a lamp of radiance 1.
 TEST_F(Defects, AClampLeftOn)
 {
     const double lost = 100 * (1.0 / 16 - 1);
