@@ -90,6 +90,7 @@ void Run::load()
     }
     log_.emplace(options_);
     log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
+    log_->warn_of_shared_samples(settings_.seed);
 }
 
 void Run::describe(const Renderer& renderer)

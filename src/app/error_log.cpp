@@ -1,22 +1,29 @@
 #include "app/error_log.h"
 
+#include "app/console.h"
+#include "core/names.h"
 #include "io/atomic_file.h"
-#include "io/image_read.h"
 #include "report/error_rows.h"
 
 namespace lancer {
 namespace {
 
-std::optional<Image> read_linear(const std::string& path)
+std::optional<ComparedPicture> read_if_any(const std::string& path)
 {
     if (path.empty()) return {};
-    return read_image(path, Encoding::srgb);
+    return read_compared(path);
+}
+
+void warn_of(const std::string& a, const std::string& b, const std::string& seed)
+{
+    print_problem("warning: " + a + " and " + b + " share their samples (seed " + seed +
+                  "): errors come out too small; render one with another --seed");
 }
 
 }  // namespace
 
 ErrorLog::ErrorLog(const RenderOptions& options)
-    : path_(options.error_log), reference_(read_linear(options.reference)), reference2_(read_linear(options.reference2))
+    : path_(options.error_log), reference_(read_if_any(options.reference)), reference2_(read_if_any(options.reference2))
 {
     text_ = error_rows_head();
 }
@@ -24,7 +31,17 @@ ErrorLog::ErrorLog(const RenderOptions& options)
 void ErrorLog::require_size(const Image& picture) const
 {
     for (const auto* reference : {&reference_, &reference2_})
-        if (*reference) require_same_windows(picture, **reference);
+        if (*reference) require_same_windows(picture, (*reference)->image);
+}
+
+void ErrorLog::warn_of_shared_samples(uint64_t seed) const
+{
+    for (const auto* reference : {&reference_, &reference2_})
+        if (*reference && (*reference)->said("seed") == std::to_string(seed))
+            warn_of("this picture", in_quotes((*reference)->path), std::to_string(seed));
+    if (!reference2_) return;
+    if (const auto both = shared_seed(*reference_, *reference2_))
+        warn_of(in_quotes(reference_->path), in_quotes(reference2_->path), *both);
 }
 
 void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_seconds)
@@ -40,7 +57,8 @@ void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_secon
     last_.reset();
     // FLIP only where it is written down.
     if (reference_)
-        last_ = measure_errors(row, picture, *reference_, reference2_ ? &*reference2_ : nullptr, !path_.empty());
+        last_ = measure_errors(row, picture, reference_->image, reference2_ ? &reference2_->image : nullptr,
+                               !path_.empty());
     text_ += to_csv(row);
     if (path_.empty()) return;
     write_text(path_, text_);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/compared_picture.h"
 #include "app/options.h"
-#include "core/image.h"
 #include "report/metrics.h"
 #include "report/stats_json.h"
 
@@ -21,6 +21,8 @@ public:
     bool is_wanted() const { return !path_.empty() || reference_; }
     // Throws Error (invalid_input) unless the references are of such a picture.
     void require_size(const Image& picture) const;
+    // Warns of references that are made of the random numbers of a picture of that seed, or of one another's.
+    void warn_of_shared_samples(uint64_t seed) const;
     // A row of the table, which is written at once: what there is of it outlives whatever comes. stats: as they are
     // now; the clock of rendering stands still meanwhile.
     void add(const Image& picture, const RunStats& stats, double cpu_seconds);
@@ -29,7 +31,7 @@ public:
 
 private:
     std::string path_;
-    std::optional<Image> reference_, reference2_;
+    std::optional<ComparedPicture> reference_, reference2_;
     std::string text_;
     std::optional<Metrics> last_;
 };

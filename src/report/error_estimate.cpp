@@ -9,26 +9,34 @@
 namespace lancer {
 namespace {
 
-// The mean of each pixel's neighbours, without itself.
-std::vector<std::array<double, 3>> around_each(const Film& film)
+using Channels = std::array<double, 3>;
+
+// The mean of each pixel's neighbours, without itself. values: as Film::pixels.
+std::vector<Channels> around_each(const Film& film, const std::vector<Channels>& values)
 {
     const size_t width = film.crop.width(), height = film.crop.height();
-    std::vector<std::array<double, 3>> means(film.pixels.size()), all(film.pixels.size());
-    for (size_t i = 0; i < means.size(); ++i) means[i] = channels(film.whole(i).mean());
+    std::vector<Channels> all(values.size());
     for (size_t y = 0; y < height; ++y)
         for (size_t x = 0; x < width; ++x) {
-            std::array<double, 3> around{};
+            Channels around{};
             double n = 0;
             for (size_t v = y == 0 ? 0 : y - 1; v < std::min(height, y + 2); ++v)
                 for (size_t u = x == 0 ? 0 : x - 1; u < std::min(width, x + 2); ++u) {
                     if (u == x && v == y) continue;
-                    for (size_t c = 0; c < 3; ++c) around[c] += means[v * width + u][c];
+                    for (size_t c = 0; c < 3; ++c) around[c] += values[v * width + u][c];
                     ++n;
                 }
             for (double& sum : around) sum /= n;
-            all[y * width + x] = n > 0 ? around : means[y * width + x];
+            all[y * width + x] = n > 0 ? around : values[y * width + x];
         }
     return all;
+}
+
+std::vector<Channels> means_of(const Film& film)
+{
+    std::vector<Channels> means(film.pixels.size());
+    for (size_t i = 0; i < means.size(); ++i) means[i] = channels(film.whole(i).mean());
+    return means;
 }
 
 // The square of what a pixel would show without noise, as far as that can be told without believing a sample that
@@ -39,14 +47,50 @@ double without_noise(double own_squared, double around)
     return std::max(0.0, std::min(own_squared, around * around));
 }
 
-// The same without a bias towards less: as the pixel has it where it is nearly sure of that, else its neighbours; but
-// beside an edge, where they are more than twice as bright, the pixel after all. variance: of the pixel's mean.
-double seen_around(double mean, double variance, double around)
+// What replicates tell of the pixels.
+struct Seen {
+    std::vector<Channels> mean, variance;  // of that mean; 0 where it is not known
+    std::vector<bool> known;
+};
+
+Seen see(const Film& film, uint32_t replicates)
 {
-    constexpr double nearly_sure = 0.02;  // of the square: a deviation of a seventh
-    const double own_squared = mean * mean - variance, squared = around * around;
-    const bool takes_own = variance < nearly_sure * mean * mean || squared > 4 * own_squared;
-    return std::max(0.0, takes_own ? own_squared : squared);
+    Seen seen{means_of(film), std::vector<Channels>(film.pixels.size()), std::vector<bool>(film.pixels.size())};
+    const double r = replicates;
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        const auto first = film.replicates.begin() + static_cast<std::ptrdiff_t>(i * replicates);
+        const std::span<const ReplicateSum> all(first, first + replicates);
+        if (std::any_of(all.begin(), all.end(), [](const ReplicateSum& s) { return s.n == 0; })) continue;
+        for (size_t c = 0; c < 3; ++c) {
+            double mean = 0, apart = 0;
+            for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
+            for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
+            seen.mean[i][c] = mean, seen.variance[i][c] = apart / (r - 1) / r;
+        }
+        seen.known[i] = true;
+    }
+    return seen;
+}
+
+// The square of what each pixel would show without noise, without a bias to either side: of a value between its own
+// mean and that of its neighbours, by how much of what it differs from them is noise, less what noise there is in it
+// still. Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics", IEEE PAMI 2(2), 1980.
+std::vector<Channels> squares_without_noise(const Film& film, const Seen& seen)
+{
+    std::vector<Channels> squares = seen.mean;
+    for (Channels& square : squares)
+        for (double& x : square) x *= x;
+    const auto around = around_each(film, seen.mean), squares_around = around_each(film, squares),
+               noise_around = around_each(film, seen.variance);
+    for (size_t i = 0; i < squares.size(); ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            const double middle = around[i][c], noise = seen.variance[i][c];
+            const double spread = std::max(0.0, squares_around[i][c] - middle * middle - noise_around[i][c]);
+            const double trust = spread > 0 ? spread / (spread + noise) : 0;
+            const double between = middle + trust * (seen.mean[i][c] - middle);
+            squares[i][c] = std::max(0.0, between * between - trust * trust * noise);
+        }
+    return squares;
 }
 
 }  // namespace
@@ -54,8 +98,8 @@ double seen_around(double mean, double variance, double around)
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
-    std::vector<std::array<double, 3>> around;  // only where samples have doubled: it takes a while
-    double sum = 0;
+    std::vector<Channels> around;  // only where samples have doubled: it takes a while
+    double sum = 0, squares = 0;
     size_t known = 0;
     for (size_t i = 0; i < halves_.size(); ++i) {
         const Pixel pixel = film.whole(i);
@@ -66,7 +110,7 @@ void HalfBuffers::look(const Film& film)
         if (half.n == 0 || since >= before || (half.error < 0 && since > 0)) {
             const Color mean = pixel.mean();
             if (half.n != 0) {
-                if (around.empty()) around = around_each(film);
+                if (around.empty()) around = around_each(film, means_of(film));
                 const auto all = channels(mean), first = channels(half.mean);
                 double error = 0;
                 for (size_t c = 0; c < 3; ++c) {
@@ -78,40 +122,39 @@ void HalfBuffers::look(const Film& film)
             half.mean = mean, half.n = pixel.n;
         }
         if (half.error < 0) continue;
-        sum += double{half.error} * half.n / n;
+        const double error = double{half.error} * half.n / n;
+        sum += error, squares += error * error;
         ++known;
     }
-    if (known != 0) error_ = sum / static_cast<double>(known);
+    if (known == 0) return;
+    // Where a few pixels have most of the error, those that shall have met their bright samples later are missing.
+    const double count = static_cast<double>(known), mean = sum / count;
+    error_ = mean + std::sqrt(std::max(0.0, squares - mean * sum)) / count;
 }
 
 std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_t replicates)
 {
-    double sum = 0, squares = 0;
+    if (replicates < 2) return {};
+    const Seen seen = see(film, replicates);
+    const auto squares = squares_without_noise(film, seen);
+    double sum = 0, sum_of_squares = 0;
     size_t known = 0;
-    const double r = replicates;
-    const auto around = around_each(film);
-    for (size_t i = 0; i < film.pixels.size(); ++i) {
-        const auto first = film.replicates.begin() + static_cast<std::ptrdiff_t>(i * replicates);
-        const std::span<const ReplicateSum> all(first, first + replicates);
-        if (std::any_of(all.begin(), all.end(), [](const ReplicateSum& s) { return s.n == 0; })) continue;
+    for (size_t i = 0; i < squares.size(); ++i) {
+        if (!seen.known[i]) continue;
         double error = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            double mean = 0, apart = 0;
-            for (const ReplicateSum& s : all) mean += s.sum[c] / s.n / r;
-            for (const ReplicateSum& s : all) apart += std::pow(s.sum[c] / s.n - mean, 2);
-            const double variance = apart / (r - 1) / r;  // of the mean
-            error += variance / (seen_around(mean, variance, around[i][c]) + relmse_epsilon) / 3;
-        }
-        sum += error, squares += error * error;
+        for (size_t c = 0; c < 3; ++c) error += seen.variance[i][c] / (squares[i][c] + relmse_epsilon) / 3;
+        sum += error, sum_of_squares += error * error;
         ++known;
     }
-    if (known == 0 || replicates < 2) return {};
-    const double count = static_cast<double>(known), error = sum / count;
+    if (known == 0) return {};
+    const double r = replicates, count = static_cast<double>(known), error = sum / count;
+    if (error == 0) return ReplicateError{};
     // Both the error that there is and its estimate scatter about what is expected: of normal means a channel's square
     // by 2 v^2 and its estimate by 2 v^2 / (r - 1). Channels of a pixel mostly err together, so they are taken for one.
-    const double expected = squares / (1 + 2 / (r - 1));
-    const double reach = 1.959964 * std::sqrt(2 * (1 + 1 / (r - 1)) * expected) / count;
-    return ReplicateError{error, {std::max(0.0, error - reach), error + reach}};
+    // In logarithms, as few pixels may have most of the error: then it may be several times as large, but not below 0.
+    const double expected = sum_of_squares / (1 + 2 / (r - 1));
+    const double reach = std::exp(1.959964 * std::sqrt(2 * (1 + 1 / (r - 1)) * expected) / sum);
+    return ReplicateError{error, {error / reach, error * reach}};
 }
 
 }  // namespace lancer

@@ -13,9 +13,10 @@ namespace lancer {
 
 // From half buffers: of twice as many samples the first half and the second are two pictures, and how far these lie
 // apart tells how far their mean is from the truth. Two halves of n / 2 Sobol' points each are worth less than the n
-// together, so this is an upper estimate. Needs no sum but one picture of 20 bytes a pixel, and takes its time only
-// where samples have doubled. Rousselle, Knaus, Zwicker, "Adaptive Rendering with Non-Local Means Filtering", 2012,
-// section 5, has such buffers.
+// together, so this is an upper estimate; and it is a bound: the mean over pixels, and one standard error of that mean,
+// which is much only where few pixels have most of the error. Needs no sum but one picture of 20 bytes a pixel, and
+// takes its time only where samples have doubled. Rousselle, Knaus, Zwicker, "Adaptive Rendering with Non-Local Means
+// Filtering", 2012, section 5, has such buffers.
 class HalfBuffers {
 public:
     // Now and then, but each time that samples have doubled. Of pixels that have less than twice the samples of a half
@@ -34,8 +35,8 @@ private:
     std::optional<double> error_;
 };
 
-// From replicates, which are independent of one another whatever points each has: without a bias but for the noise of
-// the denominator, so that an interval can be given for the error that the picture has in fact.
+// From replicates, which are independent of one another whatever points each has: their scatter tells the error without
+// a bias, so that an interval can be given for the error that the picture has in fact.
 struct ReplicateError {
     double rel_mse = 0;
     Interval interval;  // 95 %

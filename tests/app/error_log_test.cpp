@@ -83,6 +83,20 @@ TEST_F(ErrorLog, TwoReferencesGiveTheUnbiasedError)
     EXPECT_NE(rows_of(read_bytes(file("e.csv"))).back().at("relmse_unbiased"), "");
 }
 
+TEST_F(ErrorLog, WarnsOfSamplesInCommon)
+{
+    ASSERT_EQ(render({"-o", "r1.exr", "--seed", "5"}).code, 0);
+    ASSERT_EQ(render({"-o", "r2.png", "--seed", "5"}).code, 0);
+    ASSERT_EQ(render({"-o", "r3.exr", "--seed", "6"}).code, 0);
+    const auto said = [&](const char* seed, const char* r1, const char* r2) {
+        return render({"-o", "x.exr", "--seed", seed, "--reference", r1, "--reference2", r2}).err;
+    };
+    expect_words(said("5", "r1.exr", "r3.exr"), "warning: this picture and 'r1.exr' share their samples (seed 5)");
+    expect_words(said("6", "r1.exr", "r3.exr"), "warning: this picture and 'r3.exr' share their samples (seed 6)");
+    expect_words(said("7", "r1.exr", "r2.png"), "warning: 'r1.exr' and 'r2.png' share their samples (seed 5)");
+    EXPECT_EQ(said("7", "r1.exr", "r3.exr").find("share their samples"), std::string::npos);
+}
+
 TEST_F(ErrorLog, TimeStopsAWholePicture)
 {
     const Said said = render_until({"-o", "x.exr", "--time", "300ms", "--stats", "s.json"});
