@@ -97,6 +97,7 @@ int run(const Options& o)
         for (const std::string& accelerator : with) {
             results.push_back(run_row(row, {o.tier, accelerator}, available_threads()));
             print(results.back());
+            flush_results();  // a row may take minutes
         }
     }
     if (!o.folder.empty()) {
