@@ -167,7 +167,10 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     switch (hit.kind) {
         case Kind::sphere: {
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
-            const Vec3d n = normalize(along(static_cast<double>(hit.t)) - sphere.center);
+            // From afar the float nearest to t is a good part of a small sphere away, and its rim would face away.
+            const auto c = crossing(sphere, ray);
+            const double t = c ? (hit.exit ? c->exit : c->enter) : static_cast<double>(hit.t);
+            const Vec3d n = normalize(along(t) - sphere.center);
             s.p = to_float(sphere.center + n * sphere.radius);
             s.p_error = sphere_point_error(sphere, s.p);
             s.n = s.ns = to_float(n);
@@ -178,7 +181,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         }
         case Kind::plane: {
             const Plane& plane = scene.geometry.planes[hit.primitive];
-            // Towards the horizon the float nearest to t lies squares away, and that is along the plane.
+            // Towards the horizon it lies squares away, and that is along the plane.
             const double t = intersect(plane, ray).value_or(static_cast<double>(hit.t));
             const Vec3d there = along(t), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
             s.p = to_float(p);
