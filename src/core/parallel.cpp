@@ -10,6 +10,7 @@
 
 #include <pmmintrin.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <xmmintrin.h>
 
 #ifdef LANCER_STD_THREADS
@@ -22,6 +23,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/version.h>
+
+#include "core/error.h"
 #endif
 
 namespace lancer {
@@ -97,9 +100,26 @@ std::string parallel_version() { return "std::thread"; }
 
 #else
 
+namespace {
+// TBB up to 2021.8 ends the program where a worker finds no memory to begin with. Where the system sets a limit that
+// the workers' stacks alone exceed, that would be a matter of luck.
+void require_room_for(unsigned threads)
+{
+    const size_t stack = tbb::global_control::active_value(tbb::global_control::thread_stack_size);
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || threads <= limit.rlim_cur / stack)
+        return;
+    throw Error(ErrorKind::failed, {},
+                "the stacks of " + std::to_string(threads) + " threads need more than the " +
+                    std::to_string(limit.rlim_cur >> 20) +
+                    " MiB of address space that the system grants; fewer --threads need less");
+}
+}  // namespace
+
 void with_threads(unsigned threads, const std::function<void()>& body)
 {
     threads = std::max(1u, threads);
+    require_room_for(threads);
     // The arena alone would stay at the number of CPUs and warn; the control lifts that limit.
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(static_cast<int>(threads));

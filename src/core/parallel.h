@@ -16,7 +16,8 @@ void set_flush_denormals();
 unsigned available_threads();
 
 // Runs body with at most `threads` threads (>= 1, may exceed the CPUs) for every parallel loop inside it, those of
-// Embree and OpenEXR included. Exceptions of body propagate.
+// Embree and OpenEXR included. Exceptions of body propagate. Throws Error (failed) where the system's
+// limit of address space is less than so many stacks.
 void with_threads(unsigned threads, const std::function<void()>& body);
 
 // body(i) for every i in [0, count), each once, in any order and on any thread of the innermost with_threads;

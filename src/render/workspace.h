@@ -21,11 +21,11 @@ struct KernelSettings {
     SamplerKind sampler = SamplerKind::sobol;
     uint64_t seed = 0;
     Filter filter{FilterKind::blackman_harris};
-    uint32_t batch = 256;             // paths under way at once, >= 1
-    StopRule stop = StopRule::never;  // looked at only if the film has `wanted`
-    double stop_error = 0.01;         // see samples_for()
-    std::optional<Profile> profile;   // rather than the plainest that covers the scene; ignored if it does not
-    bool clamp = false;               // each sample to [0, 1] before it is averaged; legacy
+    uint32_t batch = 256;              // paths under way at once, >= 1
+    StopRule stop = StopRule::never;   // looked at only if the film has `wanted`
+    double stop_error = 0.01;          // see samples_for()
+    std::optional<Profile> profile{};  // rather than the plainest that covers the scene; ignored if it does not
+    bool clamp = false;                // each sample to [0, 1] before it is averaged; legacy
     // Path i is number i / replicates of replicate i mod replicates, each of which has random numbers of its own: how
     // far they lie apart tells the error without a bias, at the price that each has fewer points to spread evenly.
     uint32_t replicates = 1;
