@@ -176,7 +176,7 @@ uint64_t bytes_of(const Stage& stage, const Film& film)
 PictureOptions options_for(std::optional<std::string> filter = "box")
 {
     PictureOptions p;
-    p.size = {{128, 96}};
+    p.size = {{96, 72}};
     p.filter = std::move(filter);
     p.accel = "embree";  // the same whatever the number of triangles
     p.threads = 1;
@@ -357,7 +357,7 @@ int main(int argc, char** argv)
         [](const Options& options, Report& report) {
             lancer::with_threads(1, [&] {
                 std::vector<Base> bases{make_base("walls", 0)};
-                if (options.full || options.wants("room")) bases.push_back(make_base("room", 100'000));
+                if (options.full || !options.only.empty()) bases.push_back(make_base("room", 100'000));
                 for (const Base& base : bases) {
                     if (!options.wants(base.name)) continue;
                     measure_saved(base, options, report);
