@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 namespace lancer {
 namespace {
@@ -10,6 +12,8 @@ namespace {
 constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
 constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_cell = 4, most_columns = 1024;
+constexpr uint32_t small = 4;                   // cells each way that a group of triangles may cover as a whole
+constexpr size_t together = 32;                 // neighbours in the list of a mesh are mostly neighbours in space
 constexpr uint64_t most_triangles = 4'000'000;  // to look at each of more would take longer than it saves
 
 bool sees_one_colour(const Scene& scene)
@@ -44,6 +48,19 @@ public:
         const double blur = error / static_cast<double>(camera_.pixel_spread());
         if (least > nearest * error) return add_rectangle(seen, blur / least);
         add_clipped({seen.begin(), seen.end()}, error);
+    }
+    // All that lies within eight corners, if these are seen so close to each other that to look at each thing within
+    // would not tell more. False, and nothing done, if not.
+    bool add_if_small(const std::array<Vec3d, 8>& corners, double error)
+    {
+        std::array<Camera::Seen, 8> seen;
+        double least = INFINITY;
+        for (size_t i = 0; i < 8; ++i) seen[i] = camera_.seen(corners[i]), least = std::min(least, seen[i].depth);
+        if (!(least > nearest * error)) return false;
+        const auto cells = cells_around(seen, error / static_cast<double>(camera_.pixel_spread()) / least);
+        if (!cells || cells->right - cells->left > small || cells->bottom - cells->top > small) return false;
+        mark(*cells);
+        return true;
     }
     std::vector<uint8_t> uncovered() const
     {
@@ -93,11 +110,15 @@ private:
         }
         if (polygon.empty()) return;
         for (const Camera::Seen& p : polygon) least = std::min(least, p.depth);
-        if (!(least > nearest * error)) return mark(0, 0, columns_, rows_);
+        if (!(least > nearest * error)) return mark({0, 0, columns_, rows_});
         add_rectangle(polygon, blur / least);
     }
+    struct Cells {
+        uint32_t left, top, right, bottom;  // right and bottom: behind the last
+    };
+    // Nothing where there is no telling.
     template <class Points>
-    void add_rectangle(const Points& points, double blur)
+    std::optional<Cells> cells_around(const Points& points, double blur) const
     {
         double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
         for (const Camera::Seen& p : points) {
@@ -105,21 +126,25 @@ private:
             x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
         }
         const double m = margin_ + blur;
-        if (!(std::isfinite(x0 + x1 + y0 + y1))) return mark(0, 0, columns_, rows_);
+        if (!(std::isfinite(x0 + x1 + y0 + y1))) return {};
         const auto first = [&](double at, uint32_t n) {
             return static_cast<uint32_t>(std::clamp(std::floor((at - m) / cell_), 0.0, static_cast<double>(n)));
         };
         const auto end = [&](double at, uint32_t n) {
             return static_cast<uint32_t>(std::clamp(std::floor((at + m) / cell_) + 1, 0.0, static_cast<double>(n)));
         };
-        const uint32_t left = first(x0, columns_), right = end(x1, columns_), top = first(y0, rows_),
-                       bottom = end(y1, rows_);
-        if (left < right && top < bottom) mark(left, top, right, bottom);
+        return Cells{first(x0, columns_), first(y0, rows_), end(x1, columns_), end(y1, rows_)};
     }
-    void mark(uint32_t left, uint32_t top, uint32_t right, uint32_t bottom)
+    template <class Points>
+    void add_rectangle(const Points& points, double blur)
     {
+        mark(cells_around(points, blur).value_or(Cells{0, 0, columns_, rows_}));
+    }
+    void mark(const Cells& c)
+    {
+        if (c.left >= c.right || c.top >= c.bottom) return;
         const auto at = [&](uint32_t x, uint32_t y) -> int64_t& { return marks_[size_t{y} * (columns_ + 1) + x]; };
-        ++at(left, top), --at(right, top), --at(left, bottom), ++at(right, bottom);
+        ++at(c.left, c.top), --at(c.right, c.top), --at(c.left, c.bottom), ++at(c.right, c.bottom);
     }
 
     const Camera& camera_;
@@ -129,13 +154,32 @@ private:
     std::array<Side, 5> sides_;
 };
 
-// The twelve triangles of a box that was moved.
-void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const auto& error_at)
+// Of the triangles' corners.
+Bounds bounds_of(const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles)
+{
+    Vec3 lower{INFINITY, INFINITY, INFINITY}, upper = -lower;
+    for (const auto& t : triangles)
+        for (const uint32_t v : t) {
+            const Vec3 p = mesh.positions[v];
+            lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+            upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+        }
+    return {to_double(lower), to_double(upper)};
+}
+
+std::array<Vec3d, 8> corners_of(const Bounds& b, const Transform& place)
 {
     std::array<Vec3d, 8> corners;
     for (size_t i = 0; i < 8; ++i)
         corners[i] =
             place.point({i & 1 ? b.upper.x : b.lower.x, i & 2 ? b.upper.y : b.lower.y, i & 4 ? b.upper.z : b.lower.z});
+    return corners;
+}
+
+// The twelve triangles of a box that was moved.
+void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const auto& error_at)
+{
+    const std::array<Vec3d, 8> corners = corners_of(b, place);
     constexpr std::array<std::array<size_t, 4>, 6> faces{
         {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
     double error = 0;
@@ -159,12 +203,20 @@ void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uin
     uint64_t looked_at = 0, look_again = 1024;
     for (const Mesh& mesh : g.meshes) {
         if (mesh.instanced) continue;
-        for (const auto& t : mesh.triangles) {
-            const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
-                        c = to_double(mesh.positions[t[2]]);
-            coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
+        for (size_t first = 0; first < mesh.triangles.size(); first += together) {
+            const auto group =
+                std::span(mesh.triangles).subspan(first, std::min(together, mesh.triangles.size() - first));
+            const Bounds box = bounds_of(mesh, group);
+            const auto corners = corners_of(box, {});
+            if (!coverage.add_if_small(corners, std::max(error_at(box.lower), error_at(box.upper))))
+                for (const auto& t : group) {
+                    const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
+                                c = to_double(mesh.positions[t[2]]);
+                    coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
+                }
             // In a room this is soon known.
-            if (++looked_at < look_again) continue;
+            looked_at += group.size();
+            if (looked_at < look_again) continue;
             look_again *= 2;
             if (!coverage.any_open()) return;
         }
