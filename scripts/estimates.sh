@@ -46,10 +46,11 @@ logged() {
         [[ -f $reference ]] || render "$scene" -s 4096 --seed "90$half" -o "$reference"
     done
     [[ -f $folder/$name.csv ]] && return
-    # The log grows while it is written.
+    # The log grows with the picture: it has its name when it is whole.
     render "$scene" --reference "$folder/$scene-1.exr" --reference2 "$folder/$scene-2.exr" \
-        --error-log "$folder/part.csv" -o "$folder/part.exr" "$@"
-    mv "$folder/part.csv" "$folder/$name.csv"
+        --error-log "$folder/$name.part" -o "$folder/$name.exr" "$@"
+    rm "$folder/$name.exr"
+    mv "$folder/$name.part" "$folder/$name.csv"
 }
 
 # Fields of a log: 1 spp, 10 relmse_unbiased, 13 estimated_error, 14 and 15 its interval.
