@@ -92,7 +92,7 @@ Sweep shell_thickness()
 Sweep shell_light()
 {
     SweepCurve product{"lancer", {}};
-    for (int half = -14; half <= -2; ++half) {
+    for (int half = -14; half <= -3; ++half) {
         const double thickness = std::pow(10.0, half / 2.0);
         product.points.push_back({thickness, cross_shell("embree", thickness, 4000).worst_radiance_inside});
     }
