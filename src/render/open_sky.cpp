@@ -12,9 +12,9 @@ namespace {
 constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
 constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_cell = 4, most_columns = 1024;
-constexpr uint32_t small = 4;                   // cells each way that a group of triangles may cover as a whole
-constexpr size_t together = 32;                 // neighbours in the list of a mesh are mostly neighbours in space
-constexpr uint64_t most_triangles = 4'000'000;  // to look at each of more would take longer than it saves
+constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
+constexpr size_t together = 32;         // neighbours in the list of a mesh are mostly neighbours in space
+constexpr uint64_t most_per_pixel = 4;  // triangles: to look at more takes longer than some samples of the sky do
 
 bool sees_one_colour(const Scene& scene)
 {
@@ -194,7 +194,8 @@ void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const 
 
 void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, PathPlan& plan)
 {
-    if (!camera.is_pinhole() || !sees_one_colour(scene) || scene.triangle_count() > most_triangles) return;
+    if (!camera.is_pinhole() || !sees_one_colour(scene) || scene.triangle_count() > most_per_pixel * width * height)
+        return;
     Coverage coverage(camera, width, height);
     if (!coverage.is_useful()) return;
     const Geometry& g = scene.geometry;
