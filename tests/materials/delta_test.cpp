@@ -27,7 +27,7 @@ TEST(Glass, ReflectsExactly)
         ASSERT_TRUE(s);
         EXPECT_EQ(s->wi, (Vec3{-p.wo.x, -p.wo.y, p.wo.z}));
         EXPECT_EQ(s->weight, (Color{0.9f, 0.5f, 0.1f}));
-        EXPECT_EQ(s->pdf, fresnel_dielectric(p.wo, p.point.front ? 1.5f : 1 / 1.5f).reflectance);
+        EXPECT_EQ(s->pdf, fresnel_dielectric(p.wo, p.point.front ? 1.5 : 1 / 1.5).reflectance);
     }
 }
 

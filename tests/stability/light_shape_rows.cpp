@@ -168,7 +168,7 @@ BesidePanel beside_panel(std::initializer_list<double> places, AccelKind accel, 
 Outcome panels_close_by(const Setup& setup)
 {
     Outcome out;
-    const auto spp = static_cast<uint32_t>(setup.scaled(2048, 65536, 1 << 20));
+    const auto spp = static_cast<uint32_t>(setup.scaled(2048, 16384, 1 << 20));
     // Under the panel and beside it, as far from its edge as a few gaps.
     for (const AccelKind accel : {AccelKind::bvh2, AccelKind::bvh8}) {
         const BesidePanel found = beside_panel({0.3, 2e-6, -3e-6, -1e-5}, accel, spp, setup, out);
