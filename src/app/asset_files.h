@@ -12,8 +12,8 @@ namespace lancer {
 // meshes with their material files, pictures of textures and environments.
 std::vector<std::string> input_files(const SceneDescription& scene);
 
-// Takes the bytes of all meshes and of the pictures that are used into scene.content_hash. Not names but what is in the files counts. A
-// picture that cannot be read counts as none; whoever wants its pixels will say so.
+// Takes the bytes of all meshes and of the pictures that are used into scene.content_hash. Not names but what is in the
+// files counts. A picture that cannot be read counts as none; whoever wants its pixels will say so.
 void hash_assets(SceneDescription& scene);
 
 }  // namespace lancer
