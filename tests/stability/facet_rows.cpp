@@ -37,14 +37,15 @@ Outcome roughness(const Setup& setup)
                                        error_of_density(alpha), 1e-5));
     Claim sampled;
     const auto count = static_cast<int>(setup.scaled(20000, 1000000, 1000000));
+    const auto nodes = static_cast<uint32_t>(setup.scaled(20, 160, 160));
     for (const float alpha : {1.0f, 0.5f, 0.1f, 0.01f, 0.001f})
         for (const float cos : {1.0f, 0.7f, 0.1f, 0.01f}) {
             const Metal metal{{0.9f, 0.6f, 0.3f}, std::sqrt(alpha)};
             const Glass glass{{1, 1, 1}, 1.5f, std::sqrt(alpha)};
-            for (uint64_t seed = 1; seed <= setup.scaled(1, 5, 5); ++seed) {
-                sampled.add(sample_lobe(metal.at({}), alpha, cos, count, seed).p);
+            for (uint64_t seed = 1; seed <= setup.scaled(1, 1, 5); ++seed) {
+                sampled.add(sample_lobe(metal.at({}), alpha, cos, count, seed, nodes).p);
                 if (setup.tier == Tier::A) continue;
-                sampled.add(sample_lobe(glass.at({.front = seed % 2 == 0}), alpha, cos, count, seed).p);
+                sampled.add(sample_lobe(glass.at({.front = seed % 2 == 0}), alpha, cos, count, seed, nodes).p);
             }
         }
     out.measures.push_back(sampled.measure("samples against density"));

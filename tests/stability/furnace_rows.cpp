@@ -118,7 +118,10 @@ Outcome closed_furnaces(const Setup& setup)
             const double expected = 1 / (1 - double{rho});
             Path path;
             path.roulette_by_pixel = by_pixel, path.direct = {false, false};
-            const uint32_t spp = small ? (rho > 0.9f ? 16 : 64) : by_pixel ? 64 : rho > 0.99f ? 128 : 512;
+            const uint32_t spp = small         ? (rho > 0.9f ? 16 : 64)
+                                 : by_pixel    ? (rho > 0.99f ? 1280 : 64)
+                                 : rho > 0.99f ? 128
+                                               : 512;
             const Film film =
                 shoot(closed_furnace(rho),
                       {.integrator = path, .width = 16, .height = 16, .spp = spp, .sampler = SamplerKind::independent},
@@ -129,7 +132,7 @@ Outcome closed_furnaces(const Setup& setup)
             out.measures.push_back(at_most(name + ": distance from E / (1 - rho), in sigma",
                                            std::abs(t.mean / expected - 1) / std::max(t.error() / expected, 3e-6), 3));
             // Of the roulette that is the product's choice; the other one is noisier.
-            const double most = 0.002 * std::sqrt(64.0 / spp);
+            const double most = small ? 0.002 * std::sqrt(64.0 / spp) : 0.002;
             out.measures.push_back(by_pixel ? at_most(name + ": sigma", t.error() / expected, most)
                                             : told(name + ": sigma", t.error() / expected));
         }
