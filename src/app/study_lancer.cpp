@@ -127,7 +127,7 @@ std::optional<RunResult> run_lancer(StudyWork& work, const StudyPlan::Scene& sce
 {
     const std::string name = work.file("runs/" + scene.name + "." + method.name + "." + std::to_string(seed));
     std::vector<std::pair<const char*, std::string>> more{{"--seed", std::to_string(seed)}};
-    if (work.plan.time) more.emplace_back("--time", shortest(*work.plan.time));
+    if (method.time) more.emplace_back("--time", shortest(*method.time));
     if (work.plan.spp) more.emplace_back("-s", std::to_string(*work.plan.spp));
     more.insert(more.end(), {{"--reference", reference.files[0]},
                              {"--reference2", reference.files[1]},

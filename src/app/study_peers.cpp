@@ -176,7 +176,7 @@ PeerMethod::Outcome PeerMethod::start(const StudyPlan::Scene& scene, const OnSce
 void PeerMethod::choose_samples(const StudyPlan::Scene& scene, const Reference& reference, OnScene& on,
                                 MethodOnScene& known)
 {
-    const auto [time, most] = std::pair(work_.plan.time, work_.plan.spp);
+    const auto [time, most] = std::pair(method_.time, work_.plan.spp);
     Order probe{.name = work_.file("runs/" + scene.name + "." + method_.name + ".probe"), .samples = {}};
     const std::string key = key_of(reference, on, probe) + (time ? " time " + shortest(*time) : "") +
                             (most ? " spp " + std::to_string(*most) : "");
@@ -203,9 +203,7 @@ void PeerMethod::choose_samples(const StudyPlan::Scene& scene, const Reference& 
         write_text(kept, shortest(seconds_per_sample) + "\n");
         mark_done(kept, key);
     }
-    // For a speed alone one picture of a quarter of the time will do.
-    const auto time_of_all = time && method_.throughput_only ? std::optional(*time / 4) : time;
-    on.samples = peer_samples(seconds_per_sample, time_of_all, most, about_.squares);
+    on.samples = peer_samples(seconds_per_sample, time, most, about_.squares);
     if (method_.throughput_only) on.samples = {on.samples.back()};
 }
 

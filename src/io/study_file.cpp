@@ -58,7 +58,7 @@ StudyPlan::Scene read_scene(const TomlTable& table, const std::filesystem::path&
 
 StudyPlan::Method read_method(const TomlTable& table)
 {
-    table.allow({"name", "description", "options", "peer", "throughput_only", "own_reference_spp"});
+    table.allow({"name", "description", "options", "peer", "throughput_only", "own_reference_spp", "time"});
     StudyPlan::Method method;
     method.name = plain_name(table);
     method.description = table.text("description").value_or("");
@@ -71,6 +71,7 @@ StudyPlan::Method read_method(const TomlTable& table)
     method.throughput_only = table.boolean("throughput_only").value_or(false);
     if (const auto n = table.integer("own_reference_spp", 16, 1 << 24))
         method.own_reference_spp = static_cast<uint32_t>(*n);
+    method.time = table.number("time", above_zero);
     return method;
 }
 
@@ -95,7 +96,8 @@ StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics)
     plan.peer_timeout = root.number("peer_timeout", above_zero).value_or(plan.peer_timeout);
     for (const TomlTable& table : root.tables("scene")) plan.scenes.push_back(read_scene(table, folder));
     for (const TomlTable& table : root.tables("method")) {
-        plan.methods.push_back(read_method(table));
+        StudyPlan::Method& method = plan.methods.emplace_back(read_method(table));
+        if (!method.time) method.time = plan.time;
         if (table.has("peer") && plan.peers.empty())
             table.error("peer", " needs 'peers' at the top level: the folder of the script that starts it");
     }

@@ -24,6 +24,7 @@ struct StudyPlan {
         std::string peer;
         bool throughput_only = false;       // its picture is not the scene's: never ranked
         uint32_t own_reference_spp = 1024;  // of each half of the reference that it draws for itself
+        std::optional<double> time;         // seconds of rendering of each run: its own or the study's
     };
 
     std::string title, baseline;  // baseline: name of the method that others are held against

@@ -31,9 +31,8 @@ std::vector<PeerRecord> read_peer_records(const std::string& name, const std::st
 // How long the first picture that its speed is told from should take at least, as a part of the study's time.
 inline constexpr double probe_part = 1.0 / 16;
 
-// Samples per pixel of the pictures of a run: doubling from 1 on (fourfold where they must be squares), the last one so
-// that it takes the time. A doubling within a quarter of the last is left out. Without a time
-// up to `most`, which holds beside a time as well.
+// Samples per pixel of the pictures of a run, ascending fourfold, so that all together take a third more than the last;
+// that one takes the time. Without a time up to `most`, which holds beside a time as well. `squares`: of square numbers.
 std::vector<uint32_t> peer_samples(double seconds_per_sample, std::optional<double> time, std::optional<uint32_t> most,
                                    bool squares);
 

@@ -111,10 +111,10 @@ TEST_F(StudyPeers, ItsPicturesAreWorthWhatTheSameOfLancerAre)
     const auto ours = runs_of("path"), theirs = runs_of("other");
     ASSERT_EQ(theirs.size(), 2u);
     for (size_t i = 0; i < 2; ++i) {
-        ASSERT_EQ(theirs[i].points.size(), 5u);
-        for (size_t k = 0; k < 5; ++k) {
-            const ErrorPoint &a = ours[i].points[k], &b = theirs[i].points[k];
-            EXPECT_EQ(b.spp, 1u << k);
+        ASSERT_EQ(theirs[i].points.size(), 3u);
+        for (size_t k = 0; k < 3; ++k) {
+            const ErrorPoint &a = ours[i].points[2 * k], &b = theirs[i].points[k];
+            EXPECT_EQ(b.spp, 1u << 2 * k);
             EXPECT_EQ(a.spp, b.spp);
             EXPECT_EQ(a.rmse, b.rmse);
             EXPECT_EQ(a.relmse, b.relmse);
@@ -122,7 +122,7 @@ TEST_F(StudyPeers, ItsPicturesAreWorthWhatTheSameOfLancerAre)
             EXPECT_EQ(a.smape, b.smape);
             EXPECT_EQ(a.flip, b.flip);
             EXPECT_EQ(a.rays_camera, b.rays_camera);
-            EXPECT_DOUBLE_EQ(b.wall_s, 1e-4 * (1 << k));
+            EXPECT_DOUBLE_EQ(b.wall_s, 1e-4 * (1 << 2 * k));
             EXPECT_TRUE(std::isnan(b.cpu_s));
         }
     }
@@ -136,9 +136,9 @@ TEST_F(StudyPeers, StandsASecondTimeAgainstItsOwnReference)
     ASSERT_EQ(run_study().code, 0);
     const auto own = runs_of("other (own reference)"), theirs = runs_of("other");
     ASSERT_EQ(own.size(), 2u);
-    EXPECT_EQ(own[0].points.size(), 5u);
-    EXPECT_NE(own[0].points[4].relmse, theirs[0].points[4].relmse);
-    EXPECT_EQ(own[0].points[4].wall_s, theirs[0].points[4].wall_s);
+    EXPECT_EQ(own[0].points.size(), 3u);
+    EXPECT_NE(own[0].points[2].relmse, theirs[0].points[2].relmse);
+    EXPECT_EQ(own[0].points[2].wall_s, theirs[0].points[2].wall_s);
     const Study s = result();
     const MethodOnScene& known = s.on_scene("balls", "other (own reference)");
     EXPECT_EQ(known.reference, "fake 7, two halves of 32 spp each, seeds of their own");
@@ -193,9 +193,9 @@ TEST_F(StudyPeers, APictureThatTookLongerThanABetterOneIsLeftOut)
     peer_is(text);
     ASSERT_EQ(run_study().code, 0);
     const StudyRun run = runs_of("other")[0];
-    ASSERT_EQ(run.points.size(), 4u);
-    EXPECT_EQ(run.points[1].spp, 2u);
-    EXPECT_EQ(run.points[2].spp, 8u);
+    ASSERT_EQ(run.points.size(), 2u);
+    EXPECT_EQ(run.points[0].spp, 1u);
+    EXPECT_EQ(run.points[1].spp, 16u);
 }
 
 TEST_F(StudyPeers, WhatCannotBeHadIsLeftOutAndSaid)
@@ -242,11 +242,11 @@ TEST_F(StudyPeers, WhatGoesWrongIsAFailedRun)
     expect(script(about, "echo out of luck >&2; exit 1"), "out of luck");
     expect(script(about, "kill -SEGV $$"), "ended with 139");
     expect(script(about, "echo '{{{'"), "is not the JSON of a peer: {{{");
-    expect(script(about, "[ $n = 8 ] && continue"), "told of 4 pictures and was asked for 5");
+    expect(script(about, "[ $n = 4 ] && continue"), "told of 2 pictures and was asked for 3");
     expect(script(about, "echo '{\"spp\":3,\"render_wall_s\":1,\"render_cpu_s\":null,\"biases\":[]}'; exit 0"),
            "told of 3 samples");
-    expect(script(about, "[ $n = 8 ] && size='--size 3x3'"), "the pictures differ in size");
-    expect(script(about, "[ $n = 2 ] && out=elsewhere%d.exr"), "balls.other.1.2.exr");
+    expect(script(about, "[ $n = 4 ] && size='--size 3x3'"), "the pictures differ in size");
+    expect(script(about, "[ $n = 1 ] && out=elsewhere%d.exr"), "balls.other.1.1.exr");
 }
 
 TEST_F(StudyPeers, OneThatDoesNotEndIsStoppedWithAllThatItStarted)

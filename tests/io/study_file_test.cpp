@@ -51,6 +51,8 @@ TEST(StudyFile, OptionsAreWordsAndFilesLieBesideIt)
     EXPECT_TRUE(std::filesystem::equivalent(plan.scenes[0].file, LANCER_SOURCE_DIR "/scenes/cornell.toml"));
     EXPECT_EQ(plan.methods.back().name, plan.baseline);
     EXPECT_TRUE(plan.methods.back().options.empty());
+    EXPECT_EQ(plan.methods.front().time, 3) << "its own";
+    EXPECT_EQ(plan.methods.back().time, 15) << "that of the study";
 }
 
 }  // namespace

@@ -12,16 +12,16 @@ namespace {
 
 using Samples = std::vector<uint32_t>;
 
-TEST(StudyPeer, SamplesDoubleUntilTheTimeIsUsedUp)
+TEST(StudyPeer, SamplesGrowFourfoldUntilTheTimeIsUsedUp)
 {
-    EXPECT_EQ(peer_samples(0.1, 1.0, {}, false), (Samples{1, 2, 4, 10}));  // 8 is within a quarter of 10
-    EXPECT_EQ(peer_samples(0.1, 1.5, {}, false), (Samples{1, 2, 4, 8, 15}));
-    EXPECT_EQ(peer_samples(0.1, 1.6, {}, false), (Samples{1, 2, 4, 8, 16}));
-    EXPECT_EQ(peer_samples(0.1, {}, 16, false), (Samples{1, 2, 4, 8, 16}));
-    EXPECT_EQ(peer_samples(0.1, 1.5, 8, false), (Samples{1, 2, 4, 8}));
+    EXPECT_EQ(peer_samples(0.1, 1.0, {}, false), (Samples{2, 10}));
+    EXPECT_EQ(peer_samples(0.1, 1.5, {}, false), (Samples{3, 15}));
+    EXPECT_EQ(peer_samples(0.1, 1.6, {}, false), (Samples{1, 4, 16}));
+    EXPECT_EQ(peer_samples(0.1, {}, 16, false), (Samples{1, 4, 16}));
+    EXPECT_EQ(peer_samples(0.1, 1.5, 8, false), (Samples{2, 8}));
     EXPECT_EQ(peer_samples(10, 1.0, {}, false), (Samples{1}));
-    EXPECT_EQ(peer_samples(0.1, 10.0, {}, true), (Samples{1, 4, 16, 64, 100}));
-    EXPECT_EQ(peer_samples(0.1, 1.0, {}, true), (Samples{1, 4, 9}));
+    EXPECT_EQ(peer_samples(0.1, 10.0, {}, true), (Samples{1, 4, 25, 100}));
+    EXPECT_EQ(peer_samples(0.1, 1.0, {}, true), (Samples{1, 9}));
     EXPECT_EQ(peer_samples(0, 1.0, {}, false).back(), 1u << 28);
 }
 
