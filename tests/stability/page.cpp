@@ -22,7 +22,8 @@ constexpr std::array groups{Group{'N', "Scale and place"},
                             Group{'L', "Light"},
                             Group{'A', "Film and sampling"},
                             Group{'C', "Camera and command line"},
-                            Group{'M', "Materials"}};
+                            Group{'M', "Materials"},
+                            Group{'S', "Scenes that come with lancer"}};
 
 std::vector<const Result*> of_group(const std::vector<Result>& results, char letter)
 {

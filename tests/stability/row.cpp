@@ -41,7 +41,7 @@ std::vector<Row> all_rows()
 {
     std::vector<Row> all;
     for (auto* group : {scale_rows, geometry_rows, ray_rows, sphere_rows, surface_rows, light_rows, film_rows,
-                        camera_rows, material_rows})
+                        camera_rows, material_rows, shipped_rows})
         for (Row& row : group()) all.push_back(std::move(row));
     return all;
 }

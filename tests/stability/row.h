@@ -80,6 +80,7 @@ std::vector<Row> light_rows();     // L
 std::vector<Row> film_rows();      // A: film and sampling
 std::vector<Row> camera_rows();    // C: camera and command line
 std::vector<Row> material_rows();  // M
+std::vector<Row> shipped_rows();   // S: the scenes that come with lancer
 std::vector<Row> all_rows();
 
 }  // namespace lancer::stability
