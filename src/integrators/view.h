@@ -1,6 +1,7 @@
 // All that an integrator can see of a scene. No accelerator: rays are asked for through Steps.
 #pragma once
 
+#include <span>
 #include <utility>
 
 #include "core/sampler.h"
@@ -21,6 +22,11 @@ struct View {
     Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place) const
     {
         return lancer::surface_at(scene, ray, hit, cone, place);
+    }
+    // See scene/triangle_place.h.
+    void triangle_places(std::span<const Hit> hits, std::span<TrianglePlace> places) const
+    {
+        lancer::triangle_places(scene, hits, places);
     }
 
     // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
