@@ -101,7 +101,6 @@ template <unsigned without>
     if constexpr (asks(legacy))
         if (scene.legacy) return s;
     if constexpr (asks(vertex_normals)) {
-        if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));
         if (s.ns == s.n) return s;
         s = lancer::surface_at(scene, ray, hit, cone, placed);
     }
@@ -259,8 +258,7 @@ struct NoMixes : Everything {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
     {
-        const ShadingPoint point = scene.shading_point(s);
-        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[s.material]);
+        return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[s.material]);
     }
 };
 // Lambert is all there is.
@@ -268,7 +266,7 @@ struct OnlyLambert : Everything {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
     {
-        return f(std::get_if<Lambert>(&scene.materials[s.material])->at(scene.shading_point(s)));
+        return f(bsdf_at(*std::get_if<Lambert>(&scene.materials[s.material]), s));
     }
 };
 // The same of all materials, but Lambert has a colour each, and no texture; is_white: nor have vertices colours.
@@ -277,18 +275,19 @@ struct NoTextures : Everything {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
-        const ShadingPoint point = scene.shading_point(s);
         uint32_t id = s.material;
         if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
-            id = scene.scattering_material(id, point, sampler.get1(bounce, Dim::mix));
+            id = scene.scattering_material(id, scene.shading_point(s), sampler.get1(bounce, Dim::mix));
         return std::visit(
             [&]<class M>(const M& material) {
                 if constexpr (!std::is_same_v<M, Lambert>)
-                    return f(material.at(point));
-                else if constexpr (is_white)
-                    return f(LambertBsdf{point.eval(material.albedo)});
+                    return f(bsdf_at(material, s));
+                else if constexpr (!is_white)
+                    return f(LambertBsdf{material.albedo.value * s.vertex_color});
+                else if (material.albedo.texture == no_texture)
+                    return f(LambertBsdf{material.albedo.value});
                 else
-                    return f(LambertBsdf{material.albedo.value * point.vertex_color});
+                    return f(LambertBsdf{scene.shading_point(s).eval(material.albedo)});
             },
             scene.materials[id]);
     }

@@ -34,11 +34,21 @@ struct View {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
-        const ShadingPoint point = scene.shading_point(s);
         uint32_t id = s.material;
         if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
-            id = scene.scattering_material(id, point, sampler.get1(bounce, Dim::mix));
-        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[id]);
+            id = scene.scattering_material(id, scene.shading_point(s), sampler.get1(bounce, Dim::mix));
+        return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[id]);
+    }
+    template <class Material>
+    auto bsdf_at(const Material& material, const Surface& s) const
+    {
+        return material.at(scene.shading_point(s));
+    }
+    // Where nothing is looked up a matt surface wants to know no more of the place.
+    LambertBsdf bsdf_at(const Lambert& lambert, const Surface& s) const
+    {
+        if (lambert.albedo.texture == no_texture) return {lambert.albedo.value * s.vertex_color};
+        return lambert.at(scene.shading_point(s));
     }
     // What the classic integrators see of the place; of a mix, mixed.
     Phong phong(const Surface& s) const { return scene.phong(s.material, scene.shading_point(s)); }

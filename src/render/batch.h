@@ -125,6 +125,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             }
     };
     const bool has_media = view.has_media();
+    MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const State& s : w.states) w.rays.push_back(s.ray);
@@ -147,16 +148,13 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
-                const auto hit = [&] {
+                if (!has_media || media.enter(view, s, surface, w.queue, steps)) {
                     if constexpr (LooksAhead<Integrator>)
                         integrator.hit(view, s, surface, *samplers[k], aheads[k / float_lanes], k % float_lanes, steps);
                     else
                         integrator.hit(view, s, surface, *samplers[k], steps);
-                };
-                if (has_media)
-                    hit_in_media(view, s, surface, w.queue, steps, hit);
-                else
-                    hit();
+                    if (has_media) media.leave(view, surface, w.queue);
+                }
             } else {
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, steps);
