@@ -43,6 +43,13 @@ struct Everything : View {
     {
         return calls.pdf_light(scene, from, normal, wi, at);
     }
+    // For views in which nothing that shines has a texture.
+    Color emission_of_one_colour(const Surface& s) const
+    {
+        const Emission& e = scene.emission[s.material];
+        if (e.is_dark()) return {};
+        return s.front || e.both_sides ? e.radiance.value : Color{};
+    }
 };
 
 // ---- surfaces: surface_at() and triangle_places() as they are for flat triangles; of all else only the question
@@ -236,11 +243,7 @@ struct FlatLights : Everything {
         const Discrete::Stretched s = scene.lights.pick.stretch(u.x);
         return sample_flat_light(scene, from, s.index, {s.u, u.y}, through);
     }
-    Color emission(const Surface& s) const
-    {
-        const Emission& e = scene.emission[s.material];
-        return s.front || e.both_sides ? e.radiance.value : Color{};
-    }
+    Color emission(const Surface& s) const { return emission_of_one_colour(s); }
     float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
     {
         return pdf_flat_light(scene, from, normal, wi, at);
@@ -294,8 +297,7 @@ struct NoTextures : Everything {
     Color emission(const Surface& s) const
     {
         if constexpr (is_white) return View::emission(s);
-        const Emission& e = scene.emission[s.material];
-        return s.front || e.both_sides ? e.radiance.value : Color{};
+        return emission_of_one_colour(s);
     }
 };
 struct NoCutOuts : Everything {

@@ -55,7 +55,8 @@ struct View {
     Color emission(const Surface& s) const
     {
         const Emission& e = scene.emission[s.material];
-        return e.is_dark() ? Color{} : e.towards(s.front, scene.shading_point(s));
+        if (e.is_dark()) return {};
+        return e.radiance.texture == no_texture ? e.towards(s.front) : e.towards(s.front, scene.shading_point(s));
     }
     // Radiance of a ray that left the scene.
     Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
@@ -77,7 +78,7 @@ struct View {
     // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
     bool lit_by_constant_sky() const
     {
-        return scene.lights.lights.size() == 1 && scene.environment_light != Scene::none && !scene.environment_table;
+        return scene.environment_light != Scene::none && scene.lights.lights.size() == 1 && !scene.environment_table;
     }
     // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
     // choice.
@@ -102,7 +103,12 @@ struct View {
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
-        return scene.geometry.holes.let_pass ? sampler.key(bounce, dim) : 0;
+        return scene.geometry.holes.let_pass ? key_in_scene_with_holes(sampler, bounce, dim) : 0;
+    }
+    // Out of line, so that the hash does not stand in the kernel for each kind of ray.
+    [[gnu::noinline]] static uint32_t key_in_scene_with_holes(const Sampler& sampler, uint32_t bounce, Dim dim)
+    {
+        return sampler.key(bounce, dim);
     }
     float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
     {

@@ -28,13 +28,6 @@ std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, c
     return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
 }
 
-TrianglePoint point_on(const Scene& scene, const TriangleLight& light, Vec2 uv)
-{
-    if (light.area == 0) return triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
-    const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
-    return {at.p, at.p_error, light.n, light.area};
-}
-
 // What a place of a light sends out to one side, as far as there is a surface. uv(): of the place; only asked if
 // something is looked up there.
 template <class Uv>
@@ -48,24 +41,32 @@ Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& u
 
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
+    const Vec2 uv = square_to_triangle(u);
+    Vec3 p, p_error, n = light.n;
+    float area = light.area;
+    if (area > 0) {
+        const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
+        p = at.p, p_error = at.p_error;
+    } else {
+        const TrianglePoint at = triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
+        p = at.p, p_error = at.p_error, n = at.n, area = at.area;
+    }
     // Made in place: what is copied as a whole right after it was written in parts waits for all that came before.
     std::optional<LightSample> s;
-    const Vec2 uv = square_to_triangle(u);
-    const TrianglePoint q = point_on(scene, light, uv);
-    const Vec3 d = q.p - org;
+    const Vec3 d = p - org;
     const float d2 = dot(d, d);
     if (!(d2 > 0)) return s;
     const Vec3 wi = d / std::sqrt(d2);
-    const float c = -dot(wi, q.n);
+    const float c = -dot(wi, n);
     const MeshShading& shading = scene.shading[light.mesh];
     const Color radiance = radiance_at(scene, shading.material_of(light.triangle), c > 0,
                                        [&] { return texture_uv(shading, light.triangle, uv); });
     if (c == 0 || is_black(radiance)) return s;
     s.emplace();
     s->wi = wi;
-    s->point = q.p, s->p_error = q.p_error, s->n = q.n;
+    s->point = p, s->p_error = p_error, s->n = n;
     s->radiance = radiance;
-    s->pdf = d2 / (std::abs(c) * q.area);
+    s->pdf = d2 / (std::abs(c) * area);
     return s;
 }
 
@@ -146,6 +147,13 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
     return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
 }
 
+// Whatever it is. Out of line: most lights are triangles, and should not pay for what the others want of the stack.
+[[gnu::noinline]] std::optional<LightSample> sample_other(const Scene& scene, const Light& any, const Surface& from,
+                                                          Vec3 org, Vec2 u)
+{
+    return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, any);
+}
+
 LightTree::Choice choose_light(const LightTable& table, const Surface& from, double u)
 {
     if (!table.tree) {
@@ -211,7 +219,9 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     // from.p itself the two could disagree even on which side of a sphere they are.
     const auto sampled_from = [&](Vec3 side) {
         const Vec3 org = ray_origin(from, side);
-        return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+        const Light& light = table.lights[id];
+        const auto* const triangle = std::get_if<TriangleLight>(&light);
+        return triangle ? sample(scene, *triangle, from, org, u) : sample_other(scene, light, from, org, u);
     };
     auto s = sampled_from(from.n);
     if (s && dot(s->wi, from.side) < 0 && through) {
