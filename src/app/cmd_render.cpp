@@ -89,7 +89,7 @@ void Run::load()
                         format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
     }
     log_.emplace(options_);
-    log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
+    if (log_->is_wanted()) log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
     log_->warn_of_shared_samples(settings_.seed);
 }
 
@@ -147,7 +147,7 @@ std::string Run::settings_hash(uint32_t spp) const
 
 void Run::estimate_error(const Film& film)
 {
-    halves_.look(film);
+    if (settings_.spp > 1) halves_.look(film);
     if (const auto error = halves_.rel_mse()) stats_.estimated_error = std::sqrt(*error);
     if (film.replicates.empty()) return;
     const auto from_replicates = estimate_from_replicates(film, settings_.replicates);
@@ -247,7 +247,7 @@ void Run::render(const Renderer& renderer)
 
 void Run::write(const Film& film)
 {
-    write_outputs(options_, settings_.tonemap, to_image(film), aov_planes(film, options_.aovs, normalisation_),
+    write_outputs(options_, settings_.tonemap, film, aov_planes(film, options_.aovs, normalisation_),
                   make_metadata(stats_));
 }
 
