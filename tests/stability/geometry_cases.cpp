@@ -87,7 +87,7 @@ Outcome slivers(const Setup& setup)
         // From the middle, far from every face: the ball of radius 1/2 touches none.
         const RaysFromInside from_inside(g.meshes[0], {{{0, 0, 0}, 0.5}});
         // Of the largest each ray meets the boxes of thousands.
-        const uint64_t count = setup.scaled(800, 20000, 250000) / (shape.corners > 2000 ? 20 : 1);
+        const uint64_t count = setup.scaled(800, 5000, 100000) / (shape.corners > 2000 ? 20 : 1);
         for (const Aim aim : {Aim::random, Aim::edge, Aim::vertex})
             for (const Asked asked : all_asked) {
                 misses[aim] += static_cast<double>(
