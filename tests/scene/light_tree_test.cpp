@@ -134,7 +134,7 @@ TEST(LightTree, StandsAnyArrangement)
     }
     for (const auto& lights : {row, heap}) {
         const LightTree tree(lights);
-        EXPECT_LT(tree.node_count(), 1000u);
+        EXPECT_LT(tree.node_count(), 250u);  // those at the bottom are full
         for (const Vec3 place : {Vec3{0, 0, 0}, Vec3{1, 2, 3}, Vec3{0, 1e10f, 0}}) {
             const LightTree::Choice c = tree.choose(place, {0, 1, 0}, 0.3);
             EXPECT_LT(c.light, 1000u);
