@@ -61,9 +61,11 @@ size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, size_t 
             if (cost < least) least = cost, first = below;
         }
     }
-    const size_t step = n > float_lanes ? float_lanes : 1;
+    const size_t step = n > float_lanes ? float_lanes : 1, wanted = first;
     const auto fits = [&](size_t count) {
-        return count > 0 && count < n && count % step == 0 &&
+        // One by itself stays so: beside a lamp that outshines all others, those would hardly be found.
+        const bool fills = count % step == 0 || (count == wanted && (count == 1 || count == n - 1));
+        return count > 0 && count < n && fills &&
                groups_in(count, most) + groups_in(n - count, most) <= groups_in(n, most) + spare;
     };
     // The nearest that fits.
