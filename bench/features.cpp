@@ -141,7 +141,7 @@ std::vector<Feature> features()
         {"thin lens",
          scene([](SceneDescription& d) { d.camera->type = CameraType::thin_lens, d.camera->aperture = 1e-9; })},
         {"wide filter", [](SceneDescription&, PictureOptions& p, Film&) { p.filter = "blackman-harris"; }},
-        {"AOVs", [](SceneDescription&, PictureOptions&, Film& f) { f.aovs.resize(f.pixels.size()); }},
+        {"AOVs", [](SceneDescription&, PictureOptions&, Film& f) { f.keep_aovs(layout_of(all_aovs())); }},
         {"replicates",
          [](SceneDescription&, PictureOptions& p, Film& f) {
              p.replicates = 4;

@@ -95,7 +95,7 @@ void write_map(const CompareOptions& options, const Image& picture, const Image&
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".exr")
-            write_exr(file, numbers, metadata);
+            write_exr(file, rows_of(numbers), metadata);
         else if (extension_of(path) == ".png")
             write_png(file, colours, metadata);
         else

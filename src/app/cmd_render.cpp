@@ -48,7 +48,7 @@ private:
     void write_stats();
     void say_settings() const;
     void say_left_out() const;
-    void say_plan(const Renderer& renderer, const PathPlan& plan) const;
+    void say_plan(const Renderer& renderer, const Film& film, const PathPlan& plan) const;
     void say_summary() const;
     void say_dropped() const;
 
@@ -89,7 +89,7 @@ void Run::load()
                         format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
     }
     log_.emplace(options_);
-    log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
+    if (log_->is_wanted()) log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
     log_->warn_of_shared_samples(settings_.seed);
 }
 
@@ -133,7 +133,7 @@ void Run::describe(const Renderer& renderer)
                        .filter = s.filter,
                        .accel = s.accel,
                        .isa = s.isa,
-                       .kernel = std::string(name_of(renderer.profile())),
+                       .kernel = std::string(name_of(renderer.profile(layout_of(options_.aovs)))),
                        .switches = s.switches,
                        .biases = biases_of(renderer.integrator()),
                        .hash = settings_hash(s.spp)};
@@ -147,7 +147,7 @@ std::string Run::settings_hash(uint32_t spp) const
 
 void Run::estimate_error(const Film& film)
 {
-    halves_.look(film);
+    if (settings_.spp > 1) halves_.look(film);
     if (const auto error = halves_.rel_mse()) stats_.estimated_error = std::sqrt(*error);
     if (film.replicates.empty()) return;
     const auto from_replicates = estimate_from_replicates(film, settings_.replicates);
@@ -188,7 +188,7 @@ void Run::render(const Renderer& renderer)
     const Settings& s = settings_;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
     Film film(s.width, s.height, s.crop);
-    if (!options_.aovs.empty()) film.aovs.resize(film.pixels.size());
+    film.keep_aovs(layout_of(options_.aovs));
     if (s.switches[Switch::stop]) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
@@ -238,7 +238,7 @@ void Run::render(const Renderer& renderer)
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose) say_plan(renderer, renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) say_plan(renderer, film, renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (stats_.samples + stats_.counters.dropped == 0) return;
@@ -247,7 +247,7 @@ void Run::render(const Renderer& renderer)
 
 void Run::write(const Film& film)
 {
-    write_outputs(options_, settings_.tonemap, to_image(film), aov_planes(film, options_.aovs, normalisation_),
+    write_outputs(options_, settings_.tonemap, film, aov_planes(film, options_.aovs, normalisation_),
                   make_metadata(stats_));
 }
 
@@ -275,10 +275,10 @@ void Run::say_left_out() const
     for (const LeftOut& l : stats_.scene.left_out) print_note("  " + to_string(l));
 }
 
-void Run::say_plan(const Renderer& renderer, const PathPlan& plan) const
+void Run::say_plan(const Renderer& renderer, const Film& film, const PathPlan& plan) const
 {
     const auto open = static_cast<size_t>(std::count(plan.open.begin(), plan.open.end(), 1));
-    if (open)
+    if (open && film.aovs.empty())
         print_note(format_text("left out: camera rays of %zu of %zu squares of %u pixels, which see only sky", open,
                                plan.open.size(), plan.open_cell));
     if (!std::holds_alternative<Path>(renderer.integrator())) return;

@@ -114,17 +114,21 @@ void StudyRunner::take(const RunResult& result)
 void StudyRunner::measure()
 {
     const StudyPlan& plan = work_.plan;
+    // A speed alone is known after few.
+    const auto seeds_of = [&](const StudyPlan::Method& m) {
+        return m.throughput_only ? std::min(plan.seeds, 3u) : plan.seeds;
+    };
     size_t all = 0, done = 0;
     for (const StudyPlan::Scene& scene : plan.scenes)
         for (const StudyPlan::Method& method : plan.methods)
-            all += is_left_out(scene.name, method.name) ? 0 : plan.seeds;
+            all += is_left_out(scene.name, method.name) ? 0 : seeds_of(method);
     const double start = wall_seconds();
     work_.started = 0;
     // Methods in turns, so that what slows the machine down for a while slows all of them down.
     for (uint64_t seed = 1; seed <= plan.seeds; ++seed)
         for (const StudyPlan::Scene& scene : plan.scenes)
             for (const StudyPlan::Method& method : plan.methods) {
-                if (is_left_out(scene.name, method.name)) continue;
+                if (is_left_out(scene.name, method.name) || seed > seeds_of(method)) continue;
                 const double left = work_.started == 0 ? 0
                                                        : (wall_seconds() - start) / static_cast<double>(work_.started) *
                                                              static_cast<double>(all - done);

@@ -134,8 +134,8 @@ void add_aovs(const std::string& text, std::vector<Aov>& aovs)
     known.push_back("all");
     for (const std::string& part : split(text, ',')) {
         to_name("--aov", part, known);
-        for (size_t i = 0; i < aov_names.size(); ++i)
-            if (part == "all" || part == aov_names[i]) aovs.push_back(static_cast<Aov>(i));
+        for (const Aov aov : all_aovs())
+            if (part == "all" || part == aov_names[static_cast<size_t>(aov)]) aovs.push_back(aov);
     }
     std::sort(aovs.begin(), aovs.end());
     aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());

@@ -16,6 +16,20 @@
 namespace lancer {
 namespace {
 
+Window window_of(const Tile& t)
+{
+    return {static_cast<int32_t>(t.x0), static_cast<int32_t>(t.y0), static_cast<int32_t>(t.x1),
+            static_cast<int32_t>(t.y1)};
+}
+
+ImageRows rows_of(const Film& film)
+{
+    return {window_of({0, 0, film.width, film.height}), window_of(film.crop), [&film](int32_t y, std::span<Color> row) {
+                const size_t first = film.index(film.crop.x0, static_cast<uint32_t>(y));
+                for (size_t i = 0; i < row.size(); ++i) row[i] = film.whole(first + i).mean();
+            }};
+}
+
 // Whatever keeps the mean of the picture from the truth, however many samples it has.
 std::string bias_ledger(const RunStats& s)
 {
@@ -63,11 +77,8 @@ void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
 
 Image to_image(const Film& film)
 {
-    const auto window = [](const Tile& t) {
-        return Window{static_cast<int32_t>(t.x0), static_cast<int32_t>(t.y0), static_cast<int32_t>(t.x1),
-                      static_cast<int32_t>(t.y1)};
-    };
-    Image image = make_image(window({0, 0, film.width, film.height}), window(film.crop));
+    const ImageRows rows = rows_of(film);
+    Image image = make_image(rows.display, rows.data);
     for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.whole(i).mean();
     return image;
 }
@@ -100,7 +111,7 @@ Metadata make_metadata(const RunStats& s)
             {"command_line", s.context.command_line}};
 }
 
-void write_outputs(const RenderOptions& options, ToneMap tonemap, const Image& image,
+void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata)
 {
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
@@ -109,11 +120,11 @@ void write_outputs(const RenderOptions& options, ToneMap tonemap, const Image& i
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, image, metadata, bytes);
+            write_png(file, to_image(film), metadata, bytes);
         } else if (extension_of(path) == ".ppm") {
-            write_ppm(file, image, metadata, bytes, options.ascii_ppm);
+            write_ppm(file, to_image(film), metadata, bytes, options.ascii_ppm);
         } else {
-            write_exr(file, image, metadata, {.half = options.half}, planes);
+            write_exr(file, rows_of(film), metadata, {.half = options.half}, planes);
         }
         file.finish();
     }

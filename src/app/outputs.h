@@ -22,7 +22,7 @@ Image to_image(const Film& film);
 Metadata make_metadata(const RunStats& stats);
 
 // Planes go into EXR pictures only, the tone map into the others.
-void write_outputs(const RenderOptions& options, ToneMap tonemap, const Image& image,
+void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata);
 
 }  // namespace lancer

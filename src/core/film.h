@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/aov_layout.h"
 #include "core/color.h"
 
 namespace lancer {
@@ -28,28 +29,6 @@ struct Pixel {
         for (size_t c = 0; c < 3; ++c) sum[c] += o.sum[c];
         sum_sq += o.sum_sq;
         n += o.n;
-        return *this;
-    }
-};
-
-// What the first surfaces behind a pixel look like, as sums over its samples; see render/aov.h. Lengths in scene units.
-struct AovPixel {
-    std::array<double, 3> albedo{}, flat{}, normal{}, position{};
-    std::array<double, 2> uv{};
-    double depth = 0;
-    uint32_t samples = 0, hits = 0;
-    uint32_t material = 0;  // 1 + that of the first sample, 0 if it hit nothing
-
-    AovPixel& operator+=(const AovPixel& o)
-    {
-        for (size_t c = 0; c < 3; ++c) {
-            albedo[c] += o.albedo[c], flat[c] += o.flat[c];
-            normal[c] += o.normal[c], position[c] += o.position[c];
-        }
-        uv[0] += o.uv[0], uv[1] += o.uv[1];
-        depth += o.depth;
-        samples += o.samples, hits += o.hits;
-        material += o.material;
         return *this;
     }
 };
@@ -77,12 +56,15 @@ struct Film {
     uint32_t width = 0, height = 0;  // of the whole picture
     Tile crop;                       // the part that is rendered; pixels holds only that
     std::vector<Pixel> pixels;
-    std::vector<AovPixel> aovs;  // parallel to pixels if wanted, else empty: they are then not looked at
+    // Sums for AOVs: all of the first pixel, then all of the next one. Empty if none is wanted: nobody then looks at
+    // what is hit first.
+    AovLayout aov_layout;
+    std::vector<double> aovs;
 
     // Blocks that the last pass ended within and that the next one goes on with: parallel to pixels and to aovs, else
     // empty: then only the first block can be gone on with, while there is nothing else in a pixel.
     std::vector<Pixel> open;
-    std::vector<AovPixel> open_aovs;
+    std::vector<double> open_aovs;
     // If they are wanted, all of the first pixel, then all of the next one; else empty.
     std::vector<ReplicateSum> replicates;
 
@@ -90,6 +72,8 @@ struct Film {
     std::vector<uint32_t> wanted;
 
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
+    // Wants sums for AOVs. Nothing must have been rendered yet.
+    void keep_aovs(const AovLayout& layout) { aov_layout = layout, aovs.assign(pixels.size() * layout.size(), 0); }
     // From now on a pass may end after any sample without a bit that differs. Aovs must be there before.
     void keep_blocks_open() { open.resize(pixels.size()), open_aovs.resize(aovs.size()); }
     // With what is open.
@@ -99,11 +83,11 @@ struct Film {
         if (!open.empty()) p += open[i];
         return p;
     }
-    AovPixel whole_aov(size_t i) const
+    // Double k of the sums for AOVs, likewise; see AovLayout::offset().
+    double whole_aov(size_t i, size_t k) const
     {
-        AovPixel p = aovs[i];
-        if (!open_aovs.empty()) p += open_aovs[i];
-        return p;
+        const size_t at = i * aov_layout.size() + k;
+        return open_aovs.empty() ? aovs[at] : aovs[at] + open_aovs[at];
     }
     size_t index(uint32_t x, uint32_t y) const { return size_t{y - crop.y0} * crop.width() + (x - crop.x0); }
     Pixel& at(uint32_t x, uint32_t y) { return pixels[index(x, y)]; }

@@ -2,7 +2,6 @@
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
-#include <ImfChromaticities.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -11,38 +10,22 @@
 #include <ImfInputPart.h>
 #include <ImfIntAttribute.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfOutputFile.h>
 #include <ImfPartType.h>
-#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <OpenEXRConfig.h>
-#include <half.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
 
-#include "io/atomic_file.h"
 #include "io/exr_header.h"
 #include "io/input_file.h"
 
 namespace lancer {
 namespace {
 
-constexpr const char* prefix = "lancer:";
 constexpr const char* channel_names[] = {"R", "G", "B"};
-
-class FileOut : public Imf::OStream {
-public:
-    explicit FileOut(AtomicFile& file) : OStream(file.path().c_str()), file_(file) {}
-    void write(const char bytes[], int count) override { file_.write(bytes, static_cast<size_t>(count)); }
-    uint64_t tellp() override { return file_.tell(); }
-    void seekp(uint64_t position) override { file_.seek(position); }
-
-private:
-    AtomicFile& file_;
-};
 
 class FileIn : public Imf::IStream {
 public:
@@ -62,38 +45,14 @@ private:
     InputFile& file_;
 };
 
-Imath::Box2i to_box(const Window& w) { return {{w.x0, w.y0}, {w.x1 - 1, w.y1 - 1}}; }
-
 Window to_window(const Imath::Box2i& b) { return {b.min.x, b.min.y, b.max.x + 1, b.max.y + 1}; }
-
-bool fits_half(const Image& image)
-{
-    const auto fits = [](float v) { return !std::isfinite(v) || std::abs(v) <= 65504.0f; };
-    return std::all_of(image.pixels.begin(), image.pixels.end(),
-                       [&](Color c) { return fits(c.r) && fits(c.g) && fits(c.b); });
-}
-
-void add_metadata(Imf::Header& header, const Metadata& metadata)
-{
-    for (const auto& [name, value] : metadata) {
-        const std::string full = prefix + name;
-        const auto* integer = std::get_if<int64_t>(&value);
-        if (const auto* real = std::get_if<double>(&value)) {
-            header.insert(full, Imf::DoubleAttribute(*real));
-        } else if (integer && *integer == static_cast<int32_t>(*integer)) {
-            header.insert(full, Imf::IntAttribute(static_cast<int32_t>(*integer)));
-        } else {
-            header.insert(full, Imf::StringAttribute(to_string(value)));
-        }
-    }
-}
 
 Metadata read_metadata(const Imf::Header& header)
 {
     Metadata result;
     for (auto i = header.begin(); i != header.end(); ++i) {
-        if (std::strncmp(i.name(), prefix, std::strlen(prefix)) != 0) continue;
-        const std::string name = i.name() + std::strlen(prefix);
+        if (std::strncmp(i.name(), exr_prefix, std::strlen(exr_prefix)) != 0) continue;
+        const std::string name = i.name() + std::strlen(exr_prefix);
         const Imf::Attribute& a = i.attribute();
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a)) {
             result.emplace_back(name, text->value());
@@ -247,60 +206,6 @@ auto with_parts(const std::string& path, const F& f)
 }
 
 }  // namespace
-
-void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata, const ExrOptions& options,
-               std::span<const ImagePlane> planes)
-{
-    if (image.data.empty() || image.display.empty() || image.pixels.size() != image.data.area()) {
-        throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
-    }
-    const bool as_half = options.half && fits_half(image);
-    const size_t value_size = as_half ? sizeof(half) : sizeof(float);
-    std::vector<half> halves(as_half ? 3 * image.pixels.size() : 0);
-    for (size_t i = 0; i < halves.size() / 3; ++i) {
-        const Color c = image.pixels[i];
-        halves[3 * i] = half(c.r), halves[3 * i + 1] = half(c.g), halves[3 * i + 2] = half(c.b);
-    }
-    const char* const pixels =
-        as_half ? reinterpret_cast<const char*>(halves.data()) : reinterpret_cast<const char*>(image.pixels.data());
-    const size_t row_size = 3 * value_size * static_cast<size_t>(image.data.width());
-    const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
-    try {
-        Imf::Header header(to_box(image.display), to_box(image.data));
-        header.compression() = Imf::ZIP_COMPRESSION;
-        Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
-        header.insert("software", Imf::StringAttribute("lancer"));
-        add_metadata(header, metadata);
-        Imf::FrameBuffer buffer;
-        for (size_t c = 0; c < 3; ++c) {
-            header.channels().insert(channel_names[c], Imf::Channel(type));
-            buffer.insert(channel_names[c], Imf::Slice::Make(type, pixels + c * value_size, to_box(image.data),
-                                                             3 * value_size, row_size));
-        }
-        for (const ImagePlane& plane : planes) {
-            const char* const values = reinterpret_cast<const char*>(plane.values.data());
-            header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
-            buffer.insert(plane.name, Imf::Slice::Make(Imf::FLOAT, values, to_box(image.data), sizeof(float),
-                                                       sizeof(float) * static_cast<size_t>(image.data.width())));
-        }
-        FileOut stream(file);
-        Imf::OutputFile output(stream, header, 0);
-        output.setFrameBuffer(buffer);
-        output.writePixels(image.data.height());
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& e) {
-        throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + e.what());
-    }
-}
-
-void write_exr(const std::string& path, const Image& image, const Metadata& metadata, const ExrOptions& options,
-               std::span<const ImagePlane> planes)
-{
-    AtomicFile file(path);
-    write_exr(file, image, metadata, options, planes);
-    file.commit();
-}
 
 Image read_exr(const std::string& path, Metadata* metadata)
 {

@@ -1,6 +1,7 @@
 // OpenEXR pictures: what a render writes (exact floats, crop, metadata) and reads back as reference or texture.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,16 @@ namespace lancer {
 
 class AtomicFile;
 
+inline constexpr const char* exr_prefix = "lancer:";  // of the attributes that are metadata
+
+// A picture whose rows are made while they are written, so that it need not be there as a whole.
+struct ImageRows {
+    Window display, data;                                            // as in Image
+    std::function<void(int32_t y, std::span<Color> row)> fill = {};  // row y of the data window
+};
+// Of an image that must outlive it.
+ImageRows rows_of(const Image& image);
+
 struct ExrOptions {
     bool half = false;  // 16-bit floats; a picture with finite values beyond 65504 is written as 32-bit all the same
 };
@@ -23,7 +34,7 @@ struct ExrOptions {
 // form fills a file made earlier; its owner commits it.
 void write_exr(const std::string& path, const Image& image, const Metadata& metadata = {},
                const ExrOptions& options = {}, std::span<const ImagePlane> planes = {});
-void write_exr(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ExrOptions& options = {},
+void write_exr(AtomicFile& file, const ImageRows& image, const Metadata& metadata = {}, const ExrOptions& options = {},
                std::span<const ImagePlane> planes = {});
 
 // Any single-part picture, scan lines or tiles, with channels R, G, B, or Y for grey, of any type. Metadata are the

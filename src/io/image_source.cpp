@@ -41,7 +41,8 @@ RasterFuture ImageSource::request(const std::string& file)
     }
     known.future = future;
     jobs_.push_back(std::move(job));
-    if (jobs_.size() > idle_ && threads_.size() < most_threads_) start_worker(lock);
+    // All at once: starting one while another opens a library would make the caller wait.
+    if (threads_.empty()) start_workers(lock);
     lock.unlock();
     wake_.notify_one();
     return future;
@@ -53,10 +54,10 @@ RasterSource ImageSource::source()
 }
 
 // Where the system grants no thread at all, the caller reads.
-void ImageSource::start_worker(std::unique_lock<std::mutex>& lock)
+void ImageSource::start_workers(std::unique_lock<std::mutex>& lock)
 {
     try {
-        threads_.emplace_back([this] { work(); });
+        while (threads_.size() < most_threads_) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
         if (!threads_.empty()) return;
         Job job = std::move(jobs_.front());
@@ -72,9 +73,7 @@ void ImageSource::work()
     set_flush_denormals();  // as every other thread
     std::unique_lock lock(mutex_);
     while (true) {
-        ++idle_;
         wake_.wait(lock, [&] { return closing_ || !jobs_.empty(); });
-        --idle_;
         if (closing_) return;
         Job job = std::move(jobs_.front());
         jobs_.pop_front();

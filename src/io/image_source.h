@@ -16,7 +16,7 @@
 namespace lancer {
 
 // Reads each picture once for all who ask for it at a time, and keeps none: a picture lives as long as somebody holds
-// it or its future. Threads start with the first pictures; a scene without any costs nothing.
+// it or its future. Threads start with the first picture; a scene without any costs nothing.
 class ImageSource {
 public:
     // At most so many files are read at once, >= 1.
@@ -43,14 +43,13 @@ private:
     };
     void work();
     void read(Job& job);
-    void start_worker(std::unique_lock<std::mutex>& lock);
+    void start_workers(std::unique_lock<std::mutex>& lock);
 
     const unsigned most_threads_;
     std::mutex mutex_;
     std::condition_variable wake_;
     std::deque<Job> jobs_;
     std::map<std::string, Known> known_;
-    unsigned idle_ = 0;
     bool closing_ = false;
     std::vector<std::thread> threads_;
 };

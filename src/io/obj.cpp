@@ -96,7 +96,8 @@ MaterialLibrary read_materials(const std::string& path, const ObjSummary& summar
     return library;
 }
 
-// The mesh of a file of which all is known that stands in the summary. chunks: null, or who parses it.
+// The mesh of a file of which all is known that stands in the summary. chunks: null, or who parses it; the memory of
+// the content is then given back meanwhile, so that the mesh may have it.
 std::shared_ptr<const MeshData> build(const std::string& path, const FileContent& content, const ObjSummary& summary,
                                       const ObjChunks* chunks, const MeshOptions& options, Diagnostics& diagnostics)
 {
@@ -117,7 +118,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
     ObjMeshBuilder builder(summary, materials, summary.texcoords > 0 && (options.uvs || textured), *mesh);
     const std::string_view text = content.text();
     if (chunks) {
-        if (!chunks->feed(builder)) return nullptr;
+        if (!chunks->feed(builder, give_back)) return nullptr;
     } else {
         // A face that is cut into triangles must know its vertices; a second round counts them for relative indices.
         if (summary.forward_references) feed(text, summary, ObjFeed::Part::vertices, builder);
@@ -132,7 +133,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
 
 std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
-    const FileContent content = read_file(path);
+    FileContent content = read_file(path);
     const auto fail = [&](const std::string& message, ErrorKind kind) {
         diagnostics.error({path, 0, 0}, message, kind);
         return nullptr;
@@ -149,6 +150,12 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
         if (mesh) {
             diagnostics.append(said);
             return mesh;
+        }
+        if (chunks) {
+            content = {};  // its first part is gone
+            MeshOptions whole = options;
+            whole.parallel_from = SIZE_MAX;
+            return load_obj(path, diagnostics, whole);
         }
     }
     const std::optional<ObjSummary> summary = scan_obj(content.text(), path, diagnostics);

@@ -118,7 +118,7 @@ std::optional<ObjChunks> ObjChunks::survey(std::string_view text, size_t chunk)
     for (size_t i = 0; i < parts.size(); ++i) {
         const Contents& c = *contents[i];
         if (!c.is_plain) return {};
-        all.parts_.push_back({parts[i], s.vertices, s.texcoords, s.normals});
+        all.parts_.push_back({parts[i], s.vertices, s.texcoords, s.normals, lines});
         s.vertices += c.vertices, s.texcoords += c.texcoords, s.normals += c.normals;
         s.faces += c.faces, s.triangles += c.triangles;
         s.face_normals = s.face_normals || c.face_normals;
@@ -138,7 +138,7 @@ std::optional<ObjChunks> ObjChunks::survey(std::string_view text, size_t chunk)
     return fits ? std::optional(std::move(all)) : std::nullopt;
 }
 
-bool ObjChunks::feed(ObjMeshBuilder& builder) const
+bool ObjChunks::feed(ObjMeshBuilder& builder, const std::function<void(std::string_view)>& done) const
 {
     // One thread builds of some parts what they say, while the others parse the next ones.
     constexpr size_t ahead = 8;
@@ -151,7 +151,14 @@ bool ObjChunks::feed(ObjMeshBuilder& builder) const
         const size_t count = std::min(ahead, parts_.size() - first);
         parallel_for(count + 1, [&](size_t i) {
             if (i == 0) {
-                for (size_t k = 0; k < ready; ++k) now[k].hand_to(builder);
+                for (size_t k = 0; k < ready; ++k) {
+                    const Part& part = parts_[first - ready + k];
+                    builder.begin_part();
+                    now[k].hand_to(builder);
+                    builder.end_part(part.text, part.lines);
+                    const char* const begin = parts_[0].text.data();
+                    done({begin, static_cast<size_t>(part.text.data() + part.text.size() - begin)});
+                }
                 return;
             }
             const Part& part = parts_[first + i - 1];

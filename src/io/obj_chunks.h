@@ -5,6 +5,7 @@
 // the last bit of a double from those of that parser.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,13 +24,15 @@ public:
     // As scan_obj() has it.
     const ObjSummary& summary() const { return summary_; }
 
-    // All statements into a fresh builder. False if something needs a closer look; it is then of no use any more.
-    bool feed(ObjMeshBuilder& builder) const;
+    // All statements into a fresh builder. done: told how much of the text, from its begin, is not needed any more.
+    // False if something needs a closer look; the builder is then of no use any more.
+    bool feed(ObjMeshBuilder& builder, const std::function<void(std::string_view)>& done) const;
 
 private:
     struct Part {
         std::string_view text;
         uint64_t vertices = 0, texcoords = 0, normals = 0;  // that come before
+        uint32_t lines = 0;
     };
 
     std::vector<Part> parts_;

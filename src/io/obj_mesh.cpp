@@ -161,23 +161,33 @@ uint32_t ObjMeshBuilder::material_slot()
     return slot = default_slot;
 }
 
+void ObjMeshBuilder::end_part(std::string_view text, uint32_t lines_before)
+{
+    const auto find = [&](Tally& t, uint64_t before) {
+        if (t.count != 0 && t.line == 0) t.line = lines_before + line_of(text, t.kind, t.first - before);
+    };
+    find(non_finite_, before_.vertices);
+    find(zero_normals_, before_.normals);
+    find(broken_uvs_, before_.uvs);
+    for (Tally* t : {&zero_area_, &partial_normals_, &partial_uvs_, &missing_uvs_}) find(*t, before_.faces);
+}
+
 bool ObjMeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
 {
-    const auto at = [&](ObjStatement kind, const Tally& t) {
-        return Location{mesh_.file, line_of(text, kind, t.first), 0};
+    const auto at = [&](const Tally& t) {
+        return Location{mesh_.file, t.line ? t.line : line_of(text, t.kind, t.first), 0};
     };
-    const auto warn = [&](ObjStatement kind, const Tally& t, const char* message) {
-        if (t.count) diagnostics.warning(at(kind, t), message, t.count);
+    const auto warn = [&](const Tally& t, const char* message) {
+        if (t.count) diagnostics.warning(at(t), message, t.count);
     };
-    warn(ObjStatement::normal, zero_normals_, "normal of zero length ignored");
-    warn(ObjStatement::face, partial_normals_, "face with normals at some corners only: they are ignored there");
-    warn(ObjStatement::texcoord, broken_uvs_, "vt is not finite numbers; faces that use it get no texture coordinates");
-    warn(ObjStatement::face, partial_uvs_,
-         "face with texture coordinates at some corners only: they are ignored there");
-    warn(ObjStatement::face, missing_uvs_, "face without texture coordinates has a material with a texture");
-    warn(ObjStatement::face, zero_area_, "zero-area face dropped");
+    warn(zero_normals_, "normal of zero length ignored");
+    warn(partial_normals_, "face with normals at some corners only: they are ignored there");
+    warn(broken_uvs_, "vt is not finite numbers; faces that use it get no texture coordinates");
+    warn(partial_uvs_, "face with texture coordinates at some corners only: they are ignored there");
+    warn(missing_uvs_, "face without texture coordinates has a material with a texture");
+    warn(zero_area_, "zero-area face dropped");
     if (non_finite_.count) {
-        diagnostics.error(at(ObjStatement::vertex, non_finite_), "a coordinate is not a finite number");
+        diagnostics.error(at(non_finite_), "a coordinate is not a finite number");
         return false;
     }
     if (vertices_ != summary_.vertices || normals_ != summary_.normals || faces_ != summary_.faces ||

@@ -39,13 +39,20 @@ public:
     // index: into ObjSummary::materials.
     void use_material(size_t index) { material_ = index; }
 
+    // Where the file is not kept until the end: before and after the statements of each part of it, so that messages
+    // know their lines. lines_before: in the file.
+    void begin_part() { before_ = {vertices_, normals_, uvs_, faces_}; }
+    void end_part(std::string_view text, uint32_t lines_before);
+
     // After the last statement. text: of the file, for the lines of messages. False after adding an error.
     bool finish(std::string_view text, Diagnostics& diagnostics);
 
 private:
     // Something that happened to some of the elements of a kind, in the order of the file.
     struct Tally {
+        ObjStatement kind;
         uint64_t first = 0, count = 0;
+        uint32_t line = 0;  // of the first; 0: not known yet
         void add(uint64_t element)
         {
             if (count++ == 0) first = element;
@@ -70,8 +77,13 @@ private:
     const bool keeps_uvs_;
     std::vector<bool> textured_;  // as slots_
     uint64_t vertices_ = 0, normals_ = 0, uvs_ = 0, faces_ = 0;
+    struct {
+        uint64_t vertices = 0, normals = 0, uvs = 0, faces = 0;
+    } before_;  // the part
     bool has_normals_ = false, has_uvs_ = false;
-    Tally non_finite_, zero_normals_, broken_uvs_, zero_area_, partial_normals_, partial_uvs_, missing_uvs_;
+    Tally non_finite_{ObjStatement::vertex}, zero_normals_{ObjStatement::normal}, broken_uvs_{ObjStatement::texcoord};
+    Tally zero_area_{ObjStatement::face}, partial_normals_{ObjStatement::face}, partial_uvs_{ObjStatement::face};
+    Tally missing_uvs_{ObjStatement::face};
     Triangulator triangulate_;
     std::vector<uint32_t> face_, face_normals_, face_uvs_;
     std::vector<Vec3d> polygon_;

@@ -1,5 +1,8 @@
 #include "io/text_file.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -81,6 +84,15 @@ FileContent read_file(const std::string& path)
         content.bytes.clear();
     }
     return content;
+}
+
+void give_back(std::string_view text)
+{
+    // Those pages alone on which there is nothing else. What strings hold is private memory, not that of a file.
+    const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto begin = reinterpret_cast<uintptr_t>(text.data()), end = begin + text.size();
+    const uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
+    if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
 }
 
 TextLines::TextLines(std::string_view text, Rule ends_in_name)

@@ -19,6 +19,10 @@ struct FileContent {
 // Reads a regular file at once; anything else (a folder, a device) is a problem.
 FileContent read_file(const std::string& path);
 
+// Gives the memory of what was read and is not needed any more back to the system, page by page; it then reads as
+// zeros. For texts so large that it matters.
+void give_back(std::string_view text);
+
 // Walks over lines that end in LF, CR LF or CR. A backslash at the end of a line joins it with the next one, except
 // in a line that is a comment or in which it belongs to a name. Lines are given without white space at both ends.
 class TextLines {

@@ -1,5 +1,7 @@
 #include "render/aov.h"
 
+#include <optional>
+
 #include "render/blocks.h"
 
 namespace lancer {
@@ -33,11 +35,9 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
         material);
 }
 
-void add(std::array<double, 3>& sum, double x, double y, double z) { sum[0] += x, sum[1] += y, sum[2] += z; }
-void add(std::array<double, 3>& sum, Color c) { add(sum, double{c.r}, double{c.g}, double{c.b}); }
-void add(std::array<double, 3>& sum, Vec3 v) { add(sum, double{v.x}, double{v.y}, double{v.z}); }
-
-double mean(double sum, uint32_t n) { return n ? sum / n : 0; }
+void add(double* sum, double x, double y, double z) { sum[0] += x, sum[1] += y, sum[2] += z; }
+void add(double* sum, Color c) { add(sum, double{c.r}, double{c.g}, double{c.b}); }
+void add(double* sum, Vec3 v) { add(sum, double{v.x}, double{v.y}, double{v.z}); }
 
 double variance_of_mean(const Pixel& p)
 {
@@ -46,43 +46,47 @@ double variance_of_mean(const Pixel& p)
     return std::max(0.0, p.sum_sq / n - y * y) / (n - 1);
 }
 
+// What the channels of an AOV are: a sum, by a count if there is one; or told by the light.
+struct Channels {
+    std::string_view names;
+    std::optional<AovSum> sum{}, count{};
+};
+constexpr std::array<Channels, aov_names.size()> channels_of_aovs{{
+    {"RGB", AovSum::albedo, AovSum::samples},
+    {"XYZ", AovSum::normal, AovSum::samples},
+    {"Z", AovSum::depth, AovSum::hits},
+    {"XYZ", AovSum::position, AovSum::hits},
+    {"UV", AovSum::uv, AovSum::hits},
+    {"I", AovSum::material},
+    {"V"},
+    {"A", AovSum::hits, AovSum::samples},
+    {"RGB", AovSum::flat, AovSum::samples},
+    {"N"},
+}};
+const Channels& channels_of(Aov aov) { return channels_of_aovs[static_cast<size_t>(aov)]; }
+
 // Channel i of an AOV.
-double value_of(Aov aov, size_t i, const Pixel& light, const AovPixel& p, const Normalisation& normalisation)
+double value_of(Aov aov, size_t i, const Film& film, size_t pixel, const Normalisation& normalisation)
 {
+    const Channels& channels = channels_of(aov);
+    const auto sum = [&](AovSum of, size_t k) { return film.whole_aov(pixel, film.aov_layout.offset(of) + k); };
+    const double n = channels.count ? sum(*channels.count, 0) : 1;
+    const auto mean = [&](size_t k) { return n == 0 ? 0 : sum(*channels.sum, k) / n; };
     switch (aov) {
-        case Aov::albedo:
-            return mean(p.albedo[i], p.samples);
-        case Aov::flat:
-            return mean(p.flat[i], p.samples);
-        case Aov::normal:
-            return mean(p.normal[i], p.samples);
+        case Aov::variance:
+            return variance_of_mean(film.whole(pixel));
+        case Aov::samples:
+            return film.whole(pixel).n;
         case Aov::depth:
-            return mean(p.depth, p.hits) / normalisation.scale;
+            return mean(0) / normalisation.scale;
         case Aov::position: {
-            if (p.hits == 0) return 0;
-            const double n = p.hits;
-            const Vec3d file = normalisation.to_file({p.position[0] / n, p.position[1] / n, p.position[2] / n});
+            if (n == 0) return 0;
+            const Vec3d file = normalisation.to_file({mean(0), mean(1), mean(2)});
             return i == 0 ? file.x : i == 1 ? file.y : file.z;
         }
-        case Aov::uv:
-            return mean(p.uv[i], p.hits);
-        case Aov::material:
-            return p.material;
-        case Aov::variance:
-            return variance_of_mean(light);
-        case Aov::mask:
-            return mean(p.hits, p.samples);
-        case Aov::samples:
-            return light.n;
+        default:
+            return mean(i);
     }
-    return 0;
-}
-
-std::string_view channels_of(Aov aov)
-{
-    constexpr std::array<std::string_view, aov_names.size()> channels{"RGB", "XYZ", "Z", "XYZ", "UV",
-                                                                      "I",   "V",   "A", "RGB", "N"};
-    return channels[static_cast<size_t>(aov)];
 }
 
 }  // namespace
@@ -99,48 +103,73 @@ Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& p
     return mixed(scene, material, point, [&](const Material& some) { return base_color_of(some, point); });
 }
 
+std::vector<Aov> all_aovs()
+{
+    std::vector<Aov> all;
+    for (size_t i = 0; i < aov_names.size(); ++i) all.push_back(static_cast<Aov>(i));
+    return all;
+}
+
+AovLayout layout_of(const std::vector<Aov>& which)
+{
+    AovLayout layout;
+    for (const Aov aov : which)
+        for (const auto& sum : {channels_of(aov).sum, channels_of(aov).count})
+            if (sum) layout.add(*sum);
+    return layout;
+}
+
 void AovListener::vertex(const State& s, const Surface& surface) const
 {
     if (s.depth != 0) return;
-    AovPixel& p = pixel_of(s);
-    const ShadingPoint point = scene_.shading_point(surface);
-    ++p.hits;
-    add(p.albedo, albedo_at(scene_, surface.material, point));
-    add(p.flat, base_color_at(scene_, surface.material, point));
-    add(p.normal, surface.ns);
-    add(p.position, surface.p);
-    p.depth += double{surface.t};
-    p.uv[0] += double{surface.uv.x};
-    p.uv[1] += double{surface.uv.y};
-    if (w_.slots[s.slot].sample == 0) p.material = surface.material + 1;
+    const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
+    if (wants(AovSum::albedo) || wants(AovSum::flat)) {
+        const ShadingPoint point = scene_.shading_point(surface);
+        if (wants(AovSum::albedo)) add(sum_of(s, AovSum::albedo), albedo_at(scene_, surface.material, point));
+        if (wants(AovSum::flat)) add(sum_of(s, AovSum::flat), base_color_at(scene_, surface.material, point));
+    }
+    if (wants(AovSum::normal)) add(sum_of(s, AovSum::normal), surface.ns);
+    if (wants(AovSum::position)) add(sum_of(s, AovSum::position), surface.p);
+    if (wants(AovSum::uv)) {
+        double* const uv = sum_of(s, AovSum::uv);
+        uv[0] += double{surface.uv.x}, uv[1] += double{surface.uv.y};
+    }
+    if (wants(AovSum::depth)) *sum_of(s, AovSum::depth) += double{surface.t};
+    if (wants(AovSum::hits)) ++*sum_of(s, AovSum::hits);
+    if (wants(AovSum::material) && w_.slots[s.slot].sample == 0) *sum_of(s, AovSum::material) = surface.material + 1.0;
 }
 
 void AovListener::begin_block(uint32_t first) const
 {
     Blocks blocks{film_.aovs, film_.open_aovs};
-    w_.aov_block.resize(size_t{tile_.width()} * tile_.height());
-    for_pixels(film_, tile_, [&](size_t i, size_t k) { w_.aov_block[k] = blocks.take(i, first); });
+    const size_t size = film_.aov_layout.size();
+    w_.aov_block.resize(size_t{tile_.width()} * tile_.height() * size);
+    for_pixels(film_, tile_, [&](size_t i, size_t k) {
+        for (size_t c = 0; c < size; ++c) w_.aov_block[k * size + c] = blocks.take(i * size + c, first);
+    });
 }
 
 void AovListener::end_block(uint32_t end) const
 {
     Blocks blocks{film_.aovs, film_.open_aovs};
-    for_pixels(film_, tile_, [&](size_t i, size_t k) { blocks.put(i, w_.aov_block[k], end); });
+    const size_t size = film_.aov_layout.size();
+    for_pixels(film_, tile_, [&](size_t i, size_t k) {
+        for (size_t c = 0; c < size; ++c) blocks.put(i * size + c, w_.aov_block[k * size + c], end);
+    });
 }
 
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation)
 {
     std::vector<ImagePlane> planes;
     for (const Aov aov : which) {
-        const std::string_view channels = channels_of(aov);
-        for (size_t i = 0; i < channels.size(); ++i) {
-            const std::string suffix = aov == Aov::material ? "ID" : std::string(1, channels[i]);
+        const std::string_view names = channels_of(aov).names;
+        for (size_t i = 0; i < names.size(); ++i) {
+            const std::string suffix = aov == Aov::material ? "ID" : std::string(1, names[i]);
             ImagePlane& plane = planes.emplace_back();
             plane.name = std::string(aov_names[static_cast<size_t>(aov)]) + "." + suffix;
             plane.values.reserve(film.pixels.size());
             for (size_t k = 0; k < film.pixels.size(); ++k)
-                plane.values.push_back(
-                    static_cast<float>(value_of(aov, i, film.whole(k), film.whole_aov(k), normalisation)));
+                plane.values.push_back(static_cast<float>(value_of(aov, i, film, k, normalisation)));
         }
     }
     return planes;

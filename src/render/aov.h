@@ -22,7 +22,12 @@ Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point
 // Its base colour, whatever the material makes of it; of a mix, mixed.
 Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
 
-// Fills film.aovs, which must be as large as film.pixels.
+std::vector<Aov> all_aovs();
+
+// The sums that these AOVs need; none for variance and samples, which the light tells.
+AovLayout layout_of(const std::vector<Aov>& which);
+
+// Fills film.aovs; for films that have some.
 class AovListener : public NoListener {
 public:
     AovListener(const Scene& scene, Film& film, const Tile& tile, Workspace& w)
@@ -31,17 +36,19 @@ public:
     }
     void ray(const State& s, const Hit&) const
     {
-        if (s.depth == 0) ++pixel_of(s).samples;
+        if (s.depth == 0 && film_.aov_layout.has(AovSum::samples)) ++*sum_of(s, AovSum::samples);
     }
     void vertex(const State& s, const Surface& surface) const;
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
 
 private:
-    AovPixel& pixel_of(const State& s) const
+    // Of the sample's pixel; the film must have it.
+    double* sum_of(const State& s, AovSum sum) const
     {
         const SampleId& id = w_.slots[s.slot];
-        return w_.aov_block[size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0)];
+        const size_t pixel = size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0);
+        return &w_.aov_block[pixel * film_.aov_layout.size() + film_.aov_layout.offset(sum)];
     }
 
     const Scene& scene_;
@@ -54,6 +61,7 @@ private:
 // depth.Z (units of the scene file), uv.U .V, material.ID (of the first sample, counted from 1; 0: nothing hit),
 // variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit something), samples.N (how many
 // the pixel has). Means over samples, misses being 0; depth, position and uv over those that hit.
+// The film must have the sums of `which`.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
 
 }  // namespace lancer

@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-// Sum: Pixel or AovPixel. sums: of whole blocks; open: of one that is not full, or empty; see Film.
+// Sum: Pixel or double. sums: of whole blocks; open: of one that is not full, or empty; see Film.
 template <class Sum>
 struct Blocks {
     std::vector<Sum>&sums, &open;

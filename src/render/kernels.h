@@ -27,7 +27,7 @@ struct DiffuseKernel {
 
 template <class Integrator>
 struct Kernels {
-    // Adds samples [begin, end) of every pixel of a tile to the film, and to its AOVs if it has any.
+    // Adds samples [begin, end) of every pixel of a tile to the film, and to its sums for AOVs if it has any.
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                        const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                        Counters& counters);

@@ -20,6 +20,8 @@ Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::opt
     return Profile::diffuse;
 }
 
+Profile profile_with(const AovLayout& aovs, Profile without) { return aovs.empty() ? without : Profile::all; }
+
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings)
 {
@@ -32,8 +34,7 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                                                                            Film& film, Tile tile, SampleRange samples,
                                                                            Workspace& w, Counters& counters) {
                         const View view{scene, plan};
-                        // Who looks at what is hit first wants to see it one by one.
-                        if (film.aovs.empty())
+                        if (profile_with(film.aov_layout, Profile::diffuse) == Profile::diffuse)
                             DiffuseKernel::render(view, accel, camera, settings, concrete, *plain, film, tile, samples,
                                                   w, counters);
                         else

@@ -74,10 +74,10 @@ struct Workspace {
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
     DiffuseWorkspace diffuse;
-    std::vector<Pixel> block;         // one per pixel of the tile
-    std::vector<AovPixel> aov_block;  // likewise, if AOVs are wanted
-    std::vector<Color> last;          // likewise, their last samples, if these decide when pixels end
-    bool is_pilot = false;            // what is traced is not for the picture and has other random numbers
+    std::vector<Pixel> block;       // one per pixel of the tile
+    std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
+    std::vector<Color> last;        // of each the last sample, if these decide when pixels end
+    bool is_pilot = false;          // what is traced is not for the picture and has other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
     {

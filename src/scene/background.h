@@ -25,6 +25,8 @@ public:
     // Radiance that arrives along a ray that leaves the scene towards dir (unit). spread: angle, in radians, over which
     // the pattern of the ground is averaged; 0: not at all.
     Color eval(Vec3 dir, float spread = 0) const;
+    // Whether all directions of this height, the sine of their elevation, look the same (but for their spread).
+    bool is_same_around(double height) const;
     // What a ground passes into with distance, without the factor `strength`.
     Color fade() const { return fade_; }
 

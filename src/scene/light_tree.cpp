@@ -22,53 +22,60 @@ LightBounds bounds_of(std::span<const uint32_t> ids, std::span<const LightBounds
     return all;
 }
 
-// Cuts a group of two or more in two, where the cost of both is least or in halves; returns how many are in the first.
-size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, bool in_halves)
+// How many groups of at most so many lights make one.
+size_t groups_in(size_t lights, size_t most) { return (lights + most - 1) / most; }
+
+// Cuts a group of two or more in two, where the cost of both is least, or about; returns how many are in the first.
+// These shall fit into groups of at most `most`, of `spare` more than the whole; and fill nodes, above the lowest one.
+size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, size_t most, size_t spare)
 {
+    const size_t n = ids.size();
     Bounds centers;
     for (const uint32_t id : ids) centers.grow(center_of(lights[id]));
     const Vec3d extent = centers.upper - centers.lower;
     const int axis = largest_axis(extent);
-    const auto middle = [&] {
-        const auto half = ids.begin() + static_cast<std::ptrdiff_t>(ids.size() / 2);
-        std::nth_element(ids.begin(), half, ids.end(), [&](uint32_t a, uint32_t b) {
-            const double x = center_of(lights[a])[axis], y = center_of(lights[b])[axis];
-            return x != y ? x < y : a < b;
-        });
-        return ids.size() / 2;
+    size_t first = n / 2;
+    if (extent[axis] > 0 && n > 4) {
+        std::array<LightBounds, bins> in;
+        std::array<size_t, bins> count{};
+        for (const uint32_t id : ids) {
+            const double at = (center_of(lights[id])[axis] - centers.lower[axis]) / extent[axis];
+            const uint32_t bin = std::min(bins - 1, static_cast<uint32_t>(at * bins));
+            in[bin].include(lights[id]);
+            ++count[bin];
+        }
+        std::array<double, bins> above{};  // cost of the bins from i on
+        LightBounds so_far;
+        for (uint32_t i = bins - 1; i > 0; --i) {
+            so_far.include(in[i]);
+            above[i] = so_far.box.empty() ? 0 : so_far.cost(axis);
+        }
+        so_far = {};
+        double least = std::numeric_limits<double>::infinity();
+        size_t below = 0;
+        for (uint32_t i = 1; i < bins; ++i) {
+            so_far.include(in[i - 1]);
+            below += count[i - 1];
+            if (below == 0 || below == n) continue;
+            const double cost = so_far.cost(axis) + above[i];
+            if (cost < least) least = cost, first = below;
+        }
+    }
+    const size_t step = n > float_lanes ? float_lanes : 1, wanted = first;
+    const auto fits = [&](size_t count) {
+        // One by itself stays so: beside a lamp that outshines all others, those would hardly be found.
+        const bool fills = count % step == 0 || (count == wanted && (count == 1 || count == n - 1));
+        return count > 0 && count < n && fills &&
+               groups_in(count, most) + groups_in(n - count, most) <= groups_in(n, most) + spare;
     };
-    if (in_halves || !(extent[axis] > 0) || ids.size() <= 4) return middle();
-    const auto bin_of = [&](uint32_t id) {
-        const double at = (center_of(lights[id])[axis] - centers.lower[axis]) / extent[axis];
-        return std::min(bins - 1, static_cast<uint32_t>(at * bins));
-    };
-    std::array<LightBounds, bins> in;
-    std::array<size_t, bins> count{};
-    for (const uint32_t id : ids) {
-        const uint32_t bin = bin_of(id);
-        in[bin].include(lights[id]);
-        ++count[bin];
-    }
-    std::array<double, bins> above{};  // cost of the bins from i on
-    LightBounds so_far;
-    for (uint32_t i = bins - 1; i > 0; --i) {
-        so_far.include(in[i]);
-        above[i] = so_far.box.empty() ? 0 : so_far.cost(axis);
-    }
-    so_far = {};
-    uint32_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    size_t below = 0;
-    for (uint32_t i = 1; i < bins; ++i) {
-        so_far.include(in[i - 1]);
-        below += count[i - 1];
-        if (below == 0 || below == ids.size()) continue;
-        const double cost = so_far.cost(axis) + above[i];
-        if (cost < least) least = cost, best = i;
-    }
-    if (best == 0) return middle();
-    const auto second = std::stable_partition(ids.begin(), ids.end(), [&](uint32_t id) { return bin_of(id) < best; });
-    return static_cast<size_t>(second - ids.begin());
+    // The nearest that fits.
+    for (size_t off = 0; !fits(first); ++off) first = off % 2 == 0 ? first + off + 1 : first - off - 1;
+    const auto end = ids.begin() + static_cast<std::ptrdiff_t>(first);
+    std::nth_element(ids.begin(), end, ids.end(), [&](uint32_t a, uint32_t b) {
+        const double x = center_of(lights[a])[axis], y = center_of(lights[b])[axis];
+        return x != y ? x < y : a < b;
+    });
+    return first;
 }
 
 }  // namespace
@@ -84,82 +91,86 @@ LightTree::LightTree(std::span<const LightBounds> lights) : place_of_(lights.siz
     }
     if (ids.empty()) return;
     scale_ = 1 / total;
-    build(ids, lights, none, 0);
+    build(ids, lights, none);
 }
 
-uint32_t LightTree::build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent, uint32_t depth)
+uint32_t LightTree::build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent)
 {
-    constexpr uint32_t deep = 16;  // from here on in halves, so that no arrangement of lights makes a list of the tree
     const auto number = static_cast<uint32_t>(nodes_.size());
-    nodes_.emplace_back().parent = parent;
+    nodes_.emplace_back();
+    parent_.push_back(parent);
+    has_cones_.push_back(0);
+    // Lights of a child, so that the tree is no deeper than it must be, whatever the arrangement of lights.
+    size_t most = 1;
+    while (most * float_lanes < ids.size()) most *= float_lanes;
     // The largest group is cut until there are eight.
     std::array<std::span<uint32_t>, float_lanes> groups;
     groups[0] = ids;
-    size_t count = 1;
+    size_t count = 1, spare = groups.size() - groups_in(ids.size(), most);
     while (count < groups.size()) {
         const auto largest = std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(count),
                                               [](const auto& a, const auto& b) { return a.size() < b.size(); });
-        if (largest->size() < 2) break;
+        // What fits into a node is left whole: each step down costs more than one number more to look at.
+        if (largest->size() <= (most > 1 ? float_lanes : 1)) break;
         const std::span<uint32_t> whole = *largest;
-        const size_t first = cut(whole, lights, depth > deep);
+        const size_t first = cut(whole, lights, most, spare);
         *largest = whole.first(first);
         groups[count++] = whole.subspan(first);
+        spare += groups_in(whole.size(), most);
+        spare -= groups_in(first, most) + groups_in(whole.size() - first, most);
     }
     for (size_t i = 0; i < count; ++i) {
         const auto place = static_cast<uint32_t>(number * float_lanes + i);
-        set(nodes_[number], i, bounds_of(groups[i], lights), scale_);
+        set(number, i, bounds_of(groups[i], lights));
         if (groups[i].size() == 1) {
             nodes_[number].child[i] = is_leaf | groups[i][0];
             place_of_[groups[i][0]] = place;
         } else {
-            const uint32_t child = build(groups[i], lights, place, depth + 1);
+            const uint32_t child = build(groups[i], lights, place);
             nodes_[number].child[i] = child;
         }
     }
     return number;
 }
 
-void LightTree::set(Node& node, size_t lane, const LightBounds& b, double scale)
+void LightTree::set(size_t number, size_t lane, const LightBounds& b)
 {
+    Node& node = nodes_[number];
     const Vec3d c = b.box.center(), half = (b.box.upper - b.box.lower) / 2.0;
     const auto to = [lane](Float8& of, double x) { of[lane] = static_cast<float>(x); };
     to(node.center.x, c.x), to(node.center.y, c.y), to(node.center.z, c.z);
     to(node.axis.x, b.normals.axis.x), to(node.axis.y, b.normals.axis.y), to(node.axis.z, b.normals.axis.z);
     to(node.radius, length(half));
-    to(node.inverse_radius2, 1 / std::max(dot(half, half), double{std::numeric_limits<float>::min()}));
     to(node.cos_angle, std::cos(b.normals.angle)), to(node.sin_angle, std::sin(b.normals.angle));
     // However weak a light is beside the others, it is found.
-    to(node.power, std::max(b.power * scale, 1e-30));
+    to(node.power, std::max(b.power * scale_, 1e-30));
     node.both_sides[lane] = b.both_sides ? -1 : 0;
+    if (b.normals.angle > 0) has_cones_[number] = 1;
 }
 
-// How much may come from each child, about: power by squared distance, times the least angles' cosines at both ends.
-inline Float8 LightTree::weigh(const Node& node, Vec3 place, Vec3 normal)
+// How much may come from each child, about: power by squared distance, times the cosines at both ends. As lengths along
+// the normals, of the way to the centre: whichever the point in the ball, its way is longer by the radius at most, and
+// so what a place sees is never 0. The mean squared distance from a ball's points is that of the centre and of them
+// from it, about.
+inline Float8 LightTree::weigh(size_t number, Vec3 place, Vec3 normal) const
 {
-    const Float8 zero{}, one = all_lanes(1.0f);
+    const Node& node = nodes_[number];
     const auto all = [](Vec3 v) { return Vec3x8{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; };
-    const auto sin_of = [&](Float8 cos) { return sqrt(max(zero, one - cos * cos)); };
-    // cos of the larger of a - b and 0, for angles in [0, pi].
-    const auto cos_less = [&](Float8 sin_a, Float8 cos_a, Float8 sin_b, Float8 cos_b) {
-        return select(cos_a > cos_b, one, cos_a * cos_b + sin_a * sin_b);
-    };
+    const Float8 zero{};
     const Vec3x8 to = node.center - all(place);
-    const Float8 distance2 = dot(to, to);
-    const Float8 inverse = one / sqrt(max(distance2, all_lanes(std::numeric_limits<float>::min())));
-    const Vec3x8 w = to * inverse;
-    const Mask8 inside = distance2 < node.radius * node.radius;
-    const Float8 inverse2 = inverse * inverse, sin_ball = select(inside, zero, node.radius * inverse);
-    const Float8 cos_ball = select(inside, -one, sqrt(max(zero, one - sin_ball * sin_ball)));
-    const Float8 facing = -dot(w, node.axis), cos_w = select(node.both_sides, abs(facing), facing),
-                 sin_w = sin_of(cos_w);
-    const Mask8 within = cos_w > node.cos_angle;
-    const Float8 cos_x = select(within, one, cos_w * node.cos_angle + sin_w * node.sin_angle);
-    const Float8 sin_x = select(within, zero, sin_w * node.cos_angle - cos_w * node.sin_angle);
-    const Float8 cos_light = max(zero, cos_less(sin_x, cos_x, sin_ball, cos_ball));
-    const Float8 cos_i = abs(dot(w, all(normal)));
-    const Float8 cos_place = max(zero, cos_less(sin_of(cos_i), cos_i, sin_ball, cos_ball));
-    const Float8 weight = node.power * cos_light * cos_place * select(inside, node.inverse_radius2, inverse2);
-    return select(node.power > zero, weight, zero);
+    const Float8 distance2 = dot(to, to), along = -dot(to, node.axis);
+    Float8 at_light = select(node.both_sides, abs(along), along);
+    if (has_cones_[number]) {
+        // Along that one of the cone's normals that faces the place most.
+        const Float8 distance = sqrt(distance2), across = sqrt(max(zero, distance2 - at_light * at_light));
+        at_light =
+            select(at_light > distance * node.cos_angle, distance, at_light * node.cos_angle + across * node.sin_angle);
+    }
+    at_light = max(zero, at_light + node.radius);
+    const Float8 at_place = abs(dot(to, all(normal))) + node.radius;
+    const Float8 inverse =
+        all_lanes(1.0f) / max(distance2 + node.radius * node.radius, all_lanes(std::numeric_limits<float>::min()));
+    return node.power * (at_light * inverse) * (at_place * inverse);
 }
 
 namespace {
@@ -200,8 +211,7 @@ private:
 
 inline bool LightTree::descend(Descent& d) const
 {
-    const Node& node = nodes_[d.at];
-    const Float8 weights = weigh(node, d.place, d.normal);
+    const Float8 weights = weigh(d.at, d.place, d.normal);
     const Edges edges(weights);
     if (!(edges.end > 0) || !(edges.end < std::numeric_limits<double>::infinity())) return false;
     const double x = d.u * edges.end;
@@ -211,7 +221,7 @@ inline bool LightTree::descend(Descent& d) const
     const auto weight = static_cast<double>(weights[lane]);
     d.u = std::clamp((x - edges[lane]) / weight, 0.0, 1 - 0x1p-53);
     d.probability *= weight / edges.end;
-    d.at = node.child[lane];
+    d.at = nodes_[d.at].child[lane];
     return true;
 }
 
@@ -257,8 +267,8 @@ void LightTree::choose(const Vec3x8& places, const Vec3x8& normals, const std::a
 float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
 {
     double probability = 1;
-    for (uint32_t at = place_of_[light]; at != none; at = nodes_[at / float_lanes].parent) {
-        const Float8 weights = weigh(nodes_[at / float_lanes], place, normal);
+    for (uint32_t at = place_of_[light]; at != none; at = parent_[at / float_lanes]) {
+        const Float8 weights = weigh(at / float_lanes, place, normal);
         const double sum = Edges(weights).end;
         if (!(sum > 0)) return 0;
         probability *= static_cast<double>(weights[at % float_lanes]) / sum;

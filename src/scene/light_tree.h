@@ -36,20 +36,19 @@ public:
 private:
     static constexpr uint32_t none = UINT32_MAX;
 
-    struct alignas(32) Node {
+    struct alignas(64) Node {
         Vec3x8 center{}, axis{};
-        Float8 radius{}, inverse_radius2{};  // of a ball around the box
-        Float8 cos_angle{}, sin_angle{};     // of the cone of normals
-        Float8 power{};                      // 0 where there is no child
+        Float8 radius{};                  // of a ball around the box
+        Float8 cos_angle{}, sin_angle{};  // of the cone of normals
+        Float8 power{};                   // 0 where there is no child
         Mask8 both_sides{};
         std::array<uint32_t, float_lanes> child{};  // a node, or is_leaf | a light
-        uint32_t parent = none;                     // its place there: node * 8 + lane
     };
     static constexpr uint32_t is_leaf = 1u << 31;
 
-    uint32_t build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent, uint32_t depth);
-    static void set(Node& node, size_t lane, const LightBounds& b, double scale);
-    static Float8 weigh(const Node& node, Vec3 place, Vec3 normal);
+    uint32_t build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent);
+    void set(size_t node, size_t lane, const LightBounds& b);
+    Float8 weigh(size_t node, Vec3 place, Vec3 normal) const;
 
     // On the way down: a place, with what is left of its number.
     struct Descent {
@@ -62,6 +61,9 @@ private:
     static void fetch(const Node& node);
 
     std::vector<Node> nodes_;
+    // Of each node beside it, as these are not needed on every way:
+    std::vector<uint32_t> parent_;    // its place there: node * 8 + lane
+    std::vector<uint8_t> has_cones_;  // not just single normals
     std::vector<uint32_t> place_of_;  // of each light: node * 8 + lane
     double scale_ = 1;                // of powers
 };

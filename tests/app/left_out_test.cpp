@@ -75,5 +75,34 @@ TEST_F(LeftOut, IsInTheStatistics)
     expect_words(all, "module for pictures, which is not opened\n");
 }
 
+// AOVs that the light tells leave the kernel and the open sky as they are; the others look at every first hit.
+TEST_F(LeftOut, AovsThatTheLightTellsTakeNothingBack)
+{
+    write("plain.toml", R"([camera]
+position = [0, 0, 9]
+target = [0, 0, 0]
+[[light]]
+type = "environment"
+radiance = [1, 1, 1]
+[[mesh]]
+file = "quad.obj"
+)");
+    const auto render = [&](std::vector<std::string> aov) {
+        aov.insert(aov.begin(), {"render", "plain.toml", "--size", "64x64", "-s", "4", "-o", "x.exr", "--verbose",
+                                 "--stats", "x.json"});
+        const Said said = run(aov);
+        EXPECT_EQ(said.code, 0) << said.err;
+        const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
+        const auto kernel = stats["settings"]["kernel"].get<std::string>();
+        expect_words(said.err, "drawn by the kernel '" + kernel + "'");
+        const bool leaves_out = stats["samples"]["of_open_sky"] > 0;
+        EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
+        return kernel + (leaves_out ? " without sky" : "");
+    };
+    EXPECT_EQ(render({}), "diffuse without sky");
+    EXPECT_EQ(render({"--aov", "variance,samples"}), "diffuse without sky");
+    EXPECT_EQ(render({"--aov", "variance,mask"}), "all");
+}
+
 }  // namespace
 }  // namespace lancer

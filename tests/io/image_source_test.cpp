@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
 #include "core/parallel.h"
 #include "io/image_files.h"
 #include "io/temp_folder.h"
@@ -39,6 +43,28 @@ TEST(ImageSource, APictureLivesAsLongAsSomebodyHoldsIt)
     // It is read anew, as the file is now.
     write_bytes(path, tga(true).replace(18, 1, "\x33"));
     EXPECT_EQ(source.request(path).get()->bytes[2], 0x33);
+}
+
+// While a library is opened no thread can be started: whoever asked for the next picture would wait.
+TEST(ImageSource, AllThreadsStartWithTheFirstPicture)
+{
+    const TempFolder folder;
+    const auto threads = [] {
+        std::set<std::string> all;
+        for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) all.insert(entry.path());
+        return all;
+    };
+    ImageSource source(3);
+    const std::set<std::string> before = threads();
+    const auto added = [&] {
+        const std::set<std::string> now = threads();
+        return std::count_if(now.begin(), now.end(), [&](const std::string& t) { return !before.count(t); });
+    };
+    for (int i = 0; i < 6; ++i) {
+        write_bytes(folder.file(std::to_string(i) + ".tga"), tga(true));
+        source.request(folder.file(std::to_string(i) + ".tga"));
+        EXPECT_EQ(added(), 3) << i;
+    }
 }
 
 TEST(ImageSource, ErrorsComeThroughTheFuture)

@@ -180,5 +180,37 @@ TEST_F(ObjChunked, LeavesTheRestToTheOtherReader)
     }
 }
 
+// So large that parts of the text are gone when the last one is parsed: lines of messages are known nevertheless, and
+// what needs the other reader at the very end is read again.
+TEST_F(ObjChunked, GivesTheTextBackAsItGoes)
+{
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+    const auto fill = [&] {
+        for (int i = 0; i < 3000; ++i) text += "v 1 2 " + std::to_string(i) + "\nf 1 2 -1\n";
+    };
+    fill();
+    text += "vn 0 0 0\nf 1 1 2\nf 1 2//1 3\n";
+    fill();
+    for (const char* end : {"f 1 2 3\n", "v 1 2 3 # comment\n", "f 1 2 99999\n", "v 1 2 nan\n", "f 1/1 2/1 3/1\n"}) {
+        SCOPED_TRACE(end);
+        expect_same(write("a.obj", text + end));
+    }
+    EXPECT_THAT(load_by(write("a.obj", text + "f 3 2 1\n"), 0).said(), testing::HasSubstr("a.obj:6006: "));
+}
+
+TEST(GiveBack, KeepsWhatLiesBeside)
+{
+    constexpr size_t page = 4096;
+    std::string text(1000 * page, 'x');
+    for (const auto& [begin, size] : {std::pair{10 * page + 1, 50 * page}, {100 * page, page - 1}, {0ul, 0ul}}) {
+        give_back(std::string_view(text).substr(begin, size));
+        size_t gone = 0;
+        for (size_t i = begin; i < begin + size; ++i) gone += text[i] == 0;
+        EXPECT_EQ(gone, size / page * page - (size >= page ? page : 0)) << begin;
+        std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), size, 'x');
+        EXPECT_EQ(text.find('\0'), std::string::npos) << begin;
+    }
+}
+
 }  // namespace
 }  // namespace lancer

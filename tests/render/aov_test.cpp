@@ -11,20 +11,11 @@
 namespace lancer {
 namespace {
 
-std::vector<Aov> all_aovs()
-{
-    std::vector<Aov> all;
-    for (size_t i = 0; i < aov_names.size(); ++i) all.push_back(static_cast<Aov>(i));
-    return all;
-}
-
-// All channels of a render, by name; those of the light among them.
+// The channels that were asked for, and one of the light.
 std::vector<ImagePlane> planes_of(const SceneDescription& d, const RenderRequest& r)
 {
     const Film film = render(d, r).film;
-    const Normalisation n = build_scene(d).normalisation;
-    std::vector<ImagePlane> planes;
-    if (!film.aovs.empty()) planes = aov_planes(film, all_aovs(), n);
+    std::vector<ImagePlane> planes = aov_planes(film, r.aovs, build_scene(d).normalisation);
     ImagePlane& red = planes.emplace_back();
     red.name = "R";
     for (const Pixel& p : film.pixels) red.values.push_back(p.mean().r);
@@ -74,7 +65,7 @@ SceneDescription half_a_wall()
 TEST(Aovs, TellWhatCanBeTold)
 {
     RenderRequest r;
-    r.width = 9, r.height = 8, r.aovs = true;
+    r.width = 9, r.height = 8, r.aovs = all_aovs();
     r.spp = {32, 7};
     r.settings.kernel.filter = Filter(FilterKind::box);
     const auto planes = planes_of(half_a_wall(), r);
@@ -103,7 +94,6 @@ TEST(Aovs, TellWhatCanBeTold)
 TEST(Aovs, VarianceIsThatOfTheMean)
 {
     Film film(1, 1, {0, 0, 1, 1});
-    film.aovs.resize(1);
     const std::vector<float> samples{1, 2, 4, 5};
     for (const float v : samples) film.pixels[0] += {{v, v, v}, double{v} * v, 1};
     // Sample variance 10 / 3, by n.
@@ -118,7 +108,7 @@ protected:
         r.width = 12, r.height = 9;
         r.spp = {32};
         r.tile = 5;
-        r.aovs = true;
+        r.aovs = all_aovs();
         return r;
     }();
 };
@@ -147,12 +137,12 @@ TEST_P(AovsSamePixels, HoweverTheWorkIsCutUp)
 TEST_P(AovsSamePixels, TheLightDoesNotNotice)
 {
     const Film with = render(scene, request).film;
-    request.aovs = false;
+    request.aovs = {};
     const Film without = render(scene, request).film;
     ASSERT_FALSE(with.aovs.empty());
     ASSERT_TRUE(without.aovs.empty());
     for (size_t i = 0; i < with.pixels.size(); ++i) {
-        EXPECT_EQ(with.aovs[i].samples, 32u);
+        EXPECT_EQ(with.whole_aov(i, with.aov_layout.offset(AovSum::samples)), 32);
         EXPECT_EQ(with.pixels[i].sum, without.pixels[i].sum) << i;
         EXPECT_EQ(with.pixels[i].sum_sq, without.pixels[i].sum_sq) << i;
     }
@@ -177,18 +167,123 @@ TEST_P(AovsSamePixels, UnderEveryIntegrator)
 TEST(Aovs, ACropHasTheValuesOfTheWhole)
 {
     RenderRequest r;
-    r.aovs = true;
+    r.aovs = all_aovs();
     const SceneDescription scene = all_test_scenes()[0].description;
     const Film whole = render(scene, r).film;
     r.crop = {5, 3, 22, 17};
     const Film crop = render(scene, r).film;
     for (uint32_t y = 3; y < 17; ++y)
-        for (uint32_t x = 5; x < 22; ++x) {
-            const AovPixel &a = whole.aovs[whole.index(x, y)], &b = crop.aovs[crop.index(x, y)];
-            EXPECT_EQ(a.depth, b.depth);
-            EXPECT_EQ(a.normal, b.normal);
-            EXPECT_EQ(a.material, b.material);
+        for (uint32_t x = 5; x < 22; ++x)
+            for (size_t k = 0; k < whole.aov_layout.size(); ++k)
+                EXPECT_EQ(whole.whole_aov(whole.index(x, y), k), crop.whole_aov(crop.index(x, y), k)) << k;
+}
+
+// Bytes of a pixel that an AOV needs: its own, and counts that it shares with others.
+struct Needs {
+    size_t own;
+    bool samples, hits;
+};
+Needs needs_of(Aov aov)
+{
+    switch (aov) {
+        case Aov::albedo:
+        case Aov::flat:
+        case Aov::normal:
+            return {24, true, false};
+        case Aov::position:
+            return {24, false, true};
+        case Aov::uv:
+            return {16, false, true};
+        case Aov::depth:
+            return {8, false, true};
+        case Aov::mask:
+            return {0, true, true};
+        case Aov::material:
+            return {8, false, false};
+        case Aov::variance:
+        case Aov::samples:
+            return {0, false, false};
+    }
+    return {};
+}
+
+// Each AOV alone, and each with each.
+std::vector<std::vector<Aov>> ones_and_pairs()
+{
+    std::vector<std::vector<Aov>> subsets;
+    for (const Aov a : all_aovs())
+        for (const Aov b : all_aovs()) {
+            if (a == b) subsets.push_back({a});
+            if (a < b) subsets.push_back({a, b});
         }
+    return subsets;
+}
+
+TEST(Aovs, CostNoMoreThanWhatIsAsked)
+{
+    const auto bytes = [](const std::vector<Aov>& which) {
+        Film film(3, 2, {0, 0, 3, 2});
+        film.keep_aovs(layout_of(which));
+        film.keep_blocks_open();
+        EXPECT_EQ(film.aovs.size(), film.open_aovs.size());
+        return sizeof(film.aovs[0]) * film.aovs.size() / 6;
+    };
+    for (const auto& which : ones_and_pairs()) {
+        const Needs a = needs_of(which.front()), b = which.size() == 2 ? needs_of(which.back()) : Needs{};
+        const size_t counts = size_t{a.samples || b.samples} + size_t{a.hits || b.hits};
+        EXPECT_EQ(bytes(which), a.own + b.own + 8 * counts) << static_cast<int>(which.front());
+    }
+    EXPECT_EQ(bytes(all_aovs()), 144u);
+    EXPECT_EQ(bytes({}), 0u);
+}
+
+// In passes of any length, so that blocks stay open, against all of them in one pass.
+TEST_P(AovsSamePixels, WhicheverAreAsked)
+{
+    with_threads(1, [&] {
+        const Renderer renderer(build_scene(scene, request.images), request.settings);
+        const Camera camera = camera_of(scene, renderer.scene(), 6, 5);
+        const auto draw = [&](const std::vector<Aov>& which, const std::vector<uint32_t>& ends) {
+            Film film(6, 5, {0, 0, 6, 5});
+            film.keep_aovs(layout_of(which));
+            film.keep_blocks_open();
+            uint32_t begin = 0;
+            for (const uint32_t end : ends) {
+                renderer.pass(camera, film, make_tiles(film.crop, 4), {begin, end});
+                begin = end;
+            }
+            return film;
+        };
+        const auto planes = [&](const Film& film, const std::vector<Aov>& which) {
+            return aov_planes(film, which, renderer.scene().normalisation);
+        };
+        const Film every = draw(all_aovs(), {39});
+        for (const auto& which : ones_and_pairs()) {
+            const Film some = draw(which, {5, 13, 30, 39});
+            EXPECT_TRUE(same(planes(every, which), planes(some, which)));
+            for (size_t i = 0; i < some.pixels.size(); ++i) {
+                EXPECT_EQ(some.whole(i).sum, every.whole(i).sum);
+                EXPECT_EQ(some.whole(i).sum_sq, every.whole(i).sum_sq);
+            }
+        }
+    });
+}
+
+// What the light tells needs nobody who looks at what is hit first: the kernel is the one without AOVs.
+TEST(Aovs, OfTheLightAloneLeaveTheKernel)
+{
+    SceneDescription d = half_a_wall();
+    const Renderer renderer(build_scene(d), {});
+    ASSERT_EQ(renderer.profile(), Profile::diffuse);
+    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::samples})), Profile::diffuse);
+    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::depth})), Profile::all);
+    RenderRequest r;
+    const auto rays = [&](const std::vector<Aov>& which) {
+        r.aovs = which;
+        return render(d, r).counters.camera_rays;
+    };
+    EXPECT_EQ(rays({Aov::variance, Aov::samples}), rays({}));
+    EXPECT_LT(rays({}), rays({Aov::mask})) << "the open sky is traced for those who look at it";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void expect_same(const Case& c, const RenderRequest& r, const std::string& how)
 {
     ASSERT_TRUE(DiffuseScene::of(build_scene(c.scene))) << c.name;
     RenderRequest with_aovs = r;
-    with_aovs.aovs = true;
+    with_aovs.aovs = all_aovs();
     const Rendered eight = render(c.scene, r), one = render(c.scene, with_aovs);
     EXPECT_TRUE(same_bits(eight.film, one.film)) << c.name << ", " << how;
     EXPECT_EQ(eight.counters.bounce_rays, one.counters.bounce_rays) << c.name << ", " << how;

@@ -93,7 +93,7 @@ TEST(LeftOut, PixelsOfOpenSkyHaveTheirBitsUntraced)
                 r.settings.integrator = integrator;
                 r.settings.kernel.stop = stop;
                 const Rendered some = render(d, r);
-                r.aovs = true;
+                r.aovs = all_aovs();
                 const Rendered all = render(d, r);
                 EXPECT_TRUE(same_bits(some.film, all.film)) << name;
                 const auto samples = [](const Counters& c) { return c.camera_rays + c.open_samples; };

@@ -202,7 +202,7 @@ TEST(StopRules, TheLastSampleEndsThePixel)
 {
     const SceneDescription d = cornell_scene();
     RenderRequest r;
-    r.width = 6, r.height = 5, r.spp = {16, 32}, r.aovs = true;
+    r.width = 6, r.height = 5, r.spp = {16, 32}, r.aovs = all_aovs();
     r.settings = settings_of(StopRule::last_sample, 0, 3, SamplerKind::sobol);
     r.settings.kernel.clamp = true;
     const Film film = render(d, r).film;
@@ -232,7 +232,7 @@ TEST(StopRules, TheLastSampleEndsThePixel)
             const Pixel& q = film.at(x, y);
             EXPECT_EQ(q.n, p.n) << x << " " << y;
             EXPECT_EQ(q.sum, p.sum) << x << " " << y;
-            EXPECT_EQ(film.aovs[film.index(x, y)].samples, q.n);
+            EXPECT_EQ(film.whole_aov(film.index(x, y), film.aov_layout.offset(AovSum::samples)), q.n);
             fewest = std::min(fewest, q.n), most = std::max(most, q.n);
         }
     EXPECT_GE(fewest, 5u);
@@ -291,7 +291,7 @@ TEST_P(Stopped, SamePixelsHoweverTheWorkIsCutUp)
     other.spp = {32, 16, 16};
     expect_same(other, "three passes");
     other = r;
-    other.aovs = true;
+    other.aovs = all_aovs();
     expect_same(other, "aovs");
     r.crop = {3, 2, 9, 8};
     const Film crop = render(scene, r).film;

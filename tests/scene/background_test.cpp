@@ -116,6 +116,30 @@ TEST(Background, TheHorizonIsContinuous)
         }
 }
 
+// What the table relies on where it looks at one direction for a whole row.
+TEST(Background, WhatIsTheSameAllAroundSaysSo)
+{
+    const Raster picture = make_raster(8, 8, [](uint32_t x, uint32_t y) { return Color{float(x), float(y), 1}; });
+    const auto is_same = [](const Background& b, double z) {
+        const Color first = b.eval(at_height(z, 0));
+        for (int i = 1; i < 60; ++i)
+            if (!(b.eval(at_height(z, i)) == first)) return false;
+        return true;
+    };
+    for (const auto sky : {SkyType::color, SkyType::gradient, SkyType::night, SkyType::dawn, SkyType::dusk,
+                           SkyType::noon, SkyType::picture})
+        for (const auto ground : {GroundType::none, GroundType::color, GroundType::checker, GroundType::picture})
+            for (const bool legacy : {false, true}) {
+                auto what = background_of(sky, ground);
+                what.sky_color = {1, 2, 3};
+                const Background b(what, sky == SkyType::picture ? &picture : nullptr,
+                                   ground == GroundType::picture ? &picture : nullptr, legacy);
+                for (const double z : {-0.9, -0.3, 0.01, 0.5, 0.9})
+                    EXPECT_EQ(b.is_same_around(z), is_same(b, z))
+                        << int(sky) << ", ground " << int(ground) << ", height " << z;
+            }
+}
+
 TEST(Background, UpStrengthAndFade)
 {
     auto b = background_of(SkyType::dawn, GroundType::checker);

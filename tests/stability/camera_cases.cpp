@@ -184,10 +184,10 @@ Outcome depths(const Setup& setup)
                                        std::abs(t.mean / expected - 1), 1e-5));
     }
     for (const uint32_t depth : {0u, 1000000000u}) {  // 0: no limit
-        const auto size = static_cast<uint32_t>(setup.scaled(16, 64, 128));
+        const auto size = static_cast<uint32_t>(setup.scaled(16, 32, 128));
         const double expected = 1 / (1 - double{0.9f});
         const stats::Tally t =
-            render(0.9f, {.max_depth = depth}, size, static_cast<uint32_t>(setup.scaled(64, 1024, 4096)));
+            render(0.9f, {.max_depth = depth}, size, static_cast<uint32_t>(setup.scaled(64, 256, 4096)));
         const std::string name = depth == 0 ? "no limit" : "depth 1e9";
         out.measures.push_back(at_most(name + ": error, sigma", std::abs(t.mean - expected) / t.error(), 3));
         out.measures.push_back(at_most(name + ": sigma, relative", t.error() / expected, 0.002));

@@ -86,7 +86,8 @@ Outcome slivers(const Setup& setup)
         const auto accel = setup.make(g);
         // From the middle, far from every face: the ball of radius 1/2 touches none.
         const RaysFromInside from_inside(g.meshes[0], {{{0, 0, 0}, 0.5}});
-        const uint64_t count = setup.scaled(800, 250000, 2500000);
+        // Of the largest each ray meets the boxes of thousands.
+        const uint64_t count = setup.scaled(800, 5000, 100000) / (shape.corners > 2000 ? 20 : 1);
         for (const Aim aim : {Aim::random, Aim::edge, Aim::vertex})
             for (const Asked asked : all_asked) {
                 misses[aim] += static_cast<double>(
@@ -170,8 +171,11 @@ Outcome large_grid(const Setup& setup)
         AddressedRandom random(1, i);
         const Vec3 org = to_float(random.in_box({-1, -1, 0.3}, {2, 2, 2}));
         Vec3d at = random.in_box({1e-4, 1e-4, 0.25}, {1 - 1e-4, 1 - 1e-4, 0.25});
-        // At lines of the grid, too.
-        if (i % 4 == 0) at.x = (1 + random.below(side - 1)) / static_cast<double>(side);
+        // At lines of the grid, too, but not at their crossings: Embree promises nothing at corners.
+        if (i % 4 == 0) {
+            at.x = (1 + random.below(side - 1)) / static_cast<double>(side);
+            at.y = (random.below(side) + random.uniform(0.05, 0.95)) / side;
+        }
         const Ray ray{.org = org, .dir = to_float(normalize(at - to_double(org)))};
         const Hit hit = accel->closest(ray);
         const double t = (0.25 - static_cast<double>(org.z)) / static_cast<double>(ray.dir.z);

@@ -73,29 +73,31 @@ Outcome along_axes(const Setup& setup)
 Outcome at_edges(const Setup& setup)
 {
     const bool embree = setup.accelerator.starts_with("embree");
-    std::map<std::string_view, double> misses, rays;
-    const auto shoot = [&](Mesh mesh) {
+    std::map<std::string, double> misses, rays;
+    const std::string far = ", where a grid of float is an eighth of an edge";
+    const auto shoot = [&](Mesh mesh, const std::string& where = "") {
         const Geometry g = of_mesh(std::move(mesh));
         const auto accel = setup.make(g);
         const RaysFromInside from_inside(g.meshes[0], balls_inside(g, 4));
         const uint64_t count = setup.scaled(4000, 250000, 2500000);
         for (const Aim aim : aims)
             for (const Asked asked : all_asked) {
-                misses[name_of(aim)] += static_cast<double>(
+                const std::string name = std::string(name_of(aim)) + where;
+                misses[name] += static_cast<double>(
                     count_misses(*accel, from_inside, aim, asked, static_cast<uint64_t>(asked) * count, count));
-                rays[name_of(aim)] += static_cast<double>(count);
+                rays[name] += static_cast<double>(count);
             }
     };
     const Mesh sphere = to_mesh(*make_uv_sphere(50, 100), make_transform({}, {}, {2, 2, 2}));
     shoot(sphere);
-    shoot(moved(sphere, {148376, 1234, -223423}));
+    shoot(moved(sphere, {148376, 1234, -223423}), far);
     shoot(to_mesh(*make_cube()));  // the diagonals of its sides: edges of two faces in one plane
     Outcome out;
     for (const auto& [aim, count] : rays) {
         const double per_million = 1e6 * misses[aim] / count;
-        const std::string name = "leaks per million rays: " + std::string(aim);
-        // Embree promises nothing at corners.
-        const bool promised = !embree || aim == "random" || aim == "edge";
+        const std::string name = "leaks per million rays: " + aim;
+        // Embree promises nothing at corners, and far away an edge is as good as one.
+        const bool promised = !embree || aim.starts_with("random") || aim == "edge";
         out.measures.push_back(promised ? at_most(name, per_million, 0) : told(name, per_million));
     }
     return out;

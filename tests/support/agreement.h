@@ -75,9 +75,9 @@ private:
         // At an end of the interval? One of them then begins or ends it; what is found behind the near end may be
         // anything.
         const Hit& nearer = !b || (a && a.t < b.t) ? a : b;
-        const float few_ulps = 16 * 0x1p-24f * std::max(length(ray.org), nearer.t);
-        if (std::abs(nearer.t - ray.t_min) <= few_ulps) return true;
-        return !(a && b) && std::abs(nearer.t - ray.t_max) <= few_ulps;
+        const double doubted = doubt(g, ray, nearer);
+        if (static_cast<double>(std::abs(nearer.t - ray.t_min)) <= doubted) return true;
+        return !(a && b) && static_cast<double>(std::abs(nearer.t - ray.t_max)) <= doubted;
     }
     void disagree(uint64_t number)
     {

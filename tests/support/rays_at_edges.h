@@ -54,7 +54,8 @@ public:
         const uint32_t k = random.below(3);
         const Vec3d p = to_double(mesh_.positions[t[k]]), q = to_double(mesh_.positions[t[(k + 1) % 3]]);
         if (aim == Aim::vertex) return at(p);
-        const double s = random.below(2) ? 0.5 : random.uniform();
+        // Not where float takes it for the corner.
+        const double s = random.below(2) ? 0.5 : random.uniform(1e-4, 1 - 1e-4);
         return at(p + (q - p) * s);
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/parallel.h"
+#include "render/aov.h"
 #include "render/renderer.h"
 #include "support/scenes.h"
 
@@ -21,7 +22,7 @@ struct RenderRequest {
     std::vector<uint32_t> spp{16};  // samples of each pass, one after the other
     unsigned threads = 1;
     uint32_t tile = 16;
-    bool aovs = false;
+    std::vector<Aov> aovs{};
     RenderSettings settings{};
     RasterSource images = test_picture;
 };
@@ -34,7 +35,7 @@ struct Rendered {
 inline Rendered render(const SceneDescription& d, const RenderRequest& r)
 {
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
-    if (r.aovs) out.film.aovs.resize(out.film.pixels.size());
+    out.film.keep_aovs(layout_of(r.aovs));
     if (r.settings.kernel.stop != StopRule::never) out.film.wanted.resize(out.film.pixels.size());
     with_threads(r.threads, [&] {
         const Renderer renderer(build_scene(d, r.images), r.settings);
