@@ -245,6 +245,13 @@ TEST(LeftOut, AFeatureThatASceneLacksTakesNoByte)
     colored.face_material = {0, 1};
     more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(colored)));
     more.background.emplace().sky = SkyType::noon;
+    MeshData smooth = *room.meshes[0].data;
+    smooth.normals = {{0.6f, 0, 0.8f}};
+    smooth.normal_triangles.assign(smooth.triangles.size(), {0, 0, 0});
+    more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
+    // As many lights as a tree is made for, and one that is nowhere.
+    for (int i = 0; i < 100; ++i) more.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0.01 * i, 0.5, 0}));
+    more.lights.push_back(directional_of({1, 1, 1}, {0, -1, 0}));
     look(more);
     for (const auto& [name, size] : somewhere) EXPECT_GT(size, 0u) << name;
 }
