@@ -1,14 +1,16 @@
 // bench_features: what the things cost that a scene does without. Each is compiled and unused, there and unseen, and
 // left out.
 #include <algorithm>
+#include <cstring>
 
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/generate.h"
+#include "harness/instructions.h"
 #include "harness/meshes.h"
 #include "harness/stage.h"
-#include "render/kernel.h"
 #include "report/statistics.h"
+#include "unused.h"
 
 namespace lancer::bench {
 namespace {
@@ -248,61 +250,101 @@ void measure_unseen(const Base& base, const Feature& feature, const Options& opt
 
 // ---- the kernel for all, and what its code costs where nothing uses it
 
-// Mixes of materials are not asked about.
-struct NoMixes : View {
-    template <class F>
-    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
-    {
-        const ShadingPoint point = scene.shading_point(s);
-        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[s.material]);
-    }
-};
-// Lambert is all there is.
-struct OnlyLambert : View {
-    template <class F>
-    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
-    {
-        return f(std::get_if<Lambert>(&scene.materials[s.material])->at(scene.shading_point(s)));
-    }
-};
-struct NoCutOuts : View {
-    static uint32_t ray_key(const Sampler&, uint32_t, Dim) { return 0; }
-};
-struct NoMedia : View {
-    static constexpr bool has_media() { return false; }
+// One way to draw the picture. draw() adds samples [0, end) to the film.
+struct Way {
+    std::string name, than;  // than: of the way with which it is compared
+    std::function<void(Film&, const Tile&, uint32_t end, Workspace&)> draw;
 };
 
-template <class V>
-Contestant contestant(const std::string& name, const Picture& picture, const Path& path, const PathPlan& plan)
+// As measure_unused() sees the picture. All must outlive what is made of it.
+struct Pictured {
+    const Stage& stage;
+    const PathPlan& plan;
+    const Path path = std::get<Path>(stage.render.integrator);
+
+    template <class V>
+    Way way(const std::string& name, const Calls& calls = {}, const std::string& than = "everything") const
+    {
+        return {name, than, [this, calls](Film& film, const Tile& tile, uint32_t end, Workspace& w) {
+                    Counters counters;
+                    render_tile(V{view(calls)}, stage.renderer.accelerator(), stage.camera, stage.render.kernel, path,
+                                film, tile, SampleRange{0, end}, w, counters, NoListener{});
+                }};
+    }
+    template <unsigned without>
+    Way without_surfaces(const std::string& name) const
+    {
+        return way<Everything>(name, surfaces_without<without>(), "surfaces that are asked");
+    }
+    Everything view(const Calls& calls) const { return {{stage.scene, plan}, calls}; }
+    // The product's own.
+    Way product() const
+    {
+        return {"product", {}, [this](Film& film, const Tile& tile, uint32_t end, Workspace& w) {
+                    Counters counters;
+                    Kernels<Path>::render(View{stage.scene, plan}, stage.renderer.accelerator(), stage.camera,
+                                          stage.render.kernel, path, film, tile, SampleRange{0, end}, w, counters);
+                }};
+    }
+};
+
+bool same_bits(const Film& a, const Film& b)
 {
-    return {name, picture.samples(), [&picture, path, plan] {
-                const Stage& stage = *picture.stage;
-                Film film = picture.film;
-                Workspace w;
-                Counters counters;
-                for (const Tile& tile : stage.tiles())
-                    render_tile(V{{stage.scene, plan}}, stage.renderer.accelerator(), stage.camera, stage.render.kernel,
-                                path, film, tile, SampleRange{0, spp}, w, counters, NoListener{});
-                keep(film.pixels);
-            }};
+    const auto same = [](const Pixel& p, const Pixel& q) {
+        return p.n == q.n && std::memcmp(p.sum.data(), q.sum.data(), sizeof p.sum) == 0;
+    };
+    return std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), b.pixels.end(), same);
 }
-// The same, with nothing taken out.
-struct Everything : View {};
 
 void measure_unused(const Base& base, const Options& options, Report& report)
 {
-    const Picture picture(base.description, options_for(), {});
-    const PathPlan plan = picture.stage->renderer.plan(picture.stage->camera, picture.film.width, picture.film.height);
-    const Path path = std::get<Path>(picture.stage->render.integrator);
-    const std::vector<Contestant> contestants{
-        contestant<Everything>("everything", picture, path, plan), contestant<NoMixes>("mixes", picture, path, plan),
-        contestant<OnlyLambert>("materials but Lambert", picture, path, plan),
-        contestant<NoCutOuts>("cut-outs", picture, path, plan), contestant<NoMedia>("media", picture, path, plan)};
-    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, 1);
-    for (size_t i = 1; i < contestants.size(); ++i) {
-        Json& row = report.add("features", joined({"unused", base.name, contestants[i].name}), timings[i], 1);
-        row["mesh"] = base.name, row["way"] = contestants[i].name;
-        add_ratio(row, "everything", timings[0], timings[i], 1);
+    PictureOptions small = options_for();  // short runs take turns more often; valgrind takes a hundred times as long
+    small.size = is_under_valgrind() ? std::array{24u, 18u} : std::array{48u, 36u};
+    const Picture picture(base.description, small, {});
+    const Stage& stage = *picture.stage;
+    const Pictured p{stage, stage.renderer.plan(stage.camera, picture.film.width, picture.film.height)};
+    const std::vector<Way> ways{
+        p.product(),
+        p.way<Everything>("everything", {}, "product"),
+        p.way<NoMixes>("mixes"),
+        p.way<OnlyLambert>("materials but Lambert"),
+        p.way<NoTextures<false>>("textures, of materials"),
+        p.way<NoTextures<true>>("vertex colours, of materials"),
+        p.way<NoCutOuts>("cut-outs"),
+        p.way<NoMedia>("media"),
+        p.way<FlatLights>("lights but triangles"),
+        p.way<NoLens>("thin lens"),
+        p.way<NoWideFilter>("wide filters"),
+        p.way<Everything>("surfaces that are asked", surfaces_without<0>()),
+        p.without_surfaces<shapes>("spheres and planes"),
+        p.without_surfaces<instances>("instances"),
+        p.without_surfaces<vertex_normals>("vertex normals"),
+        p.without_surfaces<vertex_colors>("vertex colours"),
+        p.without_surfaces<textures>("textures"),
+        p.without_surfaces<maps>("bump and normal maps"),
+        p.without_surfaces<legacy>("legacy"),
+        p.without_surfaces<all_of_them>("surfaces but flat triangles"),
+    };
+    const auto draw = [&](const Way& way, uint32_t end) {
+        Film film = picture.film;
+        Workspace w;
+        for (const Tile& tile : stage.tiles()) way.draw(film, tile, end, w);
+        return film;
+    };
+    const Film right = draw(ways[0], spp);
+    std::vector<Contestant> contestants;
+    for (const Way& way : ways) {
+        if (!same_bits(draw(way, spp), right)) report.fail(base.name + " without " + way.name + ": other bits");
+        contestants.push_back({way.name, picture.samples() / spp, [&] { keep(draw(way, 1).pixels); }});
+    }
+    constexpr unsigned rounds = 40;  // for each repetition that is asked for
+    const std::vector<Timing> timings =
+        take_turns(contestants, is_under_valgrind() ? 1 : rounds * options.repetitions, 1);
+    for (size_t i = 1; i < ways.size(); ++i) {
+        const auto than = std::find_if(ways.begin(), ways.end(), [&](const Way& w) { return w.name == ways[i].than; });
+        Json& row = report.add("features", joined({"unused", base.name, ways[i].name}), timings[i], 1);
+        row["mesh"] = base.name, row["way"] = ways[i].name;
+        add_ratio(row, than->name, timings[static_cast<size_t>(than - ways.begin())], timings[i], 1);
         print_row(row);
     }
 }
@@ -360,6 +402,10 @@ int main(int argc, char** argv)
                 if (options.full || !options.only.empty()) bases.push_back(make_base("room", 100'000));
                 for (const Base& base : bases) {
                     if (!options.wants(base.name)) continue;
+                    if (is_under_valgrind()) {  // which counts, and tells no times
+                        measure_unused(base, options, report);
+                        continue;
+                    }
                     measure_saved(base, options, report);
                     measure_unused(base, options, report);
                     for (const Feature& feature : features()) measure_unseen(base, feature, options, report);

@@ -59,7 +59,8 @@ void print_row(const Json& row)
         line += format_text(" %12.4g /s  [%.4g .. %.4g]", number("items_per_second"), 1e9 / number("max"),
                             1e9 / number("min"));
     if (row.contains("ratio"))
-        line += format_text("  x%.3f [%.3f .. %.3f]", number("ratio"), number("ratio_min"), number("ratio_max"));
+        line += format_text("  x%.4f [%.4f .. %.4f]", number("ratio"), number("ratio_low"), number("ratio_high"));
+    if (row.contains("instructions_ratio")) line += format_text("  instructions x%.5f", number("instructions_ratio"));
     for (const char* key :
          {"seconds", "bytes_per_triangle", "exponent", "share", "extra_ns", "disagreements", "differing_pixels"})
         if (row.contains(key)) line += format_text("  %s %.4g", key, number(key));

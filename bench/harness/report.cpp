@@ -82,7 +82,14 @@ void add_ratio(Json& row, const std::string& base_name, const Timing& base, cons
     row["ratio"] = spread.median;
     row["ratio_min"] = spread.min;
     row["ratio_max"] = spread.max;
+    const Interval interval = median_interval(ratios);
+    row["ratio_low"] = interval.low;
+    row["ratio_high"] = interval.high;
     row["ratio_to"] = base_name;
+    if (base.instructions && timing.instructions) {
+        row["instructions"] = *timing.instructions;
+        row["instructions_ratio"] = *base.instructions / *timing.instructions;
+    }
 }
 
 void Report::write(const std::string& path) const

@@ -43,7 +43,8 @@ std::string joined(std::initializer_list<std::string> parts);
 // The times by which ratios are taken: see Report::add.
 const std::vector<double>& counted(const Timing& timing, unsigned threads);
 
-// Adds the median, min and max of how much faster `timing` is than `base`, round by round.
+// Adds the median, min and max, and the interval of 95 % of the median, of how much faster `timing` is than `base`,
+// round by round.
 void add_ratio(Json& row, const std::string& base_name, const Timing& base, const Timing& timing, unsigned threads);
 
 }  // namespace lancer::bench

@@ -1,6 +1,11 @@
 #include "harness/timing.h"
 
+#include <algorithm>
 #include <ctime>
+#include <numeric>
+#include <random>
+
+#include "harness/instructions.h"
 
 namespace lancer::bench {
 namespace {
@@ -34,11 +39,19 @@ std::vector<Timing> take_turns(const std::vector<Contestant>& contestants, unsig
     };
     std::vector<Timing> timings(contestants.size()), unheard(contestants.size());
     for (size_t i = 0; i < contestants.size(); ++i) run(contestants[i], unheard[i]);
-    for (unsigned round = 0; round < repetitions; ++round)
-        for (size_t k = 0; k < contestants.size(); ++k) {
-            const size_t i = (k + round) % contestants.size();
-            run(contestants[i], timings[i]);
-        }
+    if (threads == 1)
+        for (size_t i = 0; i < contestants.size(); ++i)
+            if (contestants[i].run)
+                if (const auto count = instructions_of(contestants[i].run))
+                    timings[i].instructions = *count / contestants[i].items;
+    // By chance, as who runs after whom tells in the caches.
+    std::vector<size_t> order(contestants.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::mt19937_64 random(1);
+    for (unsigned round = 0; round < repetitions; ++round) {
+        std::shuffle(order.begin(), order.end(), random);
+        for (const size_t i : order) run(contestants[i], timings[i]);
+    }
     return timings;
 }
 

@@ -1,9 +1,10 @@
 // Times of things to compare, taken in turns so that whatever disturbs the machine disturbs all of them alike: after a
-// round to warm up, each round runs every contestant once and begins with another one.
+// round to warm up, each round runs every contestant once, in an order of its own.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Contestant {
 // Nanoseconds per item, one of each round; round r of one contestant and of another ran side by side.
 struct Timing {
     std::vector<double> cpu, wall;
+    std::optional<double> instructions{};  // per item, of one run; nothing where they cannot be counted
 };
 
 // threads: with one, cpu is the calling thread's, else the process's. repetitions: rounds that count, >= 1.

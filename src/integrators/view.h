@@ -1,6 +1,7 @@
 // All that an integrator can see of a scene. No accelerator: rays are asked for through Steps.
 #pragma once
 
+#include <span>
 #include <utility>
 
 #include "core/sampler.h"
@@ -22,24 +23,40 @@ struct View {
     {
         return lancer::surface_at(scene, ray, hit, cone, place);
     }
+    // See scene/triangle_place.h.
+    void triangle_places(std::span<const Hit> hits, std::span<TrianglePlace> places) const
+    {
+        lancer::triangle_places(scene, hits, places);
+    }
 
     // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
     // the material is a mix, a number of the sampler decides which part it is.
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
-        const ShadingPoint point = scene.shading_point(s);
         uint32_t id = s.material;
         if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
-            id = scene.scattering_material(id, point, sampler.get1(bounce, Dim::mix));
-        return std::visit([&](const auto& material) { return f(material.at(point)); }, scene.materials[id]);
+            id = scene.scattering_material(id, scene.shading_point(s), sampler.get1(bounce, Dim::mix));
+        return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[id]);
+    }
+    template <class Material>
+    auto bsdf_at(const Material& material, const Surface& s) const
+    {
+        return material.at(scene.shading_point(s));
+    }
+    // Where nothing is looked up a matt surface wants to know no more of the place.
+    LambertBsdf bsdf_at(const Lambert& lambert, const Surface& s) const
+    {
+        if (lambert.albedo.texture == no_texture) return {lambert.albedo.value * s.vertex_color};
+        return lambert.at(scene.shading_point(s));
     }
     // What the classic integrators see of the place; of a mix, mixed.
     Phong phong(const Surface& s) const { return scene.phong(s.material, scene.shading_point(s)); }
     Color emission(const Surface& s) const
     {
         const Emission& e = scene.emission[s.material];
-        return e.is_dark() ? Color{} : e.towards(s.front, scene.shading_point(s));
+        if (e.is_dark()) return {};
+        return e.radiance.texture == no_texture ? e.towards(s.front) : e.towards(s.front, scene.shading_point(s));
     }
     // Radiance of a ray that left the scene.
     Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
@@ -61,7 +78,7 @@ struct View {
     // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
     bool lit_by_constant_sky() const
     {
-        return scene.lights.lights.size() == 1 && scene.environment_light != Scene::none && !scene.environment_table;
+        return scene.environment_light != Scene::none && scene.lights.lights.size() == 1 && !scene.environment_table;
     }
     // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
     // choice.
@@ -86,7 +103,12 @@ struct View {
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
-        return scene.geometry.holes.let_pass ? sampler.key(bounce, dim) : 0;
+        return scene.geometry.holes.let_pass ? key_in_scene_with_holes(sampler, bounce, dim) : 0;
+    }
+    // Out of line, so that the hash does not stand in the kernel for each kind of ray.
+    [[gnu::noinline]] static uint32_t key_in_scene_with_holes(const Sampler& sampler, uint32_t bounce, Dim dim)
+    {
+        return sampler.key(bounce, dim);
     }
     float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
     {

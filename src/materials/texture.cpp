@@ -169,4 +169,9 @@ Vec2 ImageTexture::slope(Vec2d uv, float width) const
     return {s.x * use_.gain * sign_of(use_.scale.x), s.y * use_.gain * sign_of(use_.scale.y)};
 }
 
+Color ShadingPoint::eval(uint32_t texture) const
+{
+    return std::visit([&](const auto& t) { return t.eval(uv, footprint()); }, textures[texture]);
+}
+
 }  // namespace lancer

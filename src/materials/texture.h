@@ -116,10 +116,8 @@ struct ShadingPoint {
     // Of a boundary: index behind the geometric normal over index in front of it. said: by the material itself.
     float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }
 
-    Color eval(uint32_t texture) const
-    {
-        return std::visit([&](const auto& t) { return t.eval(uv, footprint()); }, textures[texture]);
-    }
+    // Out of line: it would stand in the kernel once for each parameter of each material, and most have no texture.
+    Color eval(uint32_t texture) const;
     Footprint footprint() const { return {uv_width, uv_along}; }
     // The same place, to be looked up in full resolution.
     ShadingPoint finest() const

@@ -46,6 +46,18 @@ struct Made {
     operator std::invoke_result_t<F>() const { return f(); }
 };
 
+// Where on the film a sample is. offset: from the middle of its pixel.
+inline Vec2 on_film(const SampleId& id, Vec2 offset)
+{
+    return {static_cast<float>(id.x) + 0.5f + offset.x, static_cast<float>(id.y) + 0.5f + offset.y};
+}
+// The ray of a sample. A bench has views whose cameras know less.
+template <class V>
+Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
+{
+    return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens));
+}
+
 // Traces the samples in w.slots to their end; their radiance is then in w.queue.radiance.
 template <class V, class Integrator, class Listener>
 void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
@@ -82,10 +94,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         s.part = w.slots[i].sample % of_path;
         s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % looked_ahead];
-        const Vec2 offset = settings.filter.sample(numbers.get2(0, Dim::pixel));
-        s.ray = camera.ray(
-            {static_cast<float>(w.slots[i].x) + 0.5f + offset.x, static_cast<float>(w.slots[i].y) + 0.5f + offset.y},
-            numbers.get2(0, Dim::lens));
+        s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
         s.ray.key = view.ray_key(numbers, 0, Dim::hole);
         s.cone = {0, camera.pixel_spread()};
         s.media = view.scene.camera_media;
@@ -98,7 +107,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
         AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
-        triangle_places(view.scene, std::span(w.hits).subspan(first, end - first), places);
+        view.triangle_places(std::span(w.hits).subspan(first, end - first), places);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const State& s = w.states[i];
@@ -116,6 +125,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             }
     };
     const bool has_media = view.has_media();
+    MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const State& s : w.states) w.rays.push_back(s.ray);
@@ -138,16 +148,13 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
-                const auto hit = [&] {
+                if (!has_media || media.enter(view, s, surface, w.queue, steps)) {
                     if constexpr (LooksAhead<Integrator>)
                         integrator.hit(view, s, surface, *samplers[k], aheads[k / float_lanes], k % float_lanes, steps);
                     else
                         integrator.hit(view, s, surface, *samplers[k], steps);
-                };
-                if (has_media)
-                    hit_in_media(view, s, surface, w.queue, steps, hit);
-                else
-                    hit();
+                    if (has_media) media.leave(view, surface, w.queue);
+                }
             } else {
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, steps);

@@ -130,7 +130,7 @@ inline void DiffuseBatch::send_from(const Camera& camera, uint32_t width, uint32
         path.worth.x[i] = worth.r, path.worth.y[i] = worth.g, path.worth.z[i] = worth.b;
     }
     const Vec2x8 on_pixel = numbers(path.key, 0, Dim::pixel).get2(path.sample);
-    const Vec2x8 on_lens = numbers(path.key, 0, Dim::lens).get2(path.sample);
+    const Vec2x8 on_lens = camera.is_pinhole() ? Vec2x8{} : numbers(path.key, 0, Dim::lens).get2(path.sample);
     std::array<Ray, float_lanes> rays;
     for (uint32_t i = 0; i < n; ++i) {
         const SampleId& id = w_.slots[first + i];

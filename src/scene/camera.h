@@ -24,6 +24,8 @@ public:
 
     // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
     Ray ray(Vec2 film, Vec2 lens) const;
+    // The same through the middle of the lens: all that a pinhole has.
+    Ray middle_ray(Vec2 film) const { return {.org = position_, .dir = normalize(direction(film))}; }
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 
@@ -38,6 +40,9 @@ public:
     friend bool operator==(const Camera&, const Camera&) = default;
 
 private:
+    // Through the middle of the lens; 1 long along the way that the camera looks.
+    Vec3 direction(Vec2 film) const { return forward_ + right_ * (film.x - centre_.x) + down_ * (film.y - centre_.y); }
+
     Vec3 position_, right_, down_, forward_;  // right_, down_: one pixel at distance 1
     Vec3 lens_right_, lens_up_;               // radius of the lens; 0 for a pinhole
     Vec2 centre_;                             // of the film, pixels

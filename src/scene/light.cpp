@@ -28,31 +28,46 @@ std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, c
     return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
 }
 
-TrianglePoint point_on(const Scene& scene, const TriangleLight& light, Vec2 uv)
+// What a place of a light sends out to one side, as far as there is a surface. uv(): of the place; only asked if
+// something is looked up there.
+template <class Uv>
+Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& uv)
 {
-    if (light.area == 0) return triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
-    const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
-    return {at.p, at.p_error, light.n, light.area, texture_uv(scene.shading[light.mesh], light.triangle, uv)};
+    const Emission& emission = scene.emission[material];
+    if (emission.radiance.texture == no_texture && !scene.traits[material].has_holes()) return emission.towards(front);
+    const ShadingPoint point = point_at(scene, uv());
+    return emission.towards(front, point) * opacity_at(scene, material, point);
 }
 
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
-    const TrianglePoint q = point_on(scene, light, square_to_triangle(u));
-    const Vec3 d = q.p - org;
+    const Vec2 uv = square_to_triangle(u);
+    Vec3 p, p_error, n = light.n;
+    float area = light.area;
+    if (area > 0) {
+        const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
+        p = at.p, p_error = at.p_error;
+    } else {
+        const TrianglePoint at = triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
+        p = at.p, p_error = at.p_error, n = at.n, area = at.area;
+    }
+    // Made in place: what is copied as a whole right after it was written in parts waits for all that came before.
+    std::optional<LightSample> s;
+    const Vec3 d = p - org;
     const float d2 = dot(d, d);
-    if (!(d2 > 0)) return {};
+    if (!(d2 > 0)) return s;
     const Vec3 wi = d / std::sqrt(d2);
-    const float c = -dot(wi, q.n);
-    const uint32_t material = scene.shading[light.mesh].material_of(light.triangle);
-    const ShadingPoint point = point_at(scene, q.uv);
-    const Color radiance = scene.emission[material].towards(c > 0, point) * opacity_at(scene, material, point);
-    if (c == 0 || is_black(radiance)) return {};
-    return LightSample{.wi = wi,
-                       .point = q.p,
-                       .p_error = q.p_error,
-                       .n = q.n,
-                       .radiance = radiance,
-                       .pdf = d2 / (std::abs(c) * q.area)};
+    const float c = -dot(wi, n);
+    const MeshShading& shading = scene.shading[light.mesh];
+    const Color radiance = radiance_at(scene, shading.material_of(light.triangle), c > 0,
+                                       [&] { return texture_uv(shading, light.triangle, uv); });
+    if (c == 0 || is_black(radiance)) return s;
+    s.emplace();
+    s->wi = wi;
+    s->point = p, s->p_error = p_error, s->n = n;
+    s->radiance = radiance;
+    s->pdf = d2 / (std::abs(c) * area);
+    return s;
 }
 
 // A sphere of light as a point at its centre of the same power, for shadows without penumbra: of what faces the surface
@@ -66,9 +81,8 @@ std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, ui
     const bool outside = d2 > r2;
     const Vec3 n = outside ? to_float(-wi) : Vec3{};
     const Vec3 point = to_float(outside ? s.center - wi * s.radius : s.center);
-    const ShadingPoint place =
-        point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(outside ? -wi : wi)) : Vec2{});
-    const Color radiance = scene.emission[material].towards(outside, place) * opacity_at(scene, material, place);
+    const Color radiance =
+        radiance_at(scene, material, outside, [&] { return sphere_uv(to_float(outside ? -wi : wi)); });
     if (is_black(radiance)) return {};
     return LightSample{.wi = to_float(wi),
                        .point = point,
@@ -86,24 +100,21 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const uint32_t material = scene.sphere_material[light.sphere];
     if (!scene.soft_shadows) return sample_center(scene, s, material, org);
-    const Emission& emission = scene.emission[material];
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     const auto sample_at = [&](Vec3d n, Vec3 wi, float pdf) {
         const Vec3 point = to_float(s.center + n * s.radius);
-        const ShadingPoint place = point_at(scene, scene.traits[material].reads_uv ? sphere_uv(to_float(n)) : Vec2{});
-        // In place: what is copied as a whole right after it was written in parts waits for all that came before.
-        std::optional<LightSample> at(std::in_place);
+        std::optional<LightSample> at(std::in_place);  // as above
         at->wi = wi;
         at->point = point;
         at->p_error = sphere_point_error(s, point);
         at->n = to_float(n);
-        at->radiance = emission.towards(true, place) * opacity_at(scene, material, place);
+        at->radiance = radiance_at(scene, material, true, [&] { return sphere_uv(to_float(n)); });
         at->pdf = pdf;
         return at;
     };
     if (d2 <= r2) {
-        if (!emission.both_sides) return {};
+        if (!scene.emission[material].both_sides) return {};
         const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
         const double l2 = dot(d, d), c = dot(d, n);
         if (!(l2 > 0) || !(c > 0)) return {};
@@ -134,6 +145,13 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
     const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
     if (!(pdf > 0)) return {};
     return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
+}
+
+// Whatever it is. Out of line: most lights are triangles, and should not pay for what the others want of the stack.
+[[gnu::noinline]] std::optional<LightSample> sample_other(const Scene& scene, const Light& any, const Surface& from,
+                                                          Vec3 org, Vec2 u)
+{
+    return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, any);
 }
 
 LightTree::Choice choose_light(const LightTable& table, const Surface& from, double u)
@@ -201,7 +219,9 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     // from.p itself the two could disagree even on which side of a sphere they are.
     const auto sampled_from = [&](Vec3 side) {
         const Vec3 org = ray_origin(from, side);
-        return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, table.lights[id]);
+        const Light& light = table.lights[id];
+        const auto* const triangle = std::get_if<TriangleLight>(&light);
+        return triangle ? sample(scene, *triangle, from, org, u) : sample_other(scene, light, from, org, u);
     };
     auto s = sampled_from(from.n);
     if (s && dot(s->wi, from.side) < 0 && through) {

@@ -1,6 +1,7 @@
 // What building a scene leaves out, and that what stays is the same.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
 
 #include "scene/features.h"
@@ -177,6 +178,82 @@ TEST(LeftOut, LightsAndMaterialsAreCounted)
     const Scene s = build_scene(d);
     EXPECT_EQ(count_of(s, "lights without power"), 2u);
     EXPECT_EQ(count_of(s, "materials that nothing uses"), 1u);
+}
+
+// What grows with a scene's triangles, vertices, shapes and lights but for what every triangle has: elements of each
+// table, by name.
+std::map<std::string, size_t> tables_of_features(const Scene& s)
+{
+    std::map<std::string, size_t> t{
+        {"spheres", s.geometry.spheres.size() + s.sphere_material.size()},
+        {"lights of spheres", s.sphere_light.size()},
+        {"planes", s.geometry.planes.size() + s.plane_material.size()},
+        {"maps of planes", s.plane_maps.size()},
+        {"instances", s.geometry.instances.size() + s.instance_first_light.size()},
+        {"holes", s.geometry.holes.let_pass != nullptr},
+        {"textures", s.textures.size()},
+        {"mixes", s.mixes.size() + s.mix_of.size()},
+        {"media", s.media.size()},
+        {"points and directions of light", s.point_lights.size() + s.directional_lights.size() + s.lights.deltas},
+        {"light tree", s.lights.tree != nullptr},
+        {"lights beside the tree", s.lights.far.size()},
+        {"environment", s.environment_map != nullptr},
+        {"table of the environment", s.environment_table != nullptr},
+        {"background", s.background != nullptr}};
+    for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) t["triangles with holes"] += asked.size();
+    for (const MeshShading& m : s.shading) {
+        t["normals"] += m.normals.size() + m.normal_triangles.size();
+        t["texture coordinates"] += m.uvs.size() + m.uv_triangles.bytes();
+        t["colours"] += m.colors.size();
+        t["materials of faces"] += m.face_material.size();
+    }
+    return t;
+}
+
+// A room of one material, a lamp of another: nothing of it is there for what it lacks. Each of the tables is that of
+// some scene, so that none of them is empty always.
+TEST(LeftOut, AFeatureThatASceneLacksTakesNoByte)
+{
+    SceneDescription room;
+    const auto wall = make_lambert("wall", {0.7f, 0.7f, 0.7f});
+    room.meshes.push_back(make_mesh(make_cube(wall)));
+    room.meshes.push_back(make_mesh(
+        make_quad({0, 0.9, 0}, {0.1, 0.9, 0}, {0.1, 0.9, 0.1}, {0, 0.9, 0.1}, make_emitter("lamp", {8, 8, 8}))));
+    Stage plain(room);
+    for (const auto& [name, size] : tables_of_features(plain.scene)) EXPECT_EQ(size, 0u) << name;
+    for (size_t i = 0; i < 2; ++i) {
+        const Mesh& mesh = plain.scene.geometry.meshes[i];
+        EXPECT_EQ(mesh.positions.size(), (i == 0 ? 8u : 4u) + 1) << "one to read past the end";
+        EXPECT_EQ(plain.scene.shading[i].emitter_rank.size(), i == 0 ? 0 : mesh.triangles.size());
+    }
+    EXPECT_EQ(plain.scene.lights.lights.size(), 2u);
+
+    std::map<std::string, size_t> somewhere;
+    const auto look = [&](const SceneDescription& d, const RasterSource& images = test_picture) {
+        const Stage stage(d, images);
+        for (const auto& [name, size] : tables_of_features(stage.scene)) somewhere[name] += size;
+    };
+    for (const auto& [name, d] : all_test_scenes()) look(d);
+    MaterialDescription mix = make_lambert("mix", {});
+    mix.type = MaterialType::mix, mix.first = "a", mix.second = "b";
+    SceneDescription more = room;
+    more.materials = {make_lambert("a", {1, 1, 1}), make_lambert("b", {}), mix};
+    more.meshes[0].material = "mix";
+    MeshData colored = *more.meshes[1].data;
+    colored.colors.assign(colored.positions.size(), {1, 0.5f, 0.2f});
+    colored.materials = {wall, make_lambert("other", {1, 1, 1})};
+    colored.face_material = {0, 1};
+    more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(colored)));
+    more.background.emplace().sky = SkyType::noon;
+    MeshData smooth = *room.meshes[0].data;
+    smooth.normals = {{0.6f, 0, 0.8f}};
+    smooth.normal_triangles.assign(smooth.triangles.size(), {0, 0, 0});
+    more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
+    // As many lights as a tree is made for, and one that is nowhere.
+    for (int i = 0; i < 100; ++i) more.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0.01 * i, 0.5, 0}));
+    more.lights.push_back(directional_of({1, 1, 1}, {0, -1, 0}));
+    look(more);
+    for (const auto& [name, size] : somewhere) EXPECT_GT(size, 0u) << name;
 }
 
 }  // namespace

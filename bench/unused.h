@@ -1,0 +1,325 @@
+// Views and functions that know less than the product's, for scenes that have no more: what the difference costs is
+// what features cost that a scene does without. Each draws the same bits there; bench_features looks whether it does.
+#pragma once
+
+#include "render/kernel.h"
+#include "scene/holes.h"
+
+namespace lancer::bench {
+
+// ---- what the kernel calls out of line, as functions that may be exchanged: the kernel around them stays what it is
+
+struct Calls {
+    Surface (*surface_at)(const Scene&, const Ray&, const Hit&, RayCone, const TrianglePlace&) = lancer::surface_at;
+    void (*triangle_places)(const Scene&, std::span<const Hit>, std::span<TrianglePlace>) = lancer::triangle_places;
+    std::optional<LightSample> (*sample_light)(const Scene&, const Surface&, uint32_t, Vec2,
+                                               bool) = lancer::sample_chosen_light;
+    float (*pdf_light)(const Scene&, Vec3, Vec3, Vec3, const Surface&) = lancer::pdf_light;
+};
+
+// Nothing is left out.
+struct Everything : View {
+    const Calls& calls;
+
+    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place) const
+    {
+        return calls.surface_at(scene, ray, hit, cone, place);
+    }
+    void triangle_places(std::span<const Hit> hits, std::span<TrianglePlace> places) const
+    {
+        calls.triangle_places(scene, hits, places);
+    }
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
+                                            bool through) const
+    {
+        const Discrete& pick = scene.lights.pick;
+        if (pick.empty()) return {};
+        const Vec2 u = sampler.get2(bounce, Dim::light);
+        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
+        const Discrete::Stretched s = pick.stretch(u.x);
+        return calls.sample_light(scene, from, s.index, {s.u, u.y}, through);
+    }
+    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
+    {
+        return calls.pdf_light(scene, from, normal, wi, at);
+    }
+    // For views in which nothing that shines has a texture.
+    Color emission_of_one_colour(const Surface& s) const
+    {
+        const Emission& e = scene.emission[s.material];
+        if (e.is_dark()) return {};
+        return s.front || e.both_sides ? e.radiance.value : Color{};
+    }
+};
+
+// ---- surfaces: surface_at() and triangle_places() as they are for flat triangles; of all else only the question
+// whether it is there, and of that, what the bits of `without` name not even the question
+
+enum Asked : unsigned {
+    shapes = 1,  // spheres and planes
+    instances = 2,
+    vertex_normals = 4,
+    vertex_colors = 8,
+    textures = 16,
+    maps = 32,  // bump and normal maps
+    legacy = 64,
+    all_of_them = 127
+};
+
+template <unsigned without>
+[[gnu::noinline]] Surface surface_of(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone,
+                                     const TrianglePlace& placed)
+{
+    constexpr auto asks = [](Asked what) { return (without & what) == 0; };
+    Surface s;
+    const auto is_plain = [&] {
+        if constexpr (asks(shapes))
+            if (hit.kind != Kind::triangle) return false;
+        const MeshShading& shading = scene.shading[hit.geometry];
+        s.material = shading.material_of(hit.primitive);
+        if constexpr (asks(vertex_colors))
+            if (!shading.colors.empty()) return false;
+        if constexpr (asks(textures))
+            if (shading.uv_triangles.find(hit.primitive)) return false;
+        if constexpr (asks(maps))
+            if (scene.traits[s.material].tilts()) return false;
+        return true;
+    };
+    if (!is_plain()) {
+        s = lancer::surface_at(scene, ray, hit, cone, placed);
+        return s;
+    }
+    s.t = hit.t;
+    s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
+    s.light = Scene::none;
+    const auto& ranks = scene.shading[hit.geometry].emitter_rank;
+    if (!ranks.empty() && ranks[hit.primitive] != Scene::none) {
+        uint32_t first = scene.mesh_first_light[hit.geometry];
+        if constexpr (asks(instances))
+            if (hit.instance != Hit::no_instance) first = scene.instance_first_light[hit.instance];
+        s.light = first + ranks[hit.primitive];
+    }
+    s.ns_front = s.ns;
+    const Vec3 wo = -ray.dir;
+    s.front = dot(s.n, wo) > 0;
+    if (!s.front) s.n = -s.n, s.ns = -s.ns;
+    s.origin = offset_origin(s.p, s.p_error, s.n, s.n);
+    s.side = s.n;
+    if constexpr (asks(legacy))
+        if (scene.legacy) return s;
+    if constexpr (asks(vertex_normals)) {
+        if (s.ns == s.n) return s;
+        s = lancer::surface_at(scene, ray, hit, cone, placed);
+    }
+    return s;
+}
+
+// places_of() of the product, with the same roundings.
+template <unsigned without>
+void place_four(const Scene& scene, std::span<const Hit> hits, const FourHits& which, std::span<TrianglePlace> places)
+{
+    constexpr bool asks_for_normals = (without & vertex_normals) == 0;
+    std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
+    Float4 u, v;
+    Mask4f smooth{};
+    for (size_t k = 0; k < double_lanes; ++k) {
+        const Hit& hit = hits[which[k]];
+        const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+        const auto& t = mesh.triangles[hit.primitive];
+        rows_a[k] = load4(&mesh.positions[t[0]].x);
+        rows_b[k] = load4(&mesh.positions[t[1]].x);
+        rows_c[k] = load4(&mesh.positions[t[2]].x);
+        u[k] = hit.uv.x, v[k] = hit.uv.y;
+        if constexpr (asks_for_normals) {
+            const MeshShading& shading = scene.shading[hit.geometry];
+            if (shading.normals.empty()) continue;
+            const auto& i = shading.normal_triangles[hit.primitive];
+            if (i[0] == MeshData::no_normal) continue;
+            const auto normal = [&](uint32_t corner) {
+                const Vec3& n = shading.normals[i[corner]];
+                return Float4{n.x, n.y, n.z, 0};
+            };
+            rows_na[k] = normal(0), rows_nb[k] = normal(1), rows_nc[k] = normal(2);
+            smooth[k] = -1;
+        }
+    }
+    const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
+    const PointOnTriangle<Float4> at(a, b, c, u, v);
+    const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
+    const Double4 length_n = sqrt(dot(cross_n, cross_n));
+    const Float4 zero{};
+    const Mask4f has_area = narrowed(length_n > Double4{});
+    Vec3T<Float4> n = to_float(cross_n * (1.0 / length_n));
+    n = select(has_area, n, Vec3T<Float4>{zero, zero, zero + 1.0f});
+    Vec3T<Float4> ns = n;
+    const Float4 area = _mm256_cvtpd_ps(0.5 * length_n);
+    if constexpr (asks_for_normals)
+        if (bits(smooth) != 0) {
+            const Float4 w = first_weight(u, v);
+            const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
+            const Double4 length_ns = sqrt(dot(sum, sum));
+            ns = select(smooth & narrowed(length_ns > Double4{}), to_float(sum * (1.0 / length_ns)), ns);
+            n = select(smooth & (dot(n, ns) < zero), -n, n);
+        }
+    const auto lane = [](const Vec3T<Float4>& x, size_t k) { return Vec3{x.x[k], x.y[k], x.z[k]}; };
+    for (size_t k = 0; k < double_lanes; ++k)
+        places[which[k]] = {lane(at.p, k), lane(at.p_error, k), lane(n, k), lane(ns, k), area[k]};
+}
+
+template <unsigned without>
+[[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
+{
+    const auto four = [&](const FourHits& which) { place_four<without>(scene, hits, which, places); };
+    const auto placed = [&](size_t i) {
+        places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+    };
+    if constexpr ((without & instances) == 0) return for_triangles(hits, four, placed);
+    FourHits which{};
+    size_t count = 0;
+    for (size_t i = 0; i < hits.size(); ++i) {
+        if (!hits[i]) continue;
+        which[count++] = i;
+        if (count == which.size()) four(which), count = 0;
+    }
+    if (count == 0) return;
+    std::fill(which.begin() + count, which.end(), which[0]);
+    four(which);
+}
+
+template <unsigned without>
+Calls surfaces_without()
+{
+    Calls calls;
+    calls.surface_at = surface_of<without>, calls.triangle_places = places_of_hits<without>;
+    return calls;
+}
+
+// ---- lights: flat triangles of one colour each, chosen by power
+
+[[gnu::noinline]] inline std::optional<LightSample> sample_flat_light(const Scene& scene, const Surface& from,
+                                                                      uint32_t id, Vec2 u, bool through)
+{
+    const auto& light = *std::get_if<TriangleLight>(&scene.lights.lights[id]);
+    const auto sampled_from = [&](Vec3 side) -> std::optional<LightSample> {
+        const Vec3 org = ray_origin(from, side);
+        const auto q = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, square_to_triangle(u));
+        const Vec3 d = q.p - org;
+        const float d2 = dot(d, d);
+        if (!(d2 > 0)) return {};
+        const Vec3 wi = d / std::sqrt(d2);
+        const float c = -dot(wi, light.n);
+        const Emission& emission = scene.emission[scene.shading[light.mesh].material_of(light.triangle)];
+        const Color radiance = c > 0 || emission.both_sides ? emission.radiance.value : Color{};
+        if (c == 0 || is_black(radiance)) return {};
+        return LightSample{.wi = wi,
+                           .point = q.p,
+                           .p_error = q.p_error,
+                           .n = light.n,
+                           .radiance = radiance,
+                           .pdf = d2 / (std::abs(c) * light.area)};
+    };
+    auto s = sampled_from(from.n);
+    if (s && dot(s->wi, from.side) < 0 && through) {
+        s = sampled_from(-from.n);
+        if (s && dot(s->wi, from.side) >= 0) s.reset();
+    } else if (s && dot(s->wi, from.side) <= 0) {
+        s.reset();
+    }
+    if (s) s->pdf *= scene.lights.pick.probability(id);
+    return s;
+}
+[[gnu::noinline]] inline float pdf_flat_light(const Scene& scene, Vec3 from, Vec3, Vec3 wi, const Surface& at)
+{
+    if (at.light == Scene::none) return 0;
+    const Vec3 d = at.p - from;
+    const float c = std::abs(dot(wi, at.n));
+    return c > 0 ? scene.lights.pick.probability(at.light) * dot(d, d) / (c * at.area) : 0;
+}
+struct FlatLights : Everything {
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
+                                            bool through) const
+    {
+        const Vec2 u = sampler.get2(bounce, Dim::light);
+        const Discrete::Stretched s = scene.lights.pick.stretch(u.x);
+        return sample_flat_light(scene, from, s.index, {s.u, u.y}, through);
+    }
+    Color emission(const Surface& s) const { return emission_of_one_colour(s); }
+    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
+    {
+        return pdf_flat_light(scene, from, normal, wi, at);
+    }
+    Color environment(Vec3) const { return {}; }
+    Color background(const Ray&, RayCone) const { return {}; }
+    bool lit_by_constant_sky() const { return false; }
+    float pdf_environment(Vec3, Vec3) const { return 0; }
+};
+
+// ---- what the kernel has inlined
+
+// Mixes of materials are not asked about.
+struct NoMixes : Everything {
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
+    {
+        return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[s.material]);
+    }
+};
+// Lambert is all there is.
+struct OnlyLambert : Everything {
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler&, uint32_t, F&& f) const
+    {
+        return f(bsdf_at(*std::get_if<Lambert>(&scene.materials[s.material]), s));
+    }
+};
+// The same of all materials, but Lambert has a colour each, and no texture; is_white: nor have vertices colours.
+template <bool is_white>
+struct NoTextures : Everything {
+    template <class F>
+    auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
+    {
+        uint32_t id = s.material;
+        if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
+            id = scene.scattering_material(id, scene.shading_point(s), sampler.get1(bounce, Dim::mix));
+        return std::visit(
+            [&]<class M>(const M& material) {
+                if constexpr (!std::is_same_v<M, Lambert>)
+                    return f(bsdf_at(material, s));
+                else if constexpr (!is_white)
+                    return f(LambertBsdf{material.albedo.value * s.vertex_color});
+                else if (material.albedo.texture == no_texture)
+                    return f(LambertBsdf{material.albedo.value});
+                else
+                    return f(LambertBsdf{scene.shading_point(s).eval(material.albedo)});
+            },
+            scene.materials[id]);
+    }
+    Color emission(const Surface& s) const
+    {
+        if constexpr (is_white) return View::emission(s);
+        return emission_of_one_colour(s);
+    }
+};
+struct NoCutOuts : Everything {
+    static uint32_t ray_key(const Sampler&, uint32_t, Dim) { return 0; }
+};
+struct NoMedia : Everything {
+    static constexpr bool has_media() { return false; }
+};
+// Cameras are pinholes.
+struct NoLens : Everything {};
+inline Ray camera_ray(const NoLens&, const Camera& camera, const Filter& filter, const SampleId& id,
+                      const Sampler& numbers)
+{
+    return camera.middle_ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))));
+}
+// The filter is a box.
+struct NoWideFilter : Everything {};
+inline Ray camera_ray(const NoWideFilter&, const Camera& camera, const Filter&, const SampleId& id,
+                      const Sampler& numbers)
+{
+    const Vec2 u = numbers.get2(0, Dim::pixel);
+    return camera.ray(on_film(id, {u.x - 0.5f, u.y - 0.5f}), numbers.get2(0, Dim::lens));
+}
+
+}  // namespace lancer::bench
