@@ -276,6 +276,11 @@ struct Pictured {
     {
         return way<Everything>(name, surfaces_without<without>(), "surfaces that are asked");
     }
+    template <unsigned without>
+    Way without_lights(const std::string& name) const
+    {
+        return way<Everything>(name, lights_without<without>(), "lights that are asked");
+    }
     Everything view(const Calls& calls) const { return {{stage.scene, plan}, calls}; }
     // The product's own.
     Way product() const
@@ -312,10 +317,19 @@ void measure_unused(const Base& base, const Options& options, Report& report)
         p.way<NoTextures<true>>("vertex colours, of materials"),
         p.way<NoCutOuts>("cut-outs"),
         p.way<NoMedia>("media"),
-        p.way<FlatLights>("lights but triangles"),
+        p.way<NoLightTree>("light tree"),
+        p.way<NoSky>("sky"),
+        p.way<PlainEmission>("textures, of what shines"),
         p.way<NoLens>("thin lens"),
         p.way<NoWideFilter>("wide filters"),
         p.way<Everything>("surfaces that are asked", surfaces_without<0>()),
+        p.way<Everything>("lights that are asked", lights_without<0>()),
+        p.without_lights<other_lights>("lights but triangles"),
+        p.without_lights<placed_lights>("lights of instances"),
+        p.without_lights<textured_lights>("textures of lights"),
+        p.without_lights<lights_with_holes>("cut-outs of lights"),
+        p.without_lights<light_tree>("densities of a light tree"),
+        p.without_lights<all_of_lights>("lights but flat triangles of one colour"),
         p.without_surfaces<shapes>("spheres and planes"),
         p.without_surfaces<instances>("instances"),
         p.without_surfaces<vertex_normals>("vertex normals"),
