@@ -203,7 +203,7 @@ struct Picture {
     }
     double samples() const { return static_cast<double>(film.width) * film.height * spp; }
     // From an empty film, with all that was asked of it.
-    void draw()
+    void draw() const
     {
         Film drawn = film;
         (renderer ? *renderer : stage->renderer).pass(stage->camera, drawn, stage->tiles(), {0, spp});
@@ -363,9 +363,12 @@ void measure_unused(const Base& base, const Options& options, Report& report)
     }
 }
 
+// Of a scene that gets a kernel of its own.
 void measure_saved(const Base& base, const Options& options, Report& report)
 {
-    Picture chosen(base.description, options_for(), {}), all(base.description, options_for(), Profile::all);
+    const Picture chosen(base.description, options_for(), {});
+    if (chosen.stage->renderer.profile() == Profile::all) return;
+    const Picture all(base.description, options_for(), Profile::all);
     const std::vector<Timing> timings =
         take_turns({{"all", all.samples(), [&] { all.draw(); }}, {"chosen", chosen.samples(), [&] { chosen.draw(); }}},
                    options.repetitions, 1);
@@ -424,6 +427,9 @@ int main(int argc, char** argv)
                     measure_unused(base, options, report);
                     for (const Feature& feature : features()) measure_unseen(base, feature, options, report);
                 }
+                for (const char* shipped : {"cornell", "shell", "spheres", "still_life"})
+                    if (options.wants(shipped) && !is_under_valgrind())
+                        measure_saved({shipped, load_description(scene_file(shipped))}, options, report);
             });
             for (const SharedRoom& room : shared_rooms()) measure_scene(room, options, report);
         });
