@@ -10,7 +10,7 @@ namespace lancer {
 
 // What building the scene left out, then what tracing it does: kinds of geometry, and the module for pictures.
 std::vector<LeftOut> left_out_of(const Renderer& renderer);
-// "12 materials that nothing uses", with the memory that it saves where that is known.
+// "12 materials that nothing uses", with the memory and the time that it saves where they are known.
 std::string to_string(const LeftOut& l);
 
 }  // namespace lancer

@@ -69,6 +69,7 @@ TEST_F(LeftOut, IsInTheStatistics)
         all += l["what"].get<std::string>() + "\n";
         EXPECT_GT(l["count"], 0);
         EXPECT_GE(l["bytes"], 0);
+        EXPECT_EQ(l["time"].get<std::string>().empty(), !l["what"].get<std::string>().starts_with("module")) << l;
     }
     expect_words(all, "lights without power\n");
     expect_words(all, "materials that nothing uses\n");
@@ -95,6 +96,7 @@ file = "quad.obj"
         const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
         const auto kernel = stats["settings"]["kernel"].get<std::string>();
         expect_words(said.err, "drawn by the kernel '" + kernel + "'");
+        EXPECT_EQ(said.err.find("1 kernel for all scenes; saves ") != std::string::npos, kernel != "all") << said.err;
         const bool leaves_out = stats["samples"]["of_open_sky"] > 0;
         EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
         return kernel + (leaves_out ? " without sky" : "");
