@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run_program.h"
+#include "io/image_files.h"
 
 namespace lancer {
 namespace {
@@ -26,11 +27,16 @@ TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
     write("worn.toml", std::string(small_scene) +
                            "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
                            "\"grey.ppm\"\n");
+    write("grey.jpg", jpeg());
+    write("jpeg.toml", std::string(small_scene) +
+                           "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
+                           "\"grey.jpg\"\n");
     write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"grey.ppm\"\n");
     const std::string without = mapped_while_rendering("scene.toml");
     expect_words(without, "embree");
     EXPECT_EQ(without.find("OpenImageIO"), std::string::npos);
     EXPECT_EQ(mapped_while_rendering("unused.toml").find("OpenImageIO"), std::string::npos);
+    EXPECT_EQ(mapped_while_rendering("jpeg.toml").find("OpenImageIO"), std::string::npos);
     expect_words(mapped_while_rendering("worn.toml"), "OpenImageIO");
 }
 
