@@ -203,7 +203,7 @@ struct Picture {
     }
     double samples() const { return static_cast<double>(film.width) * film.height * spp; }
     // From an empty film, with all that was asked of it.
-    void draw()
+    void draw() const
     {
         Film drawn = film;
         (renderer ? *renderer : stage->renderer).pass(stage->camera, drawn, stage->tiles(), {0, spp});
@@ -276,6 +276,11 @@ struct Pictured {
     {
         return way<Everything>(name, surfaces_without<without>(), "surfaces that are asked");
     }
+    template <unsigned without>
+    Way without_lights(const std::string& name) const
+    {
+        return way<Everything>(name, lights_without<without>(), "lights that are asked");
+    }
     Everything view(const Calls& calls) const { return {{stage.scene, plan}, calls}; }
     // The product's own.
     Way product() const
@@ -312,10 +317,19 @@ void measure_unused(const Base& base, const Options& options, Report& report)
         p.way<NoTextures<true>>("vertex colours, of materials"),
         p.way<NoCutOuts>("cut-outs"),
         p.way<NoMedia>("media"),
-        p.way<FlatLights>("lights but triangles"),
+        p.way<NoLightTree>("light tree"),
+        p.way<NoSky>("sky"),
+        p.way<PlainEmission>("textures, of what shines"),
         p.way<NoLens>("thin lens"),
         p.way<NoWideFilter>("wide filters"),
         p.way<Everything>("surfaces that are asked", surfaces_without<0>()),
+        p.way<Everything>("lights that are asked", lights_without<0>()),
+        p.without_lights<other_lights>("lights but triangles"),
+        p.without_lights<placed_lights>("lights of instances"),
+        p.without_lights<textured_lights>("textures of lights"),
+        p.without_lights<lights_with_holes>("cut-outs of lights"),
+        p.without_lights<light_tree>("densities of a light tree"),
+        p.without_lights<all_of_lights>("lights but flat triangles of one colour"),
         p.without_surfaces<shapes>("spheres and planes"),
         p.without_surfaces<instances>("instances"),
         p.without_surfaces<vertex_normals>("vertex normals"),
@@ -349,9 +363,12 @@ void measure_unused(const Base& base, const Options& options, Report& report)
     }
 }
 
+// Of a scene that gets a kernel of its own.
 void measure_saved(const Base& base, const Options& options, Report& report)
 {
-    Picture chosen(base.description, options_for(), {}), all(base.description, options_for(), Profile::all);
+    const Picture chosen(base.description, options_for(), {});
+    if (chosen.stage->renderer.profile() == Profile::all) return;
+    const Picture all(base.description, options_for(), Profile::all);
     const std::vector<Timing> timings =
         take_turns({{"all", all.samples(), [&] { all.draw(); }}, {"chosen", chosen.samples(), [&] { chosen.draw(); }}},
                    options.repetitions, 1);
@@ -410,6 +427,9 @@ int main(int argc, char** argv)
                     measure_unused(base, options, report);
                     for (const Feature& feature : features()) measure_unseen(base, feature, options, report);
                 }
+                for (const char* shipped : {"cornell", "shell", "spheres", "still_life"})
+                    if (options.wants(shipped) && !is_under_valgrind())
+                        measure_saved({shipped, load_description(scene_file(shipped))}, options, report);
             });
             for (const SharedRoom& room : shared_rooms()) measure_scene(room, options, report);
         });

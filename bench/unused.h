@@ -48,7 +48,7 @@ struct Everything : View {
     {
         const Emission& e = scene.emission[s.material];
         if (e.is_dark()) return {};
-        return s.front || e.both_sides ? e.radiance.value : Color{};
+        return e.plain_towards(s.front);
     }
 };
 
@@ -114,14 +114,14 @@ template <unsigned without>
     return s;
 }
 
-// places_of() of the product, with the same roundings.
+// places_of() of the product for what has no normals of its own, with the same roundings.
 template <unsigned without>
 void place_four(const Scene& scene, std::span<const Hit> hits, const FourHits& which, std::span<TrianglePlace> places)
 {
-    constexpr bool asks_for_normals = (without & vertex_normals) == 0;
-    std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
+    if constexpr ((without & vertex_normals) == 0)
+        if (scene.has_normals) return lancer::triangle_places(scene, hits, places);
+    std::array<Float4, double_lanes> rows_a, rows_b, rows_c;
     Float4 u, v;
-    Mask4f smooth{};
     for (size_t k = 0; k < double_lanes; ++k) {
         const Hit& hit = hits[which[k]];
         const Mesh& mesh = scene.geometry.meshes[hit.geometry];
@@ -130,18 +130,6 @@ void place_four(const Scene& scene, std::span<const Hit> hits, const FourHits& w
         rows_b[k] = load4(&mesh.positions[t[1]].x);
         rows_c[k] = load4(&mesh.positions[t[2]].x);
         u[k] = hit.uv.x, v[k] = hit.uv.y;
-        if constexpr (asks_for_normals) {
-            const MeshShading& shading = scene.shading[hit.geometry];
-            if (shading.normals.empty()) continue;
-            const auto& i = shading.normal_triangles[hit.primitive];
-            if (i[0] == MeshData::no_normal) continue;
-            const auto normal = [&](uint32_t corner) {
-                const Vec3& n = shading.normals[i[corner]];
-                return Float4{n.x, n.y, n.z, 0};
-            };
-            rows_na[k] = normal(0), rows_nb[k] = normal(1), rows_nc[k] = normal(2);
-            smooth[k] = -1;
-        }
     }
     const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
     const PointOnTriangle<Float4> at(a, b, c, u, v);
@@ -151,19 +139,10 @@ void place_four(const Scene& scene, std::span<const Hit> hits, const FourHits& w
     const Mask4f has_area = narrowed(length_n > Double4{});
     Vec3T<Float4> n = to_float(cross_n * (1.0 / length_n));
     n = select(has_area, n, Vec3T<Float4>{zero, zero, zero + 1.0f});
-    Vec3T<Float4> ns = n;
     const Float4 area = _mm256_cvtpd_ps(0.5 * length_n);
-    if constexpr (asks_for_normals)
-        if (bits(smooth) != 0) {
-            const Float4 w = first_weight(u, v);
-            const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
-            const Double4 length_ns = sqrt(dot(sum, sum));
-            ns = select(smooth & narrowed(length_ns > Double4{}), to_float(sum * (1.0 / length_ns)), ns);
-            n = select(smooth & (dot(n, ns) < zero), -n, n);
-        }
     const auto lane = [](const Vec3T<Float4>& x, size_t k) { return Vec3{x.x[k], x.y[k], x.z[k]}; };
     for (size_t k = 0; k < double_lanes; ++k)
-        places[which[k]] = {lane(at.p, k), lane(at.p_error, k), lane(n, k), lane(ns, k), area[k]};
+        places[which[k]] = {lane(at.p, k), lane(at.p_error, k), lane(n, k), lane(n, k), area[k]};
 }
 
 template <unsigned without>
@@ -194,29 +173,51 @@ Calls surfaces_without()
     return calls;
 }
 
-// ---- lights: flat triangles of one colour each, chosen by power
+// ---- lights: flat triangles of one colour each, chosen by power; of all else only the question whether it is there,
+// and of that, what the bits of `without` name not even the question
 
-[[gnu::noinline]] inline std::optional<LightSample> sample_flat_light(const Scene& scene, const Surface& from,
-                                                                      uint32_t id, Vec2 u, bool through)
+enum AskedLight : unsigned {
+    other_lights = 1,     // spheres, points, directions, a sky
+    placed_lights = 2,    // triangles of instances, or with normals that bend
+    textured_lights = 4,  // of more than one colour
+    lights_with_holes = 8,
+    light_tree = 16,
+    all_of_lights = 31
+};
+
+template <unsigned without>
+[[gnu::noinline]] std::optional<LightSample> sample_light_of(const Scene& scene, const Surface& from, uint32_t id,
+                                                             Vec2 u, bool through)
 {
-    const auto& light = *std::get_if<TriangleLight>(&scene.lights.lights[id]);
-    const auto sampled_from = [&](Vec3 side) -> std::optional<LightSample> {
+    constexpr auto asks = [](AskedLight what) { return (without & what) == 0; };
+    const auto* const light = std::get_if<TriangleLight>(&scene.lights.lights[id]);
+    if constexpr (asks(other_lights))
+        if (!light) return lancer::sample_chosen_light(scene, from, id, u, through);
+    if constexpr (asks(placed_lights))
+        if (light->area == 0) return lancer::sample_chosen_light(scene, from, id, u, through);
+    const uint32_t material = scene.shading[light->mesh].material_of(light->triangle);
+    const Emission& emission = scene.emission[material];
+    if constexpr (asks(textured_lights))
+        if (emission.radiance.texture != no_texture) return lancer::sample_chosen_light(scene, from, id, u, through);
+    if constexpr (asks(lights_with_holes))
+        if (scene.traits[material].has_holes()) return lancer::sample_chosen_light(scene, from, id, u, through);
+    const auto sampled_from = [&](Vec3 side) {
         const Vec3 org = ray_origin(from, side);
-        const auto q = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, square_to_triangle(u));
+        std::optional<LightSample> s;
+        const auto q = point_on_triangle(scene.geometry.meshes[light->mesh], light->triangle, square_to_triangle(u));
         const Vec3 d = q.p - org;
         const float d2 = dot(d, d);
-        if (!(d2 > 0)) return {};
+        if (!(d2 > 0)) return s;
         const Vec3 wi = d / std::sqrt(d2);
-        const float c = -dot(wi, light.n);
-        const Emission& emission = scene.emission[scene.shading[light.mesh].material_of(light.triangle)];
-        const Color radiance = c > 0 || emission.both_sides ? emission.radiance.value : Color{};
-        if (c == 0 || is_black(radiance)) return {};
-        return LightSample{.wi = wi,
-                           .point = q.p,
-                           .p_error = q.p_error,
-                           .n = light.n,
-                           .radiance = radiance,
-                           .pdf = d2 / (std::abs(c) * light.area)};
+        const float c = -dot(wi, light->n);
+        const Color radiance = emission.plain_towards(c > 0);
+        if (c == 0 || is_black(radiance)) return s;
+        s.emplace();
+        s->wi = wi;
+        s->point = q.p, s->p_error = q.p_error, s->n = light->n;
+        s->radiance = radiance;
+        s->pdf = d2 / (std::abs(c) * light->area);
+        return s;
     };
     auto s = sampled_from(from.n);
     if (s && dot(s->wi, from.side) < 0 && through) {
@@ -228,30 +229,48 @@ Calls surfaces_without()
     if (s) s->pdf *= scene.lights.pick.probability(id);
     return s;
 }
-[[gnu::noinline]] inline float pdf_flat_light(const Scene& scene, Vec3 from, Vec3, Vec3 wi, const Surface& at)
+template <unsigned without>
+[[gnu::noinline]] float pdf_light_of(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)
 {
     if (at.light == Scene::none) return 0;
+    if constexpr ((without & light_tree) == 0)
+        if (scene.lights.tree) return lancer::pdf_light(scene, from, normal, wi, at);
+    if constexpr ((without & other_lights) == 0)
+        if (!std::holds_alternative<TriangleLight>(scene.lights.lights[at.light]))
+            return lancer::pdf_light(scene, from, normal, wi, at);
     const Vec3 d = at.p - from;
     const float c = std::abs(dot(wi, at.n));
     return c > 0 ? scene.lights.pick.probability(at.light) * dot(d, d) / (c * at.area) : 0;
 }
-struct FlatLights : Everything {
+template <unsigned without>
+Calls lights_without()
+{
+    Calls calls;
+    calls.sample_light = sample_light_of<without>, calls.pdf_light = pdf_light_of<without>;
+    return calls;
+}
+// What is chosen without a tree.
+struct NoLightTree : Everything {
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
     {
+        const Discrete& pick = scene.lights.pick;
+        if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
-        const Discrete::Stretched s = scene.lights.pick.stretch(u.x);
-        return sample_flat_light(scene, from, s.index, {s.u, u.y}, through);
+        const Discrete::Stretched s = pick.stretch(u.x);
+        return calls.sample_light(scene, from, s.index, {s.u, u.y}, through);
     }
-    Color emission(const Surface& s) const { return emission_of_one_colour(s); }
-    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
-    {
-        return pdf_flat_light(scene, from, normal, wi, at);
-    }
+};
+// No light of a scene is infinitely far away.
+struct NoSky : Everything {
     Color environment(Vec3) const { return {}; }
     Color background(const Ray&, RayCone) const { return {}; }
     bool lit_by_constant_sky() const { return false; }
     float pdf_environment(Vec3, Vec3) const { return 0; }
+};
+// What shines has one colour.
+struct PlainEmission : Everything {
+    Color emission(const Surface& s) const { return emission_of_one_colour(s); }
 };
 
 // ---- what the kernel has inlined
@@ -301,7 +320,7 @@ struct NoTextures : Everything {
     }
 };
 struct NoCutOuts : Everything {
-    static uint32_t ray_key(const Sampler&, uint32_t, Dim) { return 0; }
+    static void give_key(const Ray&, const Sampler&, uint32_t, Dim) {}
 };
 struct NoMedia : Everything {
     static constexpr bool has_media() { return false; }

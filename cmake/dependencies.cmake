@@ -34,6 +34,10 @@ find_package(PNG QUIET)
 if(NOT PNG_FOUND)
   message(FATAL_ERROR "libpng not found: apt-get install libpng-dev (or run scripts/install-deps.sh)")
 endif()
+find_package(JPEG QUIET)
+if(NOT JPEG_FOUND)
+  message(FATAL_ERROR "libjpeg not found: apt-get install libjpeg-dev (or run scripts/install-deps.sh)")
+endif()
 find_package(Threads REQUIRED)
 
 # OpenImageIO's own CMake files are broken in Debian 12 and 13 (they name paths of packages that they do not need).

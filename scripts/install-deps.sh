@@ -8,7 +8,7 @@ packages=(
     g++ cmake ninja-build pkg-config                        # the build
     libembree-dev libtbb-dev                                # rays, threads
     libtinyobjloader-dev libtomlplusplus-dev                # scenes
-    libopenimageio-dev libopenexr-dev libimath-dev libpng-dev # pictures
+    libopenimageio-dev libopenexr-dev libimath-dev libpng-dev libjpeg-dev # pictures
     libcli11-dev nlohmann-json3-dev                         # command line, reports
     libgtest-dev libgmock-dev                               # tests
 )

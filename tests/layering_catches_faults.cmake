@@ -84,6 +84,7 @@ expect_fault(core/film.h 1 "may include OpenEXR" "#include <OpenEXR/ImfRgbaFile.
 expect_fault(core/film.h 1 "may include OpenEXR" "#include <Imath/half.h>\n")
 expect_fault(core/film.h 1 "may include OpenEXR" "#include <ImfHeader.h>\n")
 expect_fault(app/tonemap.cpp 1 "may include libpng" "#include <png.h>\n")
+expect_fault(io/image_read.cpp 1 "may include libjpeg" "#include <jpeglib.h>\n")
 expect_fault(app/cmd_a.cpp 1 "may include CLI11" "#include <CLI/CLI.hpp>\n")
 expect_fault(app/cmd_info.cpp 1 "may include nlohmann-json" "#include <nlohmann/json.hpp>\n")
 # Words.

@@ -117,7 +117,7 @@ void Run::describe(const Renderer& renderer)
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings,
-                    .left_out = left_out_of(renderer)};
+                    .left_out = left_out_of(renderer, renderer.profile(layout_of(options_.aovs)))};
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,

@@ -20,7 +20,7 @@ struct AmbientOcclusion {
         if (dot(wi, surface.side) <= 0) return;
         Ray ray{.org = ray_origin(surface, wi), .dir = wi};
         ray.t_max = std::max(1.0f, static_cast<float>(view.scene.bounds.radius()));
-        ray.key = view.ray_key(sampler, s.depth, Dim::shadow_hole);
+        view.give_key(ray, sampler, s.depth, Dim::shadow_hole);
         steps.shadow(ray, {1, 1, 1});
     }
     template <class V>

@@ -80,7 +80,7 @@ private:
     {
         State n = s_;
         n.ray = {.org = org, .dir = wi};
-        n.ray.key = view_.ray_key(sampler_, n.depth + 1, Dim::hole);
+        view_.give_key(n.ray, sampler_, n.depth + 1, Dim::hole);
         n.throughput *= weight;
         n.normal = surface_.ns;
         n.cone.width += n.cone.spread * surface_.t;

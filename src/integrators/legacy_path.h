@@ -136,7 +136,7 @@ private:
         if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
         steps.next_from(v.s, [&](State& next) {
             next.ray = {.org = org, .dir = wi};
-            next.ray.key = view.ray_key(v.sampler, v.s.depth + 1, Dim::hole);
+            view.give_key(next.ray, v.sampler, v.s.depth + 1, Dim::hole);
             next.throughput *= weight;
             next.specular = sees_lights;
             ++next.depth;
@@ -226,7 +226,7 @@ private:
         steps.shadow_from(
             [&](Ray& ray) {
                 aim(ray);
-                ray.key = view.ray_key(v.sampler, v.s.depth, Dim::shadow_hole);
+                view.give_key(ray, v.sampler, v.s.depth, Dim::shadow_hole);
             },
             radiance);
     }

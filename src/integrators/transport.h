@@ -127,7 +127,7 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
     if (is_black(f.f_cos)) return;
     const float weight = light->delta || !how.mis ? 1 : power_heuristic(light->pdf, f.pdf);
     Ray ray = shadow_ray(surface, *light);
-    ray.key = view.ray_key(sampler, s.depth, Dim::shadow_hole);
+    view.give_key(ray, sampler, s.depth, Dim::shadow_hole);
     steps.shadow(ray, s.throughput * f.f_cos * light->radiance * (weight / light->pdf));
 }
 
@@ -154,7 +154,7 @@ bool send_on(const V& view, const State& s, State& n, const Surface& surface, co
     const Vec3 wi = normalize(frame.to_world(b->wi));
     if (!sides_agree(surface, wi, b->wi)) return false;
     n.ray = {.org = ray_origin(surface, wi), .dir = wi};
-    n.ray.key = view.ray_key(sampler, n.depth + 1, Dim::hole);
+    view.give_key(n.ray, sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
     if (is_black(n.throughput)) return false;
     n.pdf = b->pdf;

@@ -47,8 +47,14 @@ struct View {
     // Where nothing is looked up a matt surface wants to know no more of the place.
     LambertBsdf bsdf_at(const Lambert& lambert, const Surface& s) const
     {
-        if (lambert.albedo.texture == no_texture) return {lambert.albedo.value * s.vertex_color};
-        return lambert.at(scene.shading_point(s));
+        if (lambert.albedo.texture != no_texture) [[unlikely]]
+            return {textured_albedo(lambert, s)};
+        return {lambert.albedo.value * s.vertex_color};
+    }
+    // Out of line, so that matt surfaces of one colour do not pay for what looking up wants of the stack.
+    [[gnu::noinline]] Color textured_albedo(const Lambert& lambert, const Surface& s) const
+    {
+        return lambert.at(scene.shading_point(s)).albedo;
     }
     // What the classic integrators see of the place; of a mix, mixed.
     Phong phong(const Surface& s) const { return scene.phong(s.material, scene.shading_point(s)); }
@@ -56,7 +62,13 @@ struct View {
     {
         const Emission& e = scene.emission[s.material];
         if (e.is_dark()) return {};
-        return e.radiance.texture == no_texture ? e.towards(s.front) : e.towards(s.front, scene.shading_point(s));
+        if (e.radiance.texture != no_texture) [[unlikely]]
+            return textured_emission(e, s);
+        return e.plain_towards(s.front);
+    }
+    [[gnu::noinline]] Color textured_emission(const Emission& e, const Surface& s) const
+    {
+        return e.towards(s.front, scene.shading_point(s));
     }
     // Radiance of a ray that left the scene.
     Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
@@ -104,6 +116,12 @@ struct View {
     uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
         return scene.geometry.holes.let_pass ? key_in_scene_with_holes(sampler, bounce, dim) : 0;
+    }
+    // The same for a ray that has none yet. Costs a scene without holes no more than the question.
+    void give_key(Ray& ray, const Sampler& sampler, uint32_t bounce, Dim dim) const
+    {
+        if (scene.geometry.holes.let_pass) [[unlikely]]
+            ray.key = key_in_scene_with_holes(sampler, bounce, dim);
     }
     // Out of line, so that the hash does not stand in the kernel for each kind of ray.
     [[gnu::noinline]] static uint32_t key_in_scene_with_holes(const Sampler& sampler, uint32_t bounce, Dim dim)

@@ -12,6 +12,7 @@
 
 #include "io/exr.h"
 #include "io/input_file.h"
+#include "io/jpeg.h"
 #include "io/oiio_module.h"
 #include "io/png.h"
 #include "io/tga.h"
@@ -115,10 +116,11 @@ Module load_module()
         find_symbol(library, "lancer_oiio_close", m.close);
         return m;
     }
-    throw Error(ErrorKind::failed,
-                "error: lancer_oiio.so, which reads pictures other than EXR, PNG and TGA, is missing; build the target "
-                "lancer_oiio (it needs libopenimageio-dev) or convert the pictures. Looked for: " +
-                    tried);
+    throw Error(
+        ErrorKind::failed,
+        "error: lancer_oiio.so, which reads pictures other than EXR, PNG, JPEG and TGA, is missing; build the target "
+        "lancer_oiio (it needs libopenimageio-dev) or convert the pictures. Looked for: " +
+            tried);
 }
 
 // Room grows with the rows read: reserved memory costs nothing until it is filled, and it is filled only as far as the
@@ -171,6 +173,8 @@ Raster read_format(InputFile& file, const std::string& format)
     if (format == "openexr") return read_exr_raster(file.path());
     if (format == "png") return read_png_raster(file.path());
     if (format == "targa") return read_tga(file.path());
+    if (format == "jpeg")
+        if (auto raster = read_jpeg(file)) return std::move(*raster);
     if (format == "bmp") check_bmp(file);
     return read_with_module(file, format);
 }

@@ -31,6 +31,8 @@ struct Emission {
         if (radiance.texture == no_texture) return radiance.value;
         return p.finest().eval(radiance);
     }
+    // The same where there is no texture.
+    Color plain_towards(bool front) const { return front || both_sides ? radiance.value : Color{}; }
 };
 
 // What of a material is not its BSDF: looked at where rays meet the surface, before anything scatters.

@@ -95,7 +95,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % looked_ahead];
         s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
-        s.ray.key = view.ray_key(numbers, 0, Dim::hole);
+        view.give_key(s.ray, numbers, 0, Dim::hole);
         s.cone = {0, camera.pixel_spread()};
         s.media = view.scene.camera_media;
     }

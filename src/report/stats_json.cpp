@@ -24,7 +24,8 @@ Json context_of(const RunStats& s)
 Json left_out_of(const std::vector<LeftOut>& all)
 {
     Json json = Json::array();
-    for (const LeftOut& l : all) json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}});
+    for (const LeftOut& l : all)
+        json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}, {"time", l.time}});
     return json;
 }
 

@@ -34,7 +34,8 @@ template <class Uv>
 Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& uv)
 {
     const Emission& emission = scene.emission[material];
-    if (emission.radiance.texture == no_texture && !scene.traits[material].has_holes()) return emission.towards(front);
+    if (emission.radiance.texture == no_texture && !scene.traits[material].has_holes())
+        return emission.plain_towards(front);
     const ShadingPoint point = point_at(scene, uv());
     return emission.towards(front, point) * opacity_at(scene, material, point);
 }

@@ -136,6 +136,7 @@ private:
         if (place.determinant() < 0)
             for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles.all()})
                 for (auto& t : *triangles) std::swap(t[1], t[2]);
+        scene_.has_normals |= !shading.normals.empty();
         scene_.geometry.meshes.push_back(std::move(mesh));
         scene_.shading.push_back(std::move(shading));
     }

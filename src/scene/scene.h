@@ -91,6 +91,7 @@ struct Scene {
     };
     std::optional<PendingBackground> pending_background;
     bool is_complete = false;
+    bool has_normals = false;     // some mesh has normals at its corners
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
     bool light_tree = true;       // see LightTable::tree
     bool soft_shadows = true;     // else spheres of light shine as from their centres

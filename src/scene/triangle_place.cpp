@@ -12,21 +12,14 @@ Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v
 
 Vec3 lane(const Vec3T<Float4>& v, size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
 
-}  // namespace
-
-PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+// Of those of four triangles whose corners have normals.
+void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const FourHits& which, Float4 u, Float4 v,
+                         PlacesOfFour& s)
 {
-    std::array<Float4, double_lanes> rows_a, rows_b, rows_c, rows_na{}, rows_nb{}, rows_nc{};
-    Float4 u, v;
+    std::array<Float4, double_lanes> rows_a{}, rows_b{}, rows_c{};
     Mask4f smooth{};
     for (size_t k = 0; k < double_lanes; ++k) {
         const Hit& hit = hits[which[k]];
-        const Mesh& mesh = scene.geometry.meshes[hit.geometry];
-        const auto& t = mesh.triangles[hit.primitive];
-        rows_a[k] = load4(&mesh.positions[t[0]].x);
-        rows_b[k] = load4(&mesh.positions[t[1]].x);
-        rows_c[k] = load4(&mesh.positions[t[2]].x);
-        u[k] = hit.uv.x, v[k] = hit.uv.y;
         const MeshShading& shading = scene.shading[hit.geometry];
         if (shading.normals.empty()) continue;
         const auto& i = shading.normal_triangles[hit.primitive];
@@ -35,8 +28,31 @@ PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const Four
             const Vec3& n = shading.normals[i[corner]];
             return Float4{n.x, n.y, n.z, 0};
         };
-        rows_na[k] = normal(0), rows_nb[k] = normal(1), rows_nc[k] = normal(2);
+        rows_a[k] = normal(0), rows_b[k] = normal(1), rows_c[k] = normal(2);
         smooth[k] = -1;
+    }
+    if (bits(smooth) == 0) return;
+    const Float4 w = first_weight(u, v);
+    const Vec3T<Double4> sum = to_double(turned(rows_a) * w + turned(rows_b) * u + turned(rows_c) * v);
+    const Double4 length = sqrt(dot(sum, sum));
+    s.ns = select(smooth & narrowed(length > Double4{}), to_float(sum * (1.0 / length)), s.ns);
+    s.n = select(smooth & (dot(s.n, s.ns) < Float4{}), -s.n, s.n);
+}
+
+}  // namespace
+
+PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+{
+    std::array<Float4, double_lanes> rows_a, rows_b, rows_c;
+    Float4 u, v;
+    for (size_t k = 0; k < double_lanes; ++k) {
+        const Hit& hit = hits[which[k]];
+        const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+        const auto& t = mesh.triangles[hit.primitive];
+        rows_a[k] = load4(&mesh.positions[t[0]].x);
+        rows_b[k] = load4(&mesh.positions[t[1]].x);
+        rows_c[k] = load4(&mesh.positions[t[2]].x);
+        u[k] = hit.uv.x, v[k] = hit.uv.y;
     }
     const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
     const PointOnTriangle<Float4> at(a, b, c, u, v);
@@ -48,12 +64,7 @@ PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const Four
     PlacesOfFour s{at.p, at.p_error, to_float(cross_n * (1.0 / length_n)), {}, _mm256_cvtpd_ps(0.5 * length_n)};
     s.n = select(has_area, s.n, Vec3T<Float4>{zero, zero, zero + 1.0f});
     s.ns = s.n;
-    if (bits(smooth) == 0) return s;
-    const Float4 w = first_weight(u, v);
-    const Vec3T<Double4> sum = to_double(turned(rows_na) * w + turned(rows_nb) * u + turned(rows_nc) * v);
-    const Double4 length_ns = sqrt(dot(sum, sum));
-    s.ns = select(smooth & narrowed(length_ns > Double4{}), to_float(sum * (1.0 / length_ns)), s.ns);
-    s.n = select(smooth & (dot(s.n, s.ns) < zero), -s.n, s.n);
+    if (scene.has_normals) interpolate_normals(scene, hits, which, u, v, s);
     return s;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run_program.h"
+#include "io/image_files.h"
 
 namespace lancer {
 namespace {
@@ -26,11 +27,16 @@ TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
     write("worn.toml", std::string(small_scene) +
                            "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
                            "\"grey.ppm\"\n");
+    write("grey.jpg", jpeg());
+    write("jpeg.toml", std::string(small_scene) +
+                           "[[sphere]]\ncenter = [3, 1, 0]\nmaterial = \"m\"\n[material.m]\ntexture = "
+                           "\"grey.jpg\"\n");
     write("unused.toml", std::string(small_scene) + "[material.m]\ntexture = \"grey.ppm\"\n");
     const std::string without = mapped_while_rendering("scene.toml");
     expect_words(without, "embree");
     EXPECT_EQ(without.find("OpenImageIO"), std::string::npos);
     EXPECT_EQ(mapped_while_rendering("unused.toml").find("OpenImageIO"), std::string::npos);
+    EXPECT_EQ(mapped_while_rendering("jpeg.toml").find("OpenImageIO"), std::string::npos);
     expect_words(mapped_while_rendering("worn.toml"), "OpenImageIO");
 }
 
@@ -69,6 +75,7 @@ TEST_F(LeftOut, IsInTheStatistics)
         all += l["what"].get<std::string>() + "\n";
         EXPECT_GT(l["count"], 0);
         EXPECT_GE(l["bytes"], 0);
+        EXPECT_EQ(l["time"].get<std::string>().empty(), !l["what"].get<std::string>().starts_with("module")) << l;
     }
     expect_words(all, "lights without power\n");
     expect_words(all, "materials that nothing uses\n");
@@ -95,6 +102,7 @@ file = "quad.obj"
         const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
         const auto kernel = stats["settings"]["kernel"].get<std::string>();
         expect_words(said.err, "drawn by the kernel '" + kernel + "'");
+        EXPECT_EQ(said.err.find("1 kernel for all scenes; saves ") != std::string::npos, kernel != "all") << said.err;
         const bool leaves_out = stats["samples"]["of_open_sky"] > 0;
         EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
         return kernel + (leaves_out ? " without sky" : "");

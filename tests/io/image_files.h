@@ -1,6 +1,7 @@
 // Small pictures of every format that the program reads, byte by byte.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -73,17 +74,38 @@ inline std::string jpeg()
            "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"s + "\xff\xda\0\x08\1\1\0\0\x3f\0\x78\x1f\xff\xd9"s;
 }
 
-// jpeg() with a colour profile of so many tags, named by the numbers from `first` on: no name that a reader knows. At
-// most 5000 fit into one segment.
-inline std::string jpeg_with_profile(uint32_t first, uint32_t tags)
+// 8 x 8 of one colour, in as many parts as are given (Y, Cb, Cr; four for inks), each 32 to 63 from 128: then its code
+// is "9 bits", as in jpeg().
+inline std::string jpeg_of(const std::vector<int>& parts)
+{
+    const auto count = static_cast<char>(parts.size());
+    std::string frame, scan, bits, coded;
+    for (char i = 1; i <= count; ++i) frame += std::string(1, i) + "\x11\0"s, scan += std::string(1, i) + "\0"s;
+    for (const int part : parts) {
+        const int dc = 8 * (part - 128), stored = dc < 0 ? dc + 511 : dc;
+        bits += "0" + std::bitset<9>(static_cast<unsigned>(stored)).to_string() + "0";
+    }
+    while (bits.size() % 8 != 0) bits += "1";
+    for (size_t i = 0; i < bits.size(); i += 8)
+        coded += static_cast<char>(std::bitset<8>(bits.substr(i, 8)).to_ulong());
+    const auto length = [](size_t of) { return std::string(1, '\0') + static_cast<char>(of); };
+    return "\xff\xd8\xff\xdb\0\x43\0"s + std::string(64, '\1') + "\xff\xc0" + length(8 + frame.size()) +
+           "\x08\0\x08\0\x08"s + count + frame + "\xff\xc4\0\x14\0\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x09"s +
+           "\xff\xc4\0\x14\x10\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"s + "\xff\xda" + length(6 + scan.size()) + count +
+           scan + "\0\x3f\0"s + coded + "\xff\xd9";
+}
+
+// Of four inks, with a colour profile of so many tags, named by the numbers from `first` on: no name that a reader
+// knows. At most 5000 fit into one segment.
+inline std::string inks_with_profile(uint32_t first, uint32_t tags)
 {
     constexpr uint32_t header = 128, head = header + 4, tag = 12;
     std::string profile = pack_big(head + tags * tag) + std::string(header - 4, '\0');
-    profile.replace(12, 12, "mntrGRAYXYZ ").replace(36, 4, "acsp") += pack_big(tags);
+    profile.replace(12, 12, "prtrCMYKLab ").replace(36, 4, "acsp") += pack_big(tags);
     for (uint32_t i = 0; i < tags; ++i) profile += pack_big(first + i) + pack_big(0) + pack_big(4);
     const std::string segment = "ICC_PROFILE\0\1\1"s + profile;
     const std::string length = pack_big(static_cast<uint32_t>(segment.size() + 2)).substr(2);
-    return jpeg().insert(2, "\xff\xe2" + length + segment);
+    return jpeg_of({168, 188, 78, 90}).insert(2, "\xff\xe2" + length + segment);
 }
 
 // (1, 2, 0.5) (0, 0, 0) | (100, 0, 0) (0.25, 0.5, 0.75), each with one exponent for its three mantissas.

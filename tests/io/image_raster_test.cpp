@@ -1,4 +1,6 @@
 // Pictures as textures get them: bytes as bytes, with their alpha.
+#include <array>
+
 #include "io/exr.h"
 #include "io/image_files.h"
 #include "io/image_read.h"
@@ -45,6 +47,23 @@ TEST(ImageRaster, BytesStayBytesInEveryFormat)
     expect_bytes(raster_of("a.tif", tiff(8, 3, 1, top + bottom)), 3, steps);
     expect_bytes(raster_of("a.png", png(2, 2, 8, 2, "\0"s + top + "\0"s + bottom)), 3, steps);
     expect_bytes(raster_of("a.jpg", jpeg()), 1, Bytes(64, 188));
+}
+
+// Recommendation T.871, section 7: red = Y + 1.402 (Cr - 128), and so on.
+TEST(ImageRaster, JpegsOfEveryKind)
+{
+    expect_bytes(raster_of("a", jpeg_of({188})), 1, Bytes(64, 188));
+    Bytes color;
+    for (int i = 0; i < 64; ++i) color.insert(color.end(), {118, 210, 255});
+    expect_bytes(raster_of("a", jpeg_of({188, 168, 78})), 3, color);
+    // Of four inks what is left of the light is R = C K / 255.
+    const Raster inks = raster_of("a", jpeg_of({168, 188, 78, 90}));
+    EXPECT_EQ(inks.channels, 3u);
+    ASSERT_EQ(inks.bytes.size(), 3u * 64);
+    for (size_t c = 0; c < 3; ++c) {
+        const int ink = std::array{168, 188, 78}[c];
+        EXPECT_NEAR(inks.bytes[c], ink * 90 / 255.0, 1) << c;
+    }
 }
 
 TEST(ImageRaster, PngsOfEveryKind)

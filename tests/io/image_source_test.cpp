@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "io/image_files.h"
+#include "io/image_read.h"
 #include "io/temp_folder.h"
 
 namespace lancer {
@@ -118,11 +119,13 @@ TEST(ImageSource, PicturesWithColorProfilesMayBeReadAtOnce)
     const TempFolder folder;
     constexpr uint32_t files = 32, tags = 5000;
     const auto path = [&](uint32_t i) { return folder.file(std::to_string(i) + ".jpg"); };
-    for (uint32_t i = 0; i < files; ++i) write_bytes(path(i), jpeg_with_profile(0x61616161 + i * tags, tags));
+    for (uint32_t i = 0; i < files; ++i) write_bytes(path(i), inks_with_profile(0x61616161 + i * tags, tags));
     ImageSource source(4);
     std::vector<RasterFuture> futures;
     for (uint32_t i = 0; i < files; ++i) futures.push_back(source.request(path(i)));
-    for (const RasterFuture& f : futures) EXPECT_EQ(f.get()->bytes, std::vector<uint8_t>(64, 188));
+    write_bytes(folder.file("plain.jpg"), jpeg_of({168, 188, 78, 90}));
+    const auto plain = read_raster(folder.file("plain.jpg"));
+    for (const RasterFuture& f : futures) EXPECT_EQ(f.get()->bytes, plain->bytes);
 }
 
 }  // namespace

@@ -62,6 +62,7 @@ TEST(TrianglePlaces, OfWhatIsHardlyATriangle)
     shading.normal_triangles = {{none, none, none}, {0, 0, 0}, {none, none, none}, {1, 1, 1}, {2, 2, 2}, {0, 1, 2}};
     scene.geometry.meshes = {mesh};
     scene.shading = {shading};
+    scene.has_normals = true;
     std::vector<Hit> hits;
     for (uint32_t i = 0; i < mesh.triangles.size(); ++i)
         for (const Vec2 uv : {Vec2{0.25f, 0.25f}, Vec2{0.5f, 0.5f}})
