@@ -427,7 +427,7 @@ int main(int argc, char** argv)
                     measure_unused(base, options, report);
                     for (const Feature& feature : features()) measure_unseen(base, feature, options, report);
                 }
-                for (const char* shipped : {"cornell", "shell", "spheres", "still_life"})
+                for (const char* shipped : {"cornell"})
                     if (options.wants(shipped) && !is_under_valgrind())
                         measure_saved({shipped, load_description(scene_file(shipped))}, options, report);
             });
