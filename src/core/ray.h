@@ -57,7 +57,9 @@ inline Float8 next_towards(Float8 x, Float8 by)
 {
     const Mask8 bits = reinterpret_cast<Mask8>(x), direction = reinterpret_cast<Mask8>(by);
     const Float8 zero{};
-    const Float8 next = reinterpret_cast<Float8>(bits + (((bits ^ direction) >> 31) | 1));
+    // Unsigned, as the bits of -0 have no number below; what comes of them is not taken.
+    const UInt8 outwards = reinterpret_cast<UInt8>(((bits ^ direction) >> 31) | 1);
+    const Float8 next = reinterpret_cast<Float8>(reinterpret_cast<UInt8>(bits) + outwards);
     const Float8 from_zero = reinterpret_cast<Float8>((direction & INT32_MIN) | 1);
     const Mask8 stays = (by == zero) | ~(abs(x) < std::numeric_limits<float>::infinity());
     // By its bits: where denormals count as zero, they still have neighbours.
