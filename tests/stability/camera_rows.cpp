@@ -60,7 +60,7 @@ Outcome extreme_sizes(const Setup& setup)
         out.samples += image.pixels.size();
         out.measures.push_back(
             at_most(size + ": largest error of the gradient", gradient_error(image, elevation, 60), 1e-6));
-        out.measures.push_back(at_most(size + ": memory, MiB", run.peak_mb, 64 + 40 * pixels / (1 << 20)));
+        out.measures.push_back(cost_at_most(size + ": memory, MiB", run.peak_mb, 64 + 40 * pixels / (1 << 20)));
     }
     return out;
 }
@@ -86,8 +86,8 @@ Outcome impossible_sizes(const Setup&)
             cpu = std::max(cpu, run.cpu_seconds), memory = std::max(memory, run.peak_mb), ++runs;
             files += std::filesystem::exists(folder.file("a.exr"));
         }
-    out.measures = {exactly("exit codes that are not 2", wrong, 0), at_most("CPU time, ms", 1000 * cpu, 50),
-                    at_most("memory, MiB", memory, 32), exactly("pictures written", files, 0), told("runs", runs)};
+    out.measures = {exactly("exit codes that are not 2", wrong, 0), cost_at_most("CPU time, ms", 1000 * cpu, 50),
+                    cost_at_most("memory, MiB", memory, 32), exactly("pictures written", files, 0), told("runs", runs)};
     return out;
 }
 
