@@ -13,7 +13,8 @@ namespace lancer {
 // The picture of an EXR, PNG, JPEG, TIFF, Radiance HDR, BMP, PNM/PFM or Targa file, as it is stored. The first bytes
 // decide which it is, not the name; only Targa, which has none of its own, goes by ".tga".
 // Broken, truncated or of unknown format: ErrorKind::invalid_input; missing: missing_input; not enough memory, or the
-// module lancer_oiio, which all but EXR, PNG, JPEG and Targa need, not there: failed. May be called from several threads.
+// module lancer_oiio, which all but EXR, PNG, JPEG and Targa need, not there: failed. May be called from several
+// threads.
 std::shared_ptr<const Raster> read_raster(const std::string& path);
 
 // The same in linear RGB: integer formats are decoded as `encoding` says, floats are taken as they stand; alpha is

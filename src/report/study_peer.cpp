@@ -79,8 +79,7 @@ std::vector<uint32_t> peer_samples(double seconds_per_sample, std::optional<doub
     double last = most ? *most : most_samples;
     if (time) last = std::clamp(*time / seconds_per_sample, 1.0, last);
     std::vector<uint32_t> samples;
-    for (uint32_t n = static_cast<uint32_t>(last); n > 0; n /= 4)
-        samples.push_back(squares ? square_below(n) : n);
+    for (uint32_t n = static_cast<uint32_t>(last); n > 0; n /= 4) samples.push_back(squares ? square_below(n) : n);
     std::reverse(samples.begin(), samples.end());
     return samples;
 }
