@@ -228,12 +228,9 @@ void measure_unused(const Base& base, const Options& options, Report& report)
     }
 }
 
-// Of a scene that gets a kernel of its own.
 void measure_saved(const Base& base, const Options& options, Report& report)
 {
-    const Picture chosen(base.description, options_for(), {});
-    if (chosen.stage->renderer.profile() == Profile::all) return;
-    const Picture all(base.description, options_for(), Profile::all);
+    const Picture chosen(base.description, options_for(), {}), all(base.description, options_for(), Profile::all);
     const std::vector<Timing> timings =
         take_turns({{"all", all.samples(), [&] { all.draw(); }}, {"chosen", chosen.samples(), [&] { chosen.draw(); }}},
                    options.repetitions, 1);
@@ -292,9 +289,9 @@ int main(int argc, char** argv)
                     measure_unused(base, options, report);
                     for (const Feature& feature : features()) measure_unseen(base, feature, options, report);
                 }
-                for (const char* shipped : {"cornell"})
-                    if (options.wants(shipped) && !is_under_valgrind())
-                        measure_saved({shipped, load_description(scene_file(shipped))}, options, report);
+                // The scene of the project that gets a kernel of its own.
+                if (options.wants("cornell") && !is_under_valgrind())
+                    measure_saved({"cornell", load_description(scene_file("cornell"))}, options, report);
             });
             for (const SharedRoom& room : shared_rooms()) measure_scene(room, options, report);
         });

@@ -106,6 +106,7 @@ void Run::describe(const Renderer& renderer)
                       .command_line = options_.command_line,
                       .load_average = load_average()};
     const Scene& scene = renderer.scene();
+    const Profile kernel = renderer.profile(layout_of(options_.aovs));
     stats_.scene = {.file = options_.picture.scene.file,
                     .content_hash = prepared_.description.content_hash,
                     .triangles = scene.triangle_count(),
@@ -117,7 +118,7 @@ void Run::describe(const Renderer& renderer)
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings,
-                    .left_out = left_out_of(renderer, renderer.profile(layout_of(options_.aovs)))};
+                    .left_out = left_out_of(renderer, kernel)};
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,
@@ -133,7 +134,7 @@ void Run::describe(const Renderer& renderer)
                        .filter = s.filter,
                        .accel = s.accel,
                        .isa = s.isa,
-                       .kernel = std::string(name_of(renderer.profile(layout_of(options_.aovs)))),
+                       .kernel = std::string(name_of(kernel)),
                        .switches = s.switches,
                        .biases = biases_of(renderer.integrator()),
                        .hash = settings_hash(s.spp)};

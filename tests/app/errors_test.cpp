@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/run_program.h"
+#include "support/sanitized.h"
 
 namespace lancer {
 namespace {
@@ -184,9 +185,7 @@ TEST_F(Wrong, AFileLargerThanAllowed)
 
 TEST_F(Wrong, MoreThreadsThanTheSystemGrants)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers reserve more address space than any limit leaves";
-#endif
+    if (is_sanitized) GTEST_SKIP() << "sanitizers reserve more address space than any limit leaves";
     const Limited limit(RLIMIT_AS, rlim_t{300} << 20);
     expect_fault({"scene.toml", "--size", "640x480", "-s", "1", "-q", "-o", "a.exr", "-t", "1000"}, 1,
                  "lancer: error: ");

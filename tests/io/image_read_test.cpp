@@ -183,7 +183,9 @@ TEST(ImageRead, DISABLED_InAFolderWithoutTheModule)
     const TempFolder folder;
     write_bytes(folder.file("a.ppm"), ppm());
     write_png(folder.file("a.png"), make_image(2, 2));
+    write_bytes(folder.file("a.jpg"), jpeg());
     EXPECT_NO_THROW(read_image(folder.file("a.png")));
+    EXPECT_NO_THROW(read_image(folder.file("a.jpg")));
     expect_error(ErrorKind::failed, "lancer_oiio.so", "libopenimageio-dev", [&] { read_image(folder.file("a.ppm")); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/run_program.h"
 #include "stability/row.h"
+#include "support/sanitized.h"
 
 namespace lancer::stability {
 
@@ -47,10 +48,7 @@ inline MeasuredRun measured_run(const TempFolder& folder, const std::vector<std:
 // Of time or memory of a run: only told where a sanitizer takes many times as much.
 inline Measure cost_at_most(std::string what, double value, double threshold)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return told(std::move(what), value);
-#endif
-    return at_most(std::move(what), value, threshold);
+    return is_sanitized ? told(std::move(what), value) : at_most(std::move(what), value, threshold);
 }
 
 }  // namespace lancer::stability
