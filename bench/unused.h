@@ -114,41 +114,13 @@ template <unsigned without>
     return s;
 }
 
-// places_of() of the product for what has no normals of its own, with the same roundings.
-template <unsigned without>
-void place_four(const Scene& scene, std::span<const Hit> hits, const FourHits& which, std::span<TrianglePlace> places)
-{
-    if constexpr ((without & vertex_normals) == 0)
-        if (scene.has_normals) return lancer::triangle_places(scene, hits, places);
-    std::array<Float4, double_lanes> rows_a, rows_b, rows_c;
-    Float4 u, v;
-    for (size_t k = 0; k < double_lanes; ++k) {
-        const Hit& hit = hits[which[k]];
-        const Mesh& mesh = scene.geometry.meshes[hit.geometry];
-        const auto& t = mesh.triangles[hit.primitive];
-        rows_a[k] = load4(&mesh.positions[t[0]].x);
-        rows_b[k] = load4(&mesh.positions[t[1]].x);
-        rows_c[k] = load4(&mesh.positions[t[2]].x);
-        u[k] = hit.uv.x, v[k] = hit.uv.y;
-    }
-    const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
-    const PointOnTriangle<Float4> at(a, b, c, u, v);
-    const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
-    const Double4 length_n = sqrt(dot(cross_n, cross_n));
-    const Float4 zero{};
-    const Mask4f has_area = narrowed(length_n > Double4{});
-    Vec3T<Float4> n = to_float(cross_n * (1.0 / length_n));
-    n = select(has_area, n, Vec3T<Float4>{zero, zero, zero + 1.0f});
-    const Float4 area = _mm256_cvtpd_ps(0.5 * length_n);
-    const auto lane = [](const Vec3T<Float4>& x, size_t k) { return Vec3{x.x[k], x.y[k], x.z[k]}; };
-    for (size_t k = 0; k < double_lanes; ++k)
-        places[which[k]] = {lane(at.p, k), lane(at.p_error, k), lane(n, k), lane(n, k), area[k]};
-}
-
 template <unsigned without>
 [[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
-    const auto four = [&](const FourHits& which) { place_four<without>(scene, hits, which, places); };
+    const auto four = [&](const FourHits& which) {
+        constexpr auto& places_of = (without & vertex_normals) == 0 ? lancer::places_of : flat_places_of;
+        put(places_of(scene, hits, which), which, places);
+    };
     const auto placed = [&](size_t i) {
         places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
     };

@@ -25,11 +25,10 @@ struct Emission {
     bool is_dark() const { return is_black(radiance.value); }
     // Towards a point on the front or back side. Always of the texture's finest level: whether a light sample or a ray
     // found the place must not matter.
-    Color towards(bool front, const ShadingPoint& p = {}) const
+    Color towards(bool front, const ShadingPoint& p) const
     {
-        if (!front && !both_sides) return {};
-        if (radiance.texture == no_texture) return radiance.value;
-        return p.finest().eval(radiance);
+        if (radiance.texture == no_texture) return plain_towards(front);
+        return front || both_sides ? p.finest().eval(radiance) : Color{};
     }
     // The same where there is no texture.
     Color plain_towards(bool front) const { return front || both_sides ? radiance.value : Color{}; }

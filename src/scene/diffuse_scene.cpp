@@ -18,8 +18,8 @@ DiffuseScene::Light table_of(const Scene& scene, uint32_t id)
             row(mesh.positions[corners[1]]),
             row(mesh.positions[corners[2]]),
             row(light.n, light.area),
-            row(emission.towards(true), scene.lights.pick.probability(id)),
-            row(emission.towards(false))};
+            row(emission.plain_towards(true), scene.lights.pick.probability(id)),
+            row(emission.plain_towards(false))};
 }
 
 }  // namespace

@@ -10,16 +10,15 @@ namespace {
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
-Vec3 lane(const Vec3T<Float4>& v, size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
-
 // Of those of four triangles whose corners have normals.
-void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const FourHits& which, Float4 u, Float4 v,
-                         PlacesOfFour& s)
+void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const FourHits& which, PlacesOfFour& s)
 {
     std::array<Float4, double_lanes> rows_a{}, rows_b{}, rows_c{};
+    Float4 u, v;
     Mask4f smooth{};
     for (size_t k = 0; k < double_lanes; ++k) {
         const Hit& hit = hits[which[k]];
+        u[k] = hit.uv.x, v[k] = hit.uv.y;
         const MeshShading& shading = scene.shading[hit.geometry];
         if (shading.normals.empty()) continue;
         const auto& i = shading.normal_triangles[hit.primitive];
@@ -41,7 +40,7 @@ void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const Fo
 
 }  // namespace
 
-PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
 {
     std::array<Float4, double_lanes> rows_a, rows_b, rows_c;
     Float4 u, v;
@@ -64,7 +63,13 @@ PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const Four
     PlacesOfFour s{at.p, at.p_error, to_float(cross_n * (1.0 / length_n)), {}, _mm256_cvtpd_ps(0.5 * length_n)};
     s.n = select(has_area, s.n, Vec3T<Float4>{zero, zero, zero + 1.0f});
     s.ns = s.n;
-    if (scene.has_normals) interpolate_normals(scene, hits, which, u, v, s);
+    return s;
+}
+
+PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+{
+    PlacesOfFour s = flat_places_of(scene, hits, which);
+    if (scene.has_normals) interpolate_normals(scene, hits, which, s);
     return s;
 }
 
@@ -134,12 +139,7 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
     for_triangles(
-        hits,
-        [&](const FourHits& which) {
-            const PlacesOfFour s = places_of(scene, hits, which);
-            for (size_t k = 0; k < double_lanes; ++k)
-                places[which[k]] = {lane(s.p, k), lane(s.p_error, k), lane(s.n, k), lane(s.ns, k), s.area[k]};
-        },
+        hits, [&](const FourHits& which) { put(places_of(scene, hits, which), which, places); },
         [&](size_t i) {
             places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
         });

@@ -74,6 +74,15 @@ struct PlacesOfFour {
     Float4 area;
 };
 PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
+// The same of triangles whose corners have no normals of their own.
+PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
+// Each to the place of its hit.
+inline void put(const PlacesOfFour& four, const FourHits& which, std::span<TrianglePlace> places)
+{
+    const auto lane = [](const Vec3T<Float4>& v, size_t k) { return Vec3{v.x[k], v.y[k], v.z[k]}; };
+    for (size_t k = 0; k < double_lanes; ++k)
+        places[which[k]] = {lane(four.p, k), lane(four.p_error, k), lane(four.n, k), lane(four.ns, k), four.area[k]};
+}
 
 // Asks for all that places_of() and surface_at() will read of the triangles that were hit, so that they need not wait
 // for one line of memory after the other.

@@ -62,7 +62,7 @@ TEST(SphereLight, IsDarkInside)
     const Stage stage(d);
     const Surface from = receiver({0.1f, 0.2f, 0}, {0, 1, 0});
     for (int i = 0; i < 100; ++i) EXPECT_FALSE(sample_light(stage.scene, from, 0, {static_cast<float>(i) / 100, 0.3f}));
-    EXPECT_TRUE(is_black(stage.scene.emission[stage.scene.sphere_material[0]].towards(false)));
+    EXPECT_TRUE(is_black(stage.scene.emission[stage.scene.sphere_material[0]].towards(false, {})));
 }
 
 TEST(TriangleLight, IrradianceIsLambertsFormula)
