@@ -49,13 +49,18 @@ public:
     void trace()
     {
         for (depth_ = 0; now_.size() > 0; ++depth_) {
-            w_.hits.resize(now_.size());
-            accel_.closest(now_.rays(), w_.hits, depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
-            fetch_shading(view_.scene, w_.hits);
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
             w_.diffuse.normals_next.clear();
-            for (size_t first = 0; first < now_.size(); first += float_lanes) shade(first);
+            w_.hits.resize(now_.size());
+            for (size_t first = 0; first < now_.size(); first += at_once) {
+                const size_t n = std::min(at_once, now_.size() - first);
+                const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
+                accel_.closest(now_.rays().subspan(first, n), hits,
+                               depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
+                fetch_shading(view_.scene, hits);
+                for (size_t i = first; i < first + n; i += float_lanes) shade(i);
+            }
             add_unoccluded();
             std::swap(now_, next_);
             std::swap(w_.diffuse.normals_now, w_.diffuse.normals_next);
@@ -63,6 +68,8 @@ public:
     }
 
 private:
+    // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
+    static constexpr size_t at_once = 128;
     // Eight vertices.
     struct Vertices {
         uint32_t hit;  // lanes that there are

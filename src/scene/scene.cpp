@@ -247,6 +247,7 @@ void Scene::complete(Diagnostics& diagnostics)
     receive_background(*this, diagnostics);
     diagnostics.throw_if_errors();
     build_light_table(*this);
+    has_tables = std::any_of(shading.begin(), shading.end(), [](const auto& s) { return s.differs_by_triangle(); });
     is_complete = true;
     bool emits = !lights.lights.empty();
     for (const uint32_t m : plane_material) emits = emits || !emission[m].is_dark();

@@ -34,6 +34,11 @@ struct MeshShading {
         emitter_rank;  // per triangle: its place among the mesh's emitters, or none; empty if it has none
 
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
+    // Whether shading looks something up that not all its triangles share.
+    bool differs_by_triangle() const
+    {
+        return !(normals.empty() && uvs.empty() && face_material.empty() && emitter_rank.empty());
+    }
 };
 
 class Background;
@@ -92,6 +97,7 @@ struct Scene {
     std::optional<PendingBackground> pending_background;
     bool is_complete = false;
     bool has_normals = false;     // some mesh has normals at its corners
+    bool has_tables = false;      // some mesh differs_by_triangle()
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
     bool light_tree = true;       // see LightTable::tree
     bool soft_shadows = true;     // else spheres of light shine as from their centres

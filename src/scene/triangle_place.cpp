@@ -115,7 +115,7 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
 
 void fetch_shading(const Scene& scene, std::span<const Hit> hits)
 {
-    if (!outgrows_caches(scene.geometry)) return;
+    if (!scene.has_tables || !outgrows_caches(scene.geometry)) return;
     const auto for_meshes = [&](const auto& f) {
         for (const Hit& hit : hits)
             if (hit.kind == Kind::triangle) f(scene.shading[hit.geometry], hit.primitive);
