@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/half.h"
 #include "core/srgb.h"
@@ -22,18 +23,31 @@ class ByteCodec {
 public:
     explicit ByteCodec(const float* table) : table_(table)
     {
-        for (size_t i = 0; i < borders_.size(); ++i) borders_[i] = 0.5f * (table[i] + table[i + 1]);
+        for (size_t i = 0; i + 1 < borders_.size(); ++i) borders_[i] = 0.5f * (table[i] + table[i + 1]);
+        borders_.back() = std::numeric_limits<float>::infinity();
+        uint8_t below = 0;
+        for (size_t i = 0; i < first_.size(); ++i) {
+            while (borders_[below] <= static_cast<float>(i) / parts) ++below;
+            first_[i] = below;
+        }
     }
     float decode(uint8_t v) const { return table_[v]; }
-    // The nearest step in linear light, so that means stay as close as they can.
+    // The nearest step in linear light, so that means stay as close as they can. v: [0, 1]. Few of the equal parts of
+    // that have a border in them.
     uint8_t encode(float v) const
     {
-        return static_cast<uint8_t>(std::upper_bound(borders_.begin(), borders_.end(), v) - borders_.begin());
+        uint8_t n = first_[std::min(static_cast<size_t>(v * parts), first_.size() - 1)];
+        while (borders_[n] <= v) ++n;
+        return n;
     }
 
 private:
+    static constexpr float parts = 4096;
+
     const float* table_;
-    std::array<float, 255> borders_;
+    std::array<float, 256> borders_;  // where the next step begins
+    std::array<uint8_t, static_cast<size_t>(parts)>
+        first_{};  // how many borders lie at or below the beginning of each part
 };
 struct HalfCodec {
     float decode(uint16_t v) const { return float_from_half(v); }
@@ -60,19 +74,28 @@ Taps taps_of(size_t i, size_t n)
     return {2 * i, 3, {(kept - part) / whole, kept / whole, (part + 1) / whole}};
 }
 
-// The next level, as floats. row(y) gives the numbers of a row. Sums are in double: rounded to float, the mean of
-// equal numbers is that number again.
-template <class Row>
-std::vector<float> shrink(const MipLevel& from, size_t channels, const Row& row)
+// The next level, as floats; decode() makes a number of it. Sums are in double: rounded to float, the mean of equal
+// numbers is that number again.
+template <class Value, class Decode>
+std::vector<float> shrink(const MipLevel& from, size_t channels, const Value* values, const Decode& decode)
 {
     const size_t width = next_size(from.width), height = next_size(from.height), row_size = from.width * channels;
     std::vector<float> result(width * height * channels);
     std::vector<double> sum(row_size);
     for (size_t y = 0; y < height; ++y) {
         const Taps down = taps_of(y, from.height);
+        const auto row = [&](size_t k) { return values + (down.first + k) * row_size; };
         std::fill(sum.begin(), sum.end(), 0.0);
-        for (size_t k = 0; k < down.count; ++k) row(down.first + k, down.weight[k], sum.data());
+        for (size_t k = 0; k < down.count; ++k)
+            for (size_t i = 0; i < row_size; ++i) sum[i] += down.weight[k] * static_cast<double>(decode(row(k)[i]));
         float* const out = &result[y * width * channels];
+        if (from.width % 2 == 0) {
+            for (size_t x = 0; x < width; ++x)
+                for (size_t c = 0; c < channels; ++c)
+                    out[x * channels + c] =
+                        static_cast<float>(0.5 * sum[2 * x * channels + c] + 0.5 * sum[(2 * x + 1) * channels + c]);
+            continue;
+        }
         for (size_t x = 0; x < width; ++x) {
             const Taps across = taps_of(x, from.width);
             for (size_t c = 0; c < channels; ++c) {
@@ -86,32 +109,34 @@ std::vector<float> shrink(const MipLevel& from, size_t channels, const Row& row)
     return result;
 }
 
+// Sizes and places of all levels below the finest one, which is there.
+void list_levels(MipPyramid& pyramid)
+{
+    for (MipLevel level = pyramid.levels[0]; level.width > 1 || level.height > 1;) {
+        level.first += size_t{level.width} * level.height * pyramid.channels;
+        level.width = static_cast<uint32_t>(next_size(level.width));
+        level.height = static_cast<uint32_t>(next_size(level.height));
+        pyramid.levels.push_back(level);
+    }
+}
+
 // `values` holds the finest level; the others follow. Each is made from the unrounded numbers of the one before.
 template <class Value, class Codec>
 void add_levels(MipPyramid& pyramid, std::vector<Value> values, const Codec& codec)
 {
     const size_t channels = pyramid.channels;
+    list_levels(pyramid);
+    values.resize(pyramid.levels.back().first + channels);
     std::vector<float> exact;
-    for (MipLevel level = pyramid.levels[0]; level.width > 1 || level.height > 1; level = pyramid.levels.back()) {
-        const size_t row_size = level.width * channels;
-        if (exact.empty()) {
-            exact = shrink(level, channels, [&](size_t y, double weight, double* sum) {
-                const Value* const row = &values[y * row_size];
-                for (size_t i = 0; i < row_size; ++i) sum[i] += weight * static_cast<double>(codec.decode(row[i]));
-            });
-        } else {
-            exact = shrink(level, channels, [&](size_t y, double weight, double* sum) {
-                const float* const row = &exact[y * row_size];
-                for (size_t i = 0; i < row_size; ++i) sum[i] += weight * static_cast<double>(row[i]);
-            });
-        }
-        pyramid.levels.push_back({static_cast<uint32_t>(next_size(level.width)),
-                                  static_cast<uint32_t>(next_size(level.height)), values.size()});
-        for (const float v : exact) values.push_back(codec.encode(v));
+    for (size_t i = 0; i + 1 < pyramid.levels.size(); ++i) {
+        const MipLevel& level = pyramid.levels[i];
+        exact = i == 0 ? shrink(level, channels, values.data(), [&](Value v) { return codec.decode(v); })
+                       : shrink(level, channels, exact.data(), [](float v) { return v; });
+        std::transform(exact.begin(), exact.end(), &values[pyramid.levels[i + 1].first],
+                       [&](float v) { return codec.encode(v); });
     }
     const auto top = [&](size_t c) { return exact.empty() ? codec.decode(values[c]) : exact[c]; };
     pyramid.mean = {top(0), top(channels / 2), top(channels - 1)};
-    values.shrink_to_fit();
     pyramid.values = std::move(values);
 }
 
@@ -203,8 +228,10 @@ MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked)
             return codec.encode(static_cast<float>(luminance(v(0), v(1), v(2))));
         };
         if (wants_luminance) result.channels = 1;
+        const bool as_it_is = result.channels == raster.channels;
         add_levels(result,
                    wants_luminance ? collect<uint8_t>(raster, 1, luminance_byte)
+                   : as_it_is      ? raster.bytes
                                    : collect<uint8_t>(raster, result.channels, byte),
                    codec);
         return result;
