@@ -98,7 +98,7 @@ Sweep shell_light()
     }
     return {"Light through a thin shell",
             "thickness over radius",
-            "largest relative error of what comes through, to 0.9 radii from the middle",
+            "largest relative error, to 0.9 radii from the middle",
             {product}};
 }
 
