@@ -32,8 +32,8 @@ public:
         }
     }
     float decode(uint8_t v) const { return table_[v]; }
-    // The nearest step in linear light, so that means stay as close as they can. v: [0, 1]. Few of the equal parts of
-    // that have a border in them.
+    // The nearest step in linear light, so that means stay as close as they can. v: [0, 1], of whose parts
+    // few have a border within them.
     uint8_t encode(float v) const
     {
         uint8_t n = first_[std::min(static_cast<size_t>(v * parts), first_.size() - 1)];
@@ -46,8 +46,8 @@ private:
 
     const float* table_;
     std::array<float, 256> borders_;  // where the next step begins
-    std::array<uint8_t, static_cast<size_t>(parts)>
-        first_{};  // how many borders lie at or below the beginning of each part
+    // Of each part of [0, 1] how many borders lie at or below its beginning.
+    std::array<uint8_t, static_cast<size_t>(parts)> first_{};
 };
 struct HalfCodec {
     float decode(uint16_t v) const { return float_from_half(v); }
