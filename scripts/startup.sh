@@ -10,7 +10,7 @@ usage: scripts/startup.sh [-n RUNS] [MESH.obj...]
   MESH.obj  instead of sponza and country-kitchen from the folder that LANCER_SHARED names, else ../shared
 Prints milliseconds on the clock, of two threads: the least and the median of all runs. For meshes:
   whole     to the first ray
-  mesh      the same, the material file without its pictures
+  mesh      the same, one pixel in place of each picture
   pictures  what a mesh of one triangle of each material takes longer with its pictures than without
   hidden    mesh + pictures - whole
 Environment: LANCER, the program (build/release/lancer).
@@ -65,8 +65,8 @@ least_and_median() {
         awk '{ x[NR] = $1 } END { printf "%8.1f %8.1f", x[1], (x[int((NR + 1) / 2)] + x[int(NR / 2) + 1]) / 2 }'
 }
 
-# without_pictures FILE.mtl
-without_pictures() { grep -v -i -E '^[[:space:]]*(map_|bump|norm|disp|decal|refl)' "$1"; }
+# with_a_pixel FILE.mtl: every picture replaced by pixel.tga, so that the mesh keeps what pictures need of it.
+with_a_pixel() { sed -E 's/^([[:space:]]*(map_[a-z]*|bump|norm|disp|decal|refl))[[:space:]].*/\1 pixel.tga/I' "$1"; }
 
 # one_of_each MESH: a triangle of each of its materials.
 one_of_each() {
@@ -102,7 +102,9 @@ for mesh in "${meshes[@]}"; do
     cp -r -L "$(dirname "$mesh")" "$work"
     chmod -R u+w "$work"
     library=$(sed -n 's/^mtllib *//p' "$mesh" | tr -d '\r' | head -n 1)
-    without_pictures "$work/$library" >"$work/plain.mtl"
+    with_a_pixel "$work/$library" >"$work/plain.mtl"
+    # An uncompressed Targa file of true colour, 1 x 1: its header of 18 bytes and one BGR pixel.
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\200\200\200' >"$work/pixel.tga"
     sed 's/^mtllib.*/mtllib plain.mtl/' "$mesh" >"$work/plain.obj"
     { echo "mtllib $library"; one_of_each "$mesh"; } >"$work/few.obj"
     sed 's/^mtllib.*/mtllib plain.mtl/' "$work/few.obj" >"$work/few-plain.obj"

@@ -2,10 +2,10 @@
 // behind it, what lies below its other children after that.
 #pragma once
 
+#include "core/raw_array.h"
 #include "geometry/bvh8_leaf.h"
 #include "geometry/bvh8_node.h"
 #include "geometry/collapse.h"
-#include "geometry/raw_array.h"
 
 namespace lancer {
 

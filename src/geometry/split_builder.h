@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "geometry/raw_array.h"
+#include "core/raw_array.h"
 #include "geometry/split_reference.h"
 #include "geometry/triangle_set.h"
 

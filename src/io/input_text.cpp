@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/text_file.h"
+#include "io/file_content.h"
 
 namespace lancer {
 namespace {
@@ -60,10 +60,10 @@ uint32_t line_of_too_deep_key(std::string_view text)
 
 std::string read_input_text(const std::string& path)
 {
-    FileContent content = read_file(path);
-    if (!content.problem.empty())
-        throw Error(content.missing ? ErrorKind::missing_input : ErrorKind::invalid_input, {path}, content.problem);
-    return std::move(content.bytes);
+    const FileContent content(path);
+    if (!content.problem().empty())
+        throw Error(content.missing() ? ErrorKind::missing_input : ErrorKind::invalid_input, {path}, content.problem());
+    return std::string(content.bytes());
 }
 
 bool check_toml_text(std::string_view text, const std::string& path, Diagnostics& diagnostics)

@@ -9,6 +9,7 @@
 
 #include "core/hash.h"
 #include "core/names.h"
+#include "io/file_content.h"
 #include "io/mtl_library.h"
 #include "io/obj_chunks.h"
 #include "io/obj_colors.h"
@@ -83,14 +84,14 @@ MaterialLibrary read_materials(const std::string& path, const ObjSummary& summar
 {
     MaterialLibrary library;
     for (const std::string& file : find_material_files(path, summary.libraries, options.assets, diagnostics)) {
-        const FileContent content = read_file(file);
-        if (!content.problem.empty() || !content.is_text()) {
+        const FileContent content(file);
+        if (!content.problem().empty() || !content.is_text()) {
             diagnostics.warning({file, 0, 0},
-                                "ignored: " + (content.problem.empty() ? "it holds NUL bytes" : content.problem));
+                                "ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem()));
             continue;
         }
         mesh.material_files.push_back(file);
-        mesh.content_hash = hash_bytes(content.bytes, mesh.content_hash);
+        mesh.content_hash = hash_bytes(content.bytes(), mesh.content_hash);
         library.add_file(file, content.text(), options.assets, diagnostics);
     }
     return library;
@@ -103,7 +104,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
 {
     auto mesh = std::make_shared<MeshData>();
     mesh->file = path;
-    mesh->content_hash = hash_bytes(content.bytes, 0);
+    mesh->content_hash = content.hash();
     MaterialLibrary library = read_materials(path, summary, options, *mesh, diagnostics);
     const UsedMaterials materials = describe_materials(summary, library, path, diagnostics);
     bool textured = false;
@@ -133,34 +134,34 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
 
 std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
-    FileContent content = read_file(path);
+    std::optional<FileContent> content(std::in_place, path);
     const auto fail = [&](const std::string& message, ErrorKind kind) {
         diagnostics.error({path, 0, 0}, message, kind);
         return nullptr;
     };
-    if (content.missing) return fail(content.problem, ErrorKind::missing_input);
-    if (!content.problem.empty()) return fail(content.problem, ErrorKind::invalid_input);
-    if (!content.is_text()) return fail("not an OBJ file: it holds NUL bytes", ErrorKind::invalid_input);
+    if (content->missing()) return fail(content->problem(), ErrorKind::missing_input);
+    if (!content->problem().empty()) return fail(content->problem(), ErrorKind::invalid_input);
+    if (!content->is_text()) return fail("not an OBJ file: it holds NUL bytes", ErrorKind::invalid_input);
 
-    if (content.bytes.size() >= options.parallel_from) {
+    if (content->bytes().size() >= options.parallel_from) {
         // Whatever is wrong is found again, and said, by those who look closer.
         Diagnostics said;
-        const std::optional<ObjChunks> chunks = ObjChunks::survey(content.text(), options.chunk);
-        auto mesh = chunks ? build(path, content, chunks->summary(), &*chunks, options, said) : nullptr;
+        const std::optional<ObjChunks> chunks = ObjChunks::survey(content->text(), options.chunk);
+        auto mesh = chunks ? build(path, *content, chunks->summary(), &*chunks, options, said) : nullptr;
         if (mesh) {
             diagnostics.append(said);
             return mesh;
         }
         if (chunks) {
-            content = {};  // its first part is gone
+            content.reset();  // its first part is gone
             MeshOptions whole = options;
             whole.parallel_from = SIZE_MAX;
             return load_obj(path, diagnostics, whole);
         }
     }
-    const std::optional<ObjSummary> summary = scan_obj(content.text(), path, diagnostics);
+    const std::optional<ObjSummary> summary = scan_obj(content->text(), path, diagnostics);
     if (!summary) return nullptr;
-    return build(path, content, *summary, nullptr, options, diagnostics);
+    return build(path, *content, *summary, nullptr, options, diagnostics);
 }
 
 }  // namespace lancer

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/names.h"
+#include "io/file_content.h"
 #include "io/text_file.h"
 
 namespace lancer {
@@ -19,8 +20,8 @@ size_t count_words(std::string_view text)
 
 void check_obj_text(const std::string& path, Diagnostics& notes)
 {
-    const FileContent content = read_file(path);
-    if (!content.problem.empty() || !content.is_text()) return;
+    const FileContent content(path);
+    if (!content.problem().empty() || !content.is_text()) return;
     std::set<std::string, std::less<>> libraries;
     uint32_t first_polygon = 0;
     uint64_t polygons = 0;

@@ -1,14 +1,7 @@
 #include "io/text_file.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 
 namespace lancer {
 namespace {
@@ -49,51 +42,6 @@ NumberKind classify_range(std::string_view word, std::string_view exponent)
 }
 
 }  // namespace
-
-bool FileContent::is_text() const { return bytes.find('\0') == std::string::npos; }
-
-std::string_view FileContent::text() const
-{
-    const std::string_view all = bytes;
-    return all.starts_with("\xEF\xBB\xBF") ? all.substr(3) : all;
-}
-
-FileContent read_file(const std::string& path)
-{
-    FileContent content;
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        content.missing = true;
-        content.problem = "no such file";
-        return content;
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        content.problem = std::filesystem::is_directory(status) ? "is a folder, not a file" : "not a regular file";
-        return content;
-    }
-    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    const uintmax_t size = std::filesystem::file_size(path, error);
-    if (!file || error) {
-        content.problem = std::string("cannot open: ") + std::strerror(file ? error.value() : errno);
-        return content;
-    }
-    content.bytes.resize(size);
-    if (std::fread(content.bytes.data(), 1, size, file.get()) != size) {
-        content.problem = "cannot be read to its end";
-        content.bytes.clear();
-    }
-    return content;
-}
-
-void give_back(std::string_view text)
-{
-    // Those pages alone on which there is nothing else. What strings hold is private memory, not that of a file.
-    const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto begin = reinterpret_cast<uintptr_t>(text.data()), end = begin + text.size();
-    const uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
-    if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
-}
 
 TextLines::TextLines(std::string_view text, Rule ends_in_name)
     : ends_in_name_(ends_in_name),

@@ -1,5 +1,5 @@
-// Reading text formats made of lines: the bytes of a whole file, a fast walk over its lines, and checks of single
-// words. Used by the OBJ and MTL readers. Nothing here allocates per line.
+// Reading text formats made of lines: a fast walk over the lines, and checks of single words. Used by the OBJ and MTL
+// readers. Nothing here allocates per line.
 #pragma once
 
 #include <cstdint>
@@ -7,21 +7,6 @@
 #include <string_view>
 
 namespace lancer {
-
-struct FileContent {
-    std::string bytes;
-    std::string problem;  // empty if the file could be read
-    bool missing = false;
-    bool is_text() const;           // no NUL byte
-    std::string_view text() const;  // without the byte order mark of UTF-8
-};
-
-// Reads a regular file at once; anything else (a folder, a device) is a problem.
-FileContent read_file(const std::string& path);
-
-// Gives the memory of what was read and is not needed any more back to the system, page by page; it then reads as
-// zeros. For texts so large that it matters.
-void give_back(std::string_view text);
 
 // Walks over lines that end in LF, CR LF or CR. A backslash at the end of a line joins it with the next one, except
 // in a line that is a comment or in which it belongs to a name. Lines are given without white space at both ends.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/text_file.h"
+#include "io/file_content.h"
 #include "obj_test_support.h"
 
 namespace lancer {
@@ -84,7 +84,7 @@ TEST_F(ObjChunked, ReadsTheFilesThatAreThere)
     for (const char* folder : {"malformed", "scenes/cornell", "scenes/spot", "scenes/gopher", "scenes/anchors"})
         for (const std::string& path : objs_in(shared_folder() / folder)) {
             expect_same(path);
-            const FileContent content = read_file(path);
+            const FileContent content(path);
             in_parts += ObjChunks::survey(content.text(), 150).has_value();
         }
     if (!fs::exists(shared_folder() / "scenes")) return;

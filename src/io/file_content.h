@@ -1,0 +1,42 @@
+// The bytes of a whole file, read by all threads, with what every reader of it asks: is it text, and its hash.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/raw_array.h"
+
+namespace lancer {
+
+class FileContent {
+public:
+    // Reads a regular file at once, in blocks by the threads of the innermost with_threads. Anything else (a folder, a
+    // device) is a problem.
+    explicit FileContent(const std::string& path);
+
+    const std::string& problem() const { return problem_; }  // empty if the file could be read
+    bool missing() const { return missing_; }
+    bool is_text() const { return is_text_; }  // no NUL byte
+    // Of all bytes, as hash_bytes; of more than a block, of the hashes of the blocks.
+    uint64_t hash() const { return hash_; }
+
+    std::string_view bytes() const { return {bytes_.get(), size_}; }
+    std::string_view text() const;  // without the byte order mark of UTF-8
+
+private:
+    void read(int descriptor, size_t size);
+
+    RawArray<char> bytes_;
+    size_t size_ = 0;
+    std::string problem_;
+    bool missing_ = false, is_text_ = true;
+    uint64_t hash_ = 0;
+};
+
+// Gives the memory of what was read and is not needed any more back to the system, page by page; it then reads as
+// zeros. For texts so large that it matters.
+void give_back(std::string_view text);
+
+}  // namespace lancer
