@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "core/parallel.h"
+
 namespace lancer {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double nearest = 1e3;  // errors from the camera from which on they ar
 constexpr uint32_t least_cell = 4, most_columns = 1024;
 constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
 constexpr size_t together = 32;         // neighbours in the list of a mesh are mostly neighbours in space
+constexpr size_t piece_size = 1024;     // triangles that one thread takes at least
+constexpr size_t most_parts = 8;        // at once, each with marks of its own
 constexpr uint64_t most_per_pixel = 4;  // triangles: to look at more takes longer than some samples of the sky do
 
 bool sees_one_colour(const Scene& scene)
@@ -75,6 +79,11 @@ public:
             }
         }
         return open;
+    }
+    // What another one of the same grid has been told, too.
+    void add(const Coverage& other)
+    {
+        for (size_t i = 0; i < marks_.size(); ++i) marks_[i] += other.marks_[i];
     }
     bool any_open() const
     {
@@ -176,8 +185,14 @@ std::array<Vec3d, 8> corners_of(const Bounds& b, const Transform& place)
     return corners;
 }
 
+// Rounding of what lies there, as rays from the camera see it; scene units.
+struct ErrorAt {
+    double camera_reach;
+    double operator()(const Vec3d& p) const { return 1e-6 * (max_component(abs(p)) + camera_reach); }
+};
+
 // The twelve triangles of a box that was moved.
-void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const auto& error_at)
+void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const ErrorAt& error_at)
 {
     const std::array<Vec3d, 8> corners = corners_of(b, place);
     constexpr std::array<std::array<size_t, 4>, 6> faces{
@@ -190,6 +205,50 @@ void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const 
     }
 }
 
+void add_triangles(Coverage& coverage, const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles,
+                   const ErrorAt& error_at)
+{
+    for (size_t first = 0; first < triangles.size(); first += together) {
+        const auto group = triangles.subspan(first, std::min(together, triangles.size() - first));
+        const Bounds box = bounds_of(mesh, group);
+        if (coverage.add_if_small(corners_of(box, {}), std::max(error_at(box.lower), error_at(box.upper)))) continue;
+        for (const auto& t : group) {
+            const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
+                        c = to_double(mesh.positions[t[2]]);
+            coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
+        }
+    }
+}
+
+// All triangles that are drawn as they are, by all threads. False: nothing is open any more, which in a room is soon
+// known.
+bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
+{
+    struct Piece {
+        const Mesh* mesh;
+        std::span<const std::array<uint32_t, 3>> triangles;
+    };
+    std::vector<Piece> pieces;
+    for (const Mesh& mesh : g.meshes) {
+        if (mesh.instanced) continue;
+        const std::span all(mesh.triangles);
+        for (size_t first = 0; first < all.size(); first += piece_size)
+            pieces.push_back({&mesh, all.subspan(first, std::min(piece_size, all.size() - first))});
+    }
+    const Coverage none = coverage;
+    for (size_t first = 0, round; first < pieces.size(); first += round) {
+        round = std::min(std::max<size_t>(3 * first, 1), pieces.size() - first);
+        std::vector<Coverage> parts(std::min(round, most_parts), none);
+        parallel_for(parts.size(), [&](size_t i) {
+            for (size_t k = round * i / parts.size(); k < round * (i + 1) / parts.size(); ++k)
+                add_triangles(parts[i], *pieces[first + k].mesh, pieces[first + k].triangles, error_at);
+        });
+        for (const Coverage& p : parts) coverage.add(p);
+        if (!coverage.any_open()) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, PathPlan& plan)
@@ -199,29 +258,8 @@ void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uin
     Coverage coverage(camera, width, height);
     if (!coverage.is_useful()) return;
     const Geometry& g = scene.geometry;
-    const double camera_reach = max_component(abs(to_double(camera.position())));
-    const auto error_at = [&](const Vec3d& p) { return 1e-6 * (max_component(abs(p)) + camera_reach); };
-    uint64_t looked_at = 0, look_again = 1024;
-    for (const Mesh& mesh : g.meshes) {
-        if (mesh.instanced) continue;
-        for (size_t first = 0; first < mesh.triangles.size(); first += together) {
-            const auto group =
-                std::span(mesh.triangles).subspan(first, std::min(together, mesh.triangles.size() - first));
-            const Bounds box = bounds_of(mesh, group);
-            const auto corners = corners_of(box, {});
-            if (!coverage.add_if_small(corners, std::max(error_at(box.lower), error_at(box.upper))))
-                for (const auto& t : group) {
-                    const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
-                                c = to_double(mesh.positions[t[2]]);
-                    coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
-                }
-            // In a room this is soon known.
-            looked_at += group.size();
-            if (looked_at < look_again) continue;
-            look_again *= 2;
-            if (!coverage.any_open()) return;
-        }
-    }
+    const ErrorAt error_at{max_component(abs(to_double(camera.position())))};
+    if (!add_meshes(coverage, g, error_at)) return;
     std::vector<Bounds> of_meshes(g.meshes.size());
     for (const Instance& i : g.instances) {
         Bounds& b = of_meshes[i.mesh];
