@@ -7,7 +7,7 @@
 #include "app/option_parser.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/text_file.h"
+#include "io/input_text.h"
 #include "report/bench_page.h"
 #include "report/bench_repeat.h"
 #include "report/html.h"
@@ -31,14 +31,7 @@ bool parse(int argc, char** argv, PageOptions& o)
     return p.parse(argc, argv);
 }
 
-BenchFile read_one(const std::string& path)
-{
-    const FileContent content = read_file(path);
-    if (!content.problem.empty())
-        throw Error(content.missing ? ErrorKind::missing_input : ErrorKind::invalid_input, {path, 0, 0},
-                    content.problem);
-    return read_bench(path, content.bytes);
-}
+BenchFile read_one(const std::string& path) { return read_bench(path, read_input_text(path)); }
 
 // By name, so that the page does not depend on the order of a folder.
 std::vector<BenchFile> read_run(const std::string& path)
