@@ -9,6 +9,8 @@ namespace lancer {
 // Sampler::key_of() of each lane, by halves.
 struct KeyLanes {
     UInt8 low, high;
+
+    uint64_t operator[](size_t i) const { return uint64_t{high[i]} << 32 | low[i]; }
 };
 
 // The address of a group of numbers in each lane, but for the sample.

@@ -12,6 +12,8 @@
 
 namespace lancer {
 
+// looks_up: see DiffuseScene.
+template <bool looks_up>
 struct DiffusePath {
     const Path& path;
     const DiffuseScene& scene;
@@ -19,18 +21,22 @@ struct DiffusePath {
     void miss(const View& view, const State& s, Steps& steps) const { path.miss(view, s, steps); }
 };
 
+template <bool looks_up>
 class DiffuseBatch {
+    using Lanes = std::conditional_t<looks_up, ConePathLanes, PathLanes>;
+
 public:
     DiffuseBatch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                 const KernelSettings& settings, const DiffusePath& integrator, Workspace& w, Counters& counters)
+                 const KernelSettings& settings, const DiffusePath<looks_up>& integrator, Workspace& w,
+                 Counters& counters)
         : view_(view),
           accel_(accel),
           settings_(settings),
           path_(integrator.path),
           scene_(integrator.scene),
           w_(w),
-          now_(w.diffuse.now),
-          next_(w.diffuse.next),
+          now_(now_of(w.diffuse)),
+          next_(next_of(w.diffuse)),
           shadows_(w.diffuse.shadows),
           counters_(counters),
           // Where there is nothing but a constant sky to sample, nothing is.
@@ -73,14 +79,31 @@ private:
     // Eight vertices.
     struct Vertices {
         uint32_t hit;  // lanes that there are
-        PathLanes path;
+        Lanes path;
         Vec3x8 albedo;
         Vec3x8 n, ns, origin;  // as in Surface
         Float8 cos_o;          // between the shading normal and the way back
+        Float8 width;          // of the cone, where textures are looked up
     };
+
+    static auto& now_of(DiffuseWorkspace& w)
+    {
+        if constexpr (looks_up)
+            return w.cones_now;
+        else
+            return w.now;
+    }
+    static auto& next_of(DiffuseWorkspace& w)
+    {
+        if constexpr (looks_up)
+            return w.cones_next;
+        else
+            return w.next;
+    }
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
+    void look_up(size_t first, std::span<const Hit> hits, Vertices& v);
     LightSampleLanes sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
     void sample_direct(const Vertices& v);
     void scatter(Vertices& v);
@@ -89,6 +112,8 @@ private:
         bool is_certain;  // in all lanes
     };
     Survival survival(const Vertices& v, const Vec3x8& throughput) const;
+    template <class Of>
+    void give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
     void add_emission(size_t i, const PathLanes& path, uint32_t lane);
     void add_unoccluded();
     void spoil(uint32_t lanes, UInt8 slots)
@@ -113,7 +138,7 @@ private:
     const Path& path_;
     const DiffuseScene& scene_;
     Workspace& w_;
-    PackedStates<PathLanes>&now_, &next_;
+    PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
     bool samples_;        // lights, at each vertex
@@ -121,10 +146,12 @@ private:
     uint32_t depth_ = 0;
 };
 
-inline void DiffuseBatch::send_from(const Camera& camera, uint32_t width, uint32_t first)
+template <bool looks_up>
+inline void DiffuseBatch<looks_up>::send_from(const Camera& camera, uint32_t width, uint32_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, w_.slots.size() - first);
-    PathLanes path{};
+    Lanes path{};
+    if constexpr (looks_up) path.spread = all_lanes(camera.pixel_spread());
     const Float8 one = all_lanes(1.0f);
     path.throughput = {one, one, one};
     for (uint32_t i = 0; i < n; ++i) {
@@ -146,9 +173,11 @@ inline void DiffuseBatch::send_from(const Camera& camera, uint32_t width, uint32
                              {on_lens.x[i], on_lens.y[i]});
     }
     now_.push((1u << n) - 1, std::span(rays).first(n), path);
+    give_keys(now_, (1u << n) - 1, path, 0, Dim::hole);
 }
 
-inline void DiffuseBatch::shade(size_t first)
+template <bool looks_up>
+inline void DiffuseBatch<looks_up>::shade(size_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, now_.size() - first);
     const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
@@ -178,103 +207,78 @@ inline void DiffuseBatch::shade(size_t first)
     }
     for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
     if (is_last()) return;
-    v.albedo = turned(albedo).xyz;
-
-    const auto four = [&](size_t from) {
-        return places_of(view_.scene, hits, {which[from], which[from + 1], which[from + 2], which[from + 3]});
-    };
-    const PlacesOfFour low = four(0), high = four(4);
-    const Vec3x8 p = joined(low.p, high.p), p_error = joined(low.p_error, high.p_error);
     const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
-    v.n = joined(low.n, high.n), v.ns = joined(low.ns, high.ns);
-    // As surface_at() has it.
-    const Float8 zero{};
-    const Mask8 front = dot(v.n, wo) > zero;
-    v.n = select(front, v.n, -v.n), v.ns = select(front, v.ns, -v.ns);
-    v.origin = offset_origin(p, p_error, v.n, v.n);
-    const Float8 c = dot(v.ns, wo);
-    if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
+    if constexpr (looks_up) {
+        look_up(first, hits, v);
+    } else {
+        v.albedo = turned(albedo).xyz;
+        const auto four = [&](size_t from) {
+            return places_of(view_.scene, hits, {which[from], which[from + 1], which[from + 2], which[from + 3]});
+        };
+        const PlacesOfFour low = four(0), high = four(4);
+        const Vec3x8 p = joined(low.p, high.p), p_error = joined(low.p_error, high.p_error);
+        v.n = joined(low.n, high.n), v.ns = joined(low.ns, high.ns);
+        // As surface_at() has it.
+        const Float8 zero{};
+        const Mask8 front = dot(v.n, wo) > zero;
+        v.n = select(front, v.n, -v.n), v.ns = select(front, v.ns, -v.ns);
+        v.origin = offset_origin(p, p_error, v.n, v.n);
+        const Float8 c = dot(v.ns, wo);
+        if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
+    }
     v.cos_o = dot(wo, v.ns);
 
     if (samples_ && path_.parts.has(leg_after(leg(), false))) sample_direct(v);
     scatter(v);
 }
 
-inline void DiffuseBatch::add_emission(size_t i, const PathLanes& path, uint32_t in)
+// One place after the other: what textures and maps say of it differs in how it is found.
+template <bool looks_up>
+inline void DiffuseBatch<looks_up>::look_up(size_t first, std::span<const Hit> hits, Vertices& v)
 {
-    State s;
-    const Vec3 t = lane(path.throughput, in);
-    s.ray = now_.rays()[i];
-    s.throughput = {t.x, t.y, t.z};
-    s.pdf = path.pdf[in];
-    if (keeps_normals_ && depth_ > 0) s.normal = w_.diffuse.normals_now[i];
-    s.light_sampled = samples_ && depth_ > 0;
-    s.leg = leg();
-    Steps steps(w_.queue, path.slot[in]);
-    lancer::add_emission(view_, s, view_.surface_at(s.ray, w_.hits[i], {}), path_.direct, path_.parts, steps);
+    std::array<TrianglePlace, float_lanes> places;
+    view_.triangle_places(hits, places);
+    const Float8 zero{}, one = all_lanes(1.0f);
+    v.albedo = v.origin = {zero, zero, zero};
+    v.n = v.ns = {zero, zero, one};
+    v.width = zero;
+    const auto put = [](Vec3x8& to, uint32_t i, float x, float y, float z) { to.x[i] = x, to.y[i] = y, to.z[i] = z; };
+    for_bits(v.hit, [&](uint32_t i) {
+        const RayCone cone{v.path.width[i], v.path.spread[i]};
+        const Surface s = view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]);
+        const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material]);
+        const Color albedo = lambert ? view_.bsdf_at(*lambert, s).albedo : Color{};
+        put(v.albedo, i, albedo.r, albedo.g, albedo.b);
+        put(v.n, i, s.n.x, s.n.y, s.n.z);
+        put(v.ns, i, s.ns.x, s.ns.y, s.ns.z);
+        put(v.origin, i, s.origin.x, s.origin.y, s.origin.z);
+        v.width[i] = cone.width + cone.spread * s.t;
+    });
 }
 
-// View::sample_light()
-inline LightSampleLanes DiffuseBatch::sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u)
+// To those of the lanes that were just sent. See View::give_key().
+template <bool looks_up>
+template <class Of>
+inline void DiffuseBatch<looks_up>::give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path,
+                                              uint32_t bounce, Dim dim)
 {
-    const Discrete& pick = view_.scene.lights.pick;
-    if (pick.stretches()) {
-        Discrete::StretchedLanes chosen{{}, u.x};
-        if (pick.size() > 1) chosen = pick.stretch(u.x);
-        return sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
-    }
-    const Float8 number = address.get1(v.path.sample);
-    std::array<uint32_t, float_lanes> ids{};
-    if (!view_.scene.lights.tree) {
-        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
-        return sample_lights(scene_, ids, v.origin, u);
-    }
-    std::array<double, float_lanes> numbers;
-    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
-    std::array<LightTree::Choice, float_lanes> choices{};
-    view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
-    Float8 probability{};
-    for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = choices[i].light, probability[i] = choices[i].probability;
-    return sample_lights(scene_, ids, v.origin, u, &probability);
+    if constexpr (!looks_up) return;
+    if (!view_.scene.geometry.holes.let_pass) return;
+    Ray* ray = sent.last_rays(static_cast<size_t>(std::popcount(lanes))).data();
+    for_bits(lanes, [&](uint32_t i) { (ray++)->key = Sampler::key(path.key[i], path.sample[i], bounce, dim); });
 }
 
-inline void DiffuseBatch::sample_direct(const Vertices& v)
-{
-    const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
-    const Vec2x8 u = address.get2(v.path.sample);
-    const LightSampleLanes light = sample_light(v, address, u);
-    const Float8 zero{}, cos_i = dot(light.wi, v.ns);
-    const Float8 pdf = cos_i * (1 / pi);
-    const Vec3x8 f_cos = v.albedo * pdf;
-    const Mask8 lit = light.found & (dot(light.wi, v.n) > zero) & (cos_i > zero) & (v.cos_o > zero) & ~is_black(f_cos);
-    if ((bits(lit) & v.hit) == 0) return;
-    Float8 weight = all_lanes(1.0f);
-    if (path_.direct.mis) {
-        const Float8 r = pdf / light.pdf;
-        weight = 1.0f / (1.0f + r * r);
-    }
-    const Vec3x8 radiance = times(times(v.path.throughput, f_cos), light.radiance) * (weight / light.pdf);
-    const uint32_t wanted = bits(lit & ~is_black(radiance)) & v.hit;
-    if (wanted == 0) return;
-    // shadow_ray()
-    const Float8 reach = length(light.point - v.origin) * gamma(16);
-    const Vec3x8 end = offset_origin(light.point, light.p_error + Vec3x8{reach, reach, reach}, light.n, -light.wi);
-    const Vec3x8 d = end - v.origin;
-    const Float8 distance = length(d);
-    const Vec3x8 dir = d / distance;
-    const uint32_t traceable = bits(is_traceable(v.origin, dir, all_lanes(Ray{}.t_min), distance));
-    spoil(wanted & ~traceable, v.path.slot);
-    shadows_.push(wanted & traceable, v.origin, dir, distance, {radiance, v.path.slot});
-}
-
-inline void DiffuseBatch::scatter(Vertices& v)
+template <bool looks_up>
+inline void DiffuseBatch<looks_up>::scatter(Vertices& v)
 {
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
     const Float8 zero{}, no_end = all_lanes(std::numeric_limits<float>::infinity());
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((bits(reflects) & v.hit) == 0) return;
-    PathLanes& next = v.path;  // from here on that of what is sent on
+    Lanes& next = v.path;  // from here on that of what is sent on
+    Float8 spread{};
+    if constexpr (looks_up) next.width = v.width, spread = next.spread;
     if (splits) {
         for_bits(v.hit, [&](uint32_t i) {
             next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % plan.of_path();
@@ -299,14 +303,19 @@ inline void DiffuseBatch::scatter(Vertices& v)
                        traceable = bits(is_traceable(v.origin, wi, all_lanes(Ray{}.t_min), no_end));
         spoil(wanted & ~traceable, next.slot);
         next.pdf = local.z * (1 / pi);
+        // scattered()
+        if constexpr (looks_up) next.spread = min(all_lanes(1.0f), max(spread, 0.25f / sqrt(next.pdf)));
         next_.push(wanted & traceable, v.origin, wi, no_end, next);
+        give_keys(next_, wanted & traceable, next, depth_ + 1, Dim::hole);
         if (keeps_normals_)
             for_bits(wanted & traceable, [&](uint32_t i) { w_.diffuse.normals_next.push_back(lane(v.ns, i)); });
     }
 }
 
 // With what probability roulette lets a ray go on to the next depth: see survives_roulette().
-inline DiffuseBatch::Survival DiffuseBatch::survival(const Vertices& v, const Vec3x8& throughput) const
+template <bool looks_up>
+inline typename DiffuseBatch<looks_up>::Survival DiffuseBatch<looks_up>::survival(const Vertices& v,
+                                                                                  const Vec3x8& throughput) const
 {
     const bool is_deep = depth_ + 1 >= path_.roulette_depth;
     const Float8 cap = all_lanes(is_deep ? roulette_cap : 1.0f);
@@ -321,28 +330,13 @@ inline DiffuseBatch::Survival DiffuseBatch::survival(const Vertices& v, const Ve
     return {q, (bits(q != all_lanes(1.0f)) & v.hit) == 0};
 }
 
-inline void DiffuseBatch::add_unoccluded()
-{
-    w_.occluded.resize(shadows_.size());
-    accel_.any(shadows_.rays(), w_.occluded);
-    counters_.shadow_rays += shadows_.size();
-    for (size_t first = 0; first < shadows_.size(); first += float_lanes) {
-        ShadowLanes shadow;
-        shadows_.load(first, shadow);
-        for (size_t i = 0; i < std::min<size_t>(float_lanes, shadows_.size() - first); ++i) {
-            if (w_.occluded[first + i]) continue;
-            const Vec3 brought = lane(shadow.radiance, i);
-            w_.queue.radiance[shadow.slot[i]] += Color{brought.x, brought.y, brought.z};
-        }
-    }
-}
-
 // See render/batch.h.
+template <bool looks_up>
 inline void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                        const KernelSettings& settings, const DiffusePath& integrator, Workspace& w, Counters& counters,
-                        const NoListener&)
+                        const KernelSettings& settings, const DiffusePath<looks_up>& integrator, Workspace& w,
+                        Counters& counters, const NoListener&)
 {
-    DiffuseBatch(view, accel, camera, width, settings, integrator, w, counters).trace();
+    DiffuseBatch<looks_up>(view, accel, camera, width, settings, integrator, w, counters).trace();
 }
 
 }  // namespace lancer

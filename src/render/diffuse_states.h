@@ -16,6 +16,7 @@ class PackedStates {
 public:
     size_t size() const { return count_; }
     std::span<const Ray> rays() const { return std::span(rays_).first(count_); }
+    std::span<Ray> last_rays(size_t n) { return std::span(rays_).subspan(count_ - n, n); }
     void clear() { count_ = 0; }
     // Room for so many; behind the last there may be written, too.
     void reserve(size_t most)
@@ -65,6 +66,10 @@ struct PathLanes {
     UInt8 slot, sample;
     KeyLanes key;  // of the sampler
 };
+// The same where textures are looked up, and so the cone of each ray is asked for.
+struct ConePathLanes : PathLanes {
+    Float8 width, spread;  // as in RayCone
+};
 struct ShadowLanes {
     Vec3x8 radiance;  // if nothing is in between
     UInt8 slot;
@@ -73,6 +78,7 @@ struct ShadowLanes {
 // Memory of one thread that traces diffuse scenes.
 struct DiffuseWorkspace {
     PackedStates<PathLanes> now, next;
+    PackedStates<ConePathLanes> cones_now, cones_next;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
     std::vector<Vec3> normals_now, normals_next;

@@ -18,7 +18,9 @@ struct PathListener {
     std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
 };
 
-// Path's, for scenes of which there is a DiffuseScene: the same bits, eight paths at a time.
+// Path's, for scenes of which there is a DiffuseScene that does or does not look things up: the same bits, eight paths
+// at a time. Each stands in a file of its own, or the compiler would think both together too long to inline much.
+template <bool looks_up>
 struct DiffuseKernel {
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                        const Path& path, const DiffuseScene& scene, Film& film, Tile tile, SampleRange samples,

@@ -35,8 +35,8 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                                                                            Workspace& w, Counters& counters) {
                         const View view{scene, plan};
                         if (profile_with(film.aov_layout, Profile::diffuse) == Profile::diffuse)
-                            DiffuseKernel::render(view, accel, camera, settings, concrete, *plain, film, tile, samples,
-                                                  w, counters);
+                            (plain->looks_up ? DiffuseKernel<true>::render : DiffuseKernel<false>::render)(
+                                view, accel, camera, settings, concrete, *plain, film, tile, samples, w, counters);
                         else
                             Kernels<Path>::render(view, accel, camera, settings, concrete, film, tile, samples, w,
                                                   counters);

@@ -28,9 +28,11 @@ std::optional<DiffuseScene> DiffuseScene::of(const Scene& scene)
 {
     const Features needed = features_of(scene);
     const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
-    if (!features.covers(needed) || (has_lamps && has_sky)) return {};
+    if (!(features | looked_up).covers(needed) || (has_lamps && has_sky)) return {};
     DiffuseScene d;
+    d.looks_up = !features.covers(needed);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
+        if (!scene.emission[i].is_dark() && scene.traits[i].has_holes()) return {};  // what lamps send depends on where
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
         d.shines.push_back(!scene.emission[i].is_dark());

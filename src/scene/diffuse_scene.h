@@ -1,6 +1,6 @@
 // A scene that is so plain that eight of its places can be shaded at once: triangles drawn as they are, Lambert's
-// materials of one colour each, lit by triangles of one colour each or by a sky of one colour. What it lacks is never
-// asked for: textures, tilted normals, instances, spheres, holes, media. Tables of it as registers want them.
+// materials, lit by triangles of one colour each or by a sky of one colour. What it lacks is never asked for: instances,
+// spheres, media, and where it looks nothing up textures, maps and holes as well. Tables of it as registers want them.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,12 @@ struct DiffuseScene {
     // What it may have; and of lamps and a sky only one.
     static constexpr Features features{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
                                        Feature::constant_sky, Feature::light_tree};
+    // Places that have these are looked at one by one; what follows is done for eight again.
+    static constexpr Features looked_up{Feature::textures, Feature::bump_maps, Feature::normal_maps,
+                                        Feature::vertex_colors, Feature::cut_outs};
 
-    std::vector<Row> albedo;      // of each material
+    bool looks_up = false;        // whether it has any of those
+    std::vector<Row> albedo;      // of each material, where nothing is looked up
     std::vector<uint8_t> shines;  // of each material, whether any of its sides does
     std::vector<Light> lights;    // parallel to Scene::lights, if these are what is sampled
 

@@ -90,6 +90,7 @@ public:
 
     constexpr bool has(Feature f) const { return (bits_ & bit(f)) != 0; }
     constexpr void add(Feature f, bool really = true) { bits_ |= really ? bit(f) : 0; }
+    constexpr Features operator|(Features o) const { return Features(bits_ | o.bits_); }
     // Whether nothing is needed that is not here.
     constexpr bool covers(Features needed) const { return (needed.bits_ & ~bits_) == 0; }
 

@@ -42,19 +42,52 @@ SceneDescription many_lamps(int count)
     return d;
 }
 
+// What is looked up at places: a picture, heights, a map of normals, colours of vertices, holes - the lamp has some,
+// too - and what of it one place has besides another.
+SceneDescription looked_up_scene()
+{
+    SceneDescription d = smooth_scene();
+    MaterialDescription wall = make_lambert("wall", {0.8f, 0.8f, 0.8f});
+    wall.base_color_map = picture_of("colours", Encoding::srgb);
+    wall.bump_map = heights_of("waves");
+    wall.bump_scale = 4;
+    d.meshes[0] = make_mesh(make_mapped_quad({-2, -0.8, 2}, {2, -0.8, 2}, {2, -0.8, -2}, {-2, -0.8, -2}, {4, 3}, wall));
+    MeshData coloured = *d.meshes[1].data;
+    for (size_t i = 0; i < coloured.positions.size(); ++i)
+        coloured.colors.push_back({0.3f, 0.02f * static_cast<float>(i % 40), 0.9f});
+    d.meshes[1].data = std::make_shared<const MeshData>(std::move(coloured));
+    MaterialDescription tile = make_gauze("tile", {0.9f, 0.8f, 0.7f}, 0.8f, 5);
+    tile.normal_map = picture_of("tilted normals", Encoding::linear);
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-0.5, -0.6, 0.9}, {0.6, -0.6, 0.8}, {0.6, 0.3, 0.8}, {-0.5, 0.3, 0.9}, {1, 1}, tile)));
+    return d;
+}
+SceneDescription looked_up_under_sky()
+{
+    SceneDescription d = looked_up_scene();
+    d.meshes.erase(d.meshes.begin() + 2);
+    d.lights = {sky_of({0.5f, 0.7f, 0.9f})};
+    return d;
+}
+
 struct Case {
     const char* name;
     SceneDescription scene;
 };
 std::vector<Case> cases()
 {
-    return {{"smooth", smooth_scene()}, {"sky", sky_scene()}, {"lamps", many_lamps(20)}, {"tree", many_lamps(50)}};
+    return {{"smooth", smooth_scene()},      {"sky", sky_scene()},
+            {"lamps", many_lamps(20)},       {"tree", many_lamps(50)},
+            {"textures", looked_up_scene()}, {"textures, sky", looked_up_under_sky()}};
 }
 
-TEST(Diffuse, HasATreeAmongItsCases)
+TEST(Diffuse, HasATreeAndEveryFeatureAmongItsCases)
 {
-    EXPECT_TRUE(build_scene(cases().back().scene).lights.tree);
+    EXPECT_TRUE(build_scene(cases()[3].scene).lights.tree);
     EXPECT_FALSE(build_scene(cases()[2].scene).lights.tree);
+    Features all;
+    for (const Case& c : cases()) all = all | features_of(build_scene(c.scene));
+    EXPECT_TRUE(all.covers(DiffuseScene::features | DiffuseScene::looked_up));
 }
 
 void expect_same(const Case& c, const RenderRequest& r, const std::string& how)
@@ -119,6 +152,11 @@ TEST(Diffuse, IsForPlainScenesAlone)
     d = smooth_scene();
     d.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0, 3, 0}));
     EXPECT_FALSE(DiffuseScene::of(build_scene(d))) << "a point";
+    d = smooth_scene();
+    MaterialDescription lamp = make_gauze("lamp", {}, 0.8f);
+    lamp.emission = {6, 5, 4};
+    d.meshes[2].data = make_quad({1.2, 0, -0.3}, {1.2, 0, 0.3}, {1.2, 0.6, 0.3}, {1.2, 0.6, -0.3}, lamp);
+    EXPECT_FALSE(DiffuseScene::of(build_scene(d))) << "a lamp with holes";
 }
 
 }  // namespace

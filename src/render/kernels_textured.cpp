@@ -1,0 +1,7 @@
+#include "render/diffuse_kernel.h"
+
+namespace lancer {
+
+template struct DiffuseKernel<true>;
+
+}  // namespace lancer
