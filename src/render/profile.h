@@ -7,7 +7,7 @@
 namespace lancer {
 
 enum class Profile {
-    diffuse,  // see scene/diffuse_scene.h; of the integrator `path`, without sums for AOVs
+    diffuse,  // see scene/diffuse_scene.h, in two versions; of the integrator `path`, without sums for AOVs
     all,      // everything there is
 };
 inline constexpr std::array<std::string_view, 2> profile_names{"diffuse", "all"};
