@@ -40,6 +40,8 @@ Signals::Signals()
 
 Signals::~Signals()
 {
+    // On the way out after an interrupt the next one still ends the program with its code, not by the signal.
+    if (interrupted()) return;
     for (const int number : {SIGINT, SIGTERM, SIGUSR1}) handle(number, SIG_DFL);
 }
 
