@@ -1,6 +1,7 @@
 // A scene that is so plain that eight of its places can be shaded at once: triangles drawn as they are, Lambert's
-// materials, lit by triangles of one colour each or by a sky of one colour. What it lacks is never asked for: instances,
-// spheres, media, and where it looks nothing up textures, maps and holes as well. Tables of it as registers want them.
+// materials, lit by triangles of one colour each or by a sky of one colour. What it lacks is never asked for:
+// instances, spheres, media, and where it looks nothing up textures, maps and holes as well. Tables of it as registers
+// want them.
 #pragma once
 
 #include <optional>
