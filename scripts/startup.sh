@@ -11,7 +11,7 @@ usage: scripts/startup.sh [-n RUNS] [MESH.obj...]
 Prints milliseconds on the clock, of two threads: the least and the median of all runs. For meshes:
   whole     to the first ray
   mesh      the same, one pixel in place of each picture
-  pictures  what a mesh of one triangle of each material takes longer with its pictures than without
+  pictures  what a mesh of one triangle of each material takes longer with its pictures than with pixels
   hidden    mesh + pictures - whole
 Environment: LANCER, the program (build/release/lancer).
 END2

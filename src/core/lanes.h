@@ -84,6 +84,12 @@ T larger(T a, T b)
 {
     return select(a < b, b, a);
 }
+// Likewise, as std::min does.
+template <class T>
+T smaller(T a, T b)
+{
+    return select(b < a, b, a);
+}
 
 // b where a is NaN.
 inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }

@@ -196,11 +196,11 @@ public:
     }
 
     // 32 bits that tell this address from all others: for numbers that need more to their address, see Ray::key.
-    uint32_t key(uint32_t bounce, Dim dim) const { return key(key_, sample_, bounce, dim); }
-    // The same of a sampler of that key_of().
-    static uint32_t key(uint64_t key, uint32_t sample, uint32_t bounce, Dim dim)
+    uint32_t key(uint32_t bounce, Dim dim) const { return key(group(bounce, dim), sample_); }
+    // The same of a sample in the group of that hash.
+    static uint32_t key(uint64_t hash, uint32_t sample)
     {
-        return static_cast<uint32_t>(mix_bits(hash_of(key, bounce, dim) + sample * 0x9e3779b97f4a7c15ull) >> 32);
+        return static_cast<uint32_t>(mix_bits(hash + sample * 0x9e3779b97f4a7c15ull) >> 32);
     }
 
 private:

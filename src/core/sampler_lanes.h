@@ -9,8 +9,6 @@ namespace lancer {
 // Sampler::key_of() of each lane, by halves.
 struct KeyLanes {
     UInt8 low, high;
-
-    uint64_t operator[](size_t i) const { return uint64_t{high[i]} << 32 | low[i]; }
 };
 
 // The address of a group of numbers in each lane, but for the sample.
@@ -56,6 +54,8 @@ public:
         }
         return to_unit(sobol::scrambled(third_reversed(shuffled(sample)), high_, UInt8{} + 3u));
     }
+    // As Sampler's, of lane i.
+    uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
 
 private:
     uint64_t hash(size_t i) const { return uint64_t{high_[i]} << 32 | low_[i]; }

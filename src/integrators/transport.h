@@ -133,10 +133,14 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
 
 // The cone of light after a bounce: a delta lobe keeps its angle (mirrors that curve are taken for flat ones, which
 // only makes textures sharper); else it opens to a sixteenth of the solid angle that the sample stands for.
+template <class T>
+T opened(T spread, T pdf)
+{
+    return smaller(T{} + 1.0f, larger(spread, 0.25f / sqrt(pdf)));
+}
 inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
 {
-    const float opened = sample.delta ? 0 : 0.25f / std::sqrt(sample.pdf);
-    return {cone.width + cone.spread * t, std::min(1.0f, std::max(cone.spread, opened))};
+    return {cone.width + cone.spread * t, sample.delta ? std::min(1.0f, cone.spread) : opened(cone.spread, sample.pdf)};
 }
 
 inline Leg leg_after(Leg leg, bool delta)

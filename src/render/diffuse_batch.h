@@ -35,8 +35,8 @@ public:
           path_(integrator.path),
           scene_(integrator.scene),
           w_(w),
-          now_(now_of(w.diffuse)),
-          next_(next_of(w.diffuse)),
+          now_(std::get<PathsUnderWay<Lanes>>(w.diffuse.paths).now),
+          next_(std::get<PathsUnderWay<Lanes>>(w.diffuse.paths).next),
           shadows_(w.diffuse.shadows),
           counters_(counters),
           // Where there is nothing but a constant sky to sample, nothing is.
@@ -85,21 +85,6 @@ private:
         Float8 cos_o;          // between the shading normal and the way back
         Float8 width;          // of the cone, where textures are looked up
     };
-
-    static auto& now_of(DiffuseWorkspace& w)
-    {
-        if constexpr (looks_up)
-            return w.cones_now;
-        else
-            return w.now;
-    }
-    static auto& next_of(DiffuseWorkspace& w)
-    {
-        if constexpr (looks_up)
-            return w.cones_next;
-        else
-            return w.next;
-    }
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
@@ -264,8 +249,9 @@ inline void DiffuseBatch<looks_up>::give_keys(PackedStates<Of>& sent, uint32_t l
 {
     if constexpr (!looks_up) return;
     if (!view_.scene.geometry.holes.let_pass) return;
+    const AddressLanes address = numbers(path.key, bounce, dim);
     Ray* ray = sent.last_rays(static_cast<size_t>(std::popcount(lanes))).data();
-    for_bits(lanes, [&](uint32_t i) { (ray++)->key = Sampler::key(path.key[i], path.sample[i], bounce, dim); });
+    for_bits(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, path.sample[i]); });
 }
 
 template <bool looks_up>
@@ -303,8 +289,7 @@ inline void DiffuseBatch<looks_up>::scatter(Vertices& v)
                        traceable = bits(is_traceable(v.origin, wi, all_lanes(Ray{}.t_min), no_end));
         spoil(wanted & ~traceable, next.slot);
         next.pdf = local.z * (1 / pi);
-        // scattered()
-        if constexpr (looks_up) next.spread = min(all_lanes(1.0f), max(spread, 0.25f / sqrt(next.pdf)));
+        if constexpr (looks_up) next.spread = opened(spread, next.pdf);
         next_.push(wanted & traceable, v.origin, wi, no_end, next);
         give_keys(next_, wanted & traceable, next, depth_ + 1, Dim::hole);
         if (keeps_normals_)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "core/pack.h"
@@ -75,10 +76,13 @@ struct ShadowLanes {
     UInt8 slot;
 };
 
+template <class Lanes>
+struct PathsUnderWay {
+    PackedStates<Lanes> now, next;
+};
 // Memory of one thread that traces diffuse scenes.
 struct DiffuseWorkspace {
-    PackedStates<PathLanes> now, next;
-    PackedStates<ConePathLanes> cones_now, cones_next;
+    std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
     std::vector<Vec3> normals_now, normals_next;

@@ -32,7 +32,7 @@ struct DiffuseScene {
                                         Feature::vertex_colors, Feature::cut_outs};
 
     bool looks_up = false;        // whether it has any of those
-    std::vector<Row> albedo;      // of each material, where nothing is looked up
+    std::vector<Row> albedo;      // of each material, before anything is looked up
     std::vector<uint8_t> shines;  // of each material, whether any of its sides does
     std::vector<Light> lights;    // parallel to Scene::lights, if these are what is sampled
 
