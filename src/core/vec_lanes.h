@@ -31,6 +31,7 @@ inline Mask8 is_black(const Vec3x8& c)
     return (c.x == zero) & (c.y == zero) & (c.z == zero);
 }
 inline Vec3 lane(const Vec3x8& v, size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+inline void set_lane(Vec3x8& v, size_t i, Vec3 to) { v.x[i] = to.x, v.y[i] = to.y, v.z[i] = to.z; }
 
 inline Vec3x8 joined(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
 {

@@ -80,18 +80,20 @@ struct View {
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
     {
-        const Discrete& pick = scene.lights.pick;
-        if (pick.empty()) return {};
-        const Vec2 u = sampler.get2(bounce, Dim::light);
-        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
-        const Discrete::Stretched s = pick.stretch(u.x);
+        if (scene.lights.pick.empty()) return {};
+        const auto pick = [&] { return sampler.get1(bounce, Dim::light); };
+        return sample_light(from, sampler.get2(bounce, Dim::light), pick, through);
+    }
+    // The same by numbers in [0, 1): pick() is only asked for where u does not say which light, too. Not without
+    // lights.
+    template <class Pick>
+    std::optional<LightSample> sample_light(const Surface& from, Vec2 u, const Pick& pick, bool through) const
+    {
+        if (!scene.lights.pick.stretches()) return lancer::sample_light(scene, from, pick(), u, through);
+        const Discrete::Stretched s = scene.lights.pick.stretch(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
-    // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
-    bool lit_by_constant_sky() const
-    {
-        return scene.environment_light != Scene::none && scene.lights.lights.size() == 1 && !scene.environment_table;
-    }
+    bool lit_by_constant_sky() const { return scene.lit_by_constant_sky(); }
     // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
     // choice.
     uint32_t delta_lights() const { return scene.lights.deltas; }

@@ -39,9 +39,9 @@ public:
           next_(std::get<PathsUnderWay<Lanes>>(w.diffuse.paths).next),
           shadows_(w.diffuse.shadows),
           counters_(counters),
-          // Where there is nothing but a constant sky to sample, nothing is.
-          samples_(path_.direct.nee && !scene_.lights.empty()),
-          keeps_normals_(samples_ && view.scene.lights.tree)
+          samples_(path_.direct.nee && !view.scene.lights.pick.empty() && !view.lit_by_constant_sky()),
+          samples_sky_(looks_up && samples_ && view.scene.environment_light != Scene::none),
+          keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree))
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -90,6 +90,7 @@ private:
     void shade(size_t first);
     void look_up(size_t first, std::span<const Hit> hits, Vertices& v);
     LightSampleLanes sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
+    LightSampleLanes sample_any_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
     void sample_direct(const Vertices& v);
     void scatter(Vertices& v);
     struct Survival {
@@ -99,7 +100,9 @@ private:
     Survival survival(const Vertices& v, const Vec3x8& throughput) const;
     template <class Of>
     void give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
-    void add_emission(size_t i, const PathLanes& path, uint32_t lane);
+    State state_of(size_t i, const Lanes& path, uint32_t lane) const;
+    void add_emission(size_t i, const Lanes& path, uint32_t lane);
+    void add_sky(uint32_t missed, size_t first, const Lanes& path);
     void add_unoccluded();
     void spoil(uint32_t lanes, UInt8 slots)
     {
@@ -126,7 +129,9 @@ private:
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
-    bool samples_;        // lights, at each vertex
+    // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.
+    bool samples_;
+    bool samples_sky_;    // as one of them
     bool keeps_normals_;  // see DiffuseWorkspace
     uint32_t depth_ = 0;
 };
@@ -170,12 +175,7 @@ inline void DiffuseBatch<looks_up>::shade(size_t first)
     now_.load(first, v.path);
     v.hit = 0;
     for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;
-    const Color sky = view_.scene.environment;
-    if (path_.parts.has(leg()) && !is_black(sky))
-        for_bits(~v.hit & ((1u << n) - 1), [&](uint32_t i) {
-            const Vec3 t = lane(v.path.throughput, i);
-            Steps(w_.queue, v.path.slot[i]).add(Color{t.x, t.y, t.z} * sky);
-        });
+    add_sky(~v.hit & ((1u << n) - 1), first, v.path);
     if (v.hit == 0) return;
 
     // Lanes without a hit do as the first that has one.
@@ -186,7 +186,8 @@ inline void DiffuseBatch<looks_up>::shade(size_t first)
     for (uint32_t i = 0; i < float_lanes; ++i) {
         which[i] = v.hit >> i & 1 ? i : some;
         const Hit& hit = hits[which[i]];
-        const uint32_t material = view_.scene.shading[hit.geometry].material_of(hit.primitive);
+        const uint32_t material =
+            looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
         albedo[i] = &scene_.albedo[material];
         shining |= static_cast<uint32_t>(scene_.shines[material]) << i;
     }
@@ -227,16 +228,15 @@ inline void DiffuseBatch<looks_up>::look_up(size_t first, std::span<const Hit> h
     v.albedo = v.origin = {zero, zero, zero};
     v.n = v.ns = {zero, zero, one};
     v.width = zero;
-    const auto put = [](Vec3x8& to, uint32_t i, float x, float y, float z) { to.x[i] = x, to.y[i] = y, to.z[i] = z; };
     for_bits(v.hit, [&](uint32_t i) {
         const RayCone cone{v.path.width[i], v.path.spread[i]};
         const Surface s = view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]);
         const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material]);
         const Color albedo = lambert ? view_.bsdf_at(*lambert, s).albedo : Color{};
-        put(v.albedo, i, albedo.r, albedo.g, albedo.b);
-        put(v.n, i, s.n.x, s.n.y, s.n.z);
-        put(v.ns, i, s.ns.x, s.ns.y, s.ns.z);
-        put(v.origin, i, s.origin.x, s.origin.y, s.origin.z);
+        set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b});
+        set_lane(v.n, i, s.n);
+        set_lane(v.ns, i, s.ns);
+        set_lane(v.origin, i, s.origin);
         v.width[i] = cone.width + cone.spread * s.t;
     });
 }

@@ -6,7 +6,7 @@ namespace {
 // Null if the scene is not so plain, or the path wants of it what is left out there.
 std::shared_ptr<const DiffuseScene> diffuse_scene_for(const Scene& scene, const Path& path)
 {
-    if (scene.environment_light != Scene::none && path.direct.always) return {};
+    if (scene.lit_by_constant_sky() && path.direct.always) return {};
     auto plain = DiffuseScene::of(scene);
     return plain ? std::make_shared<const DiffuseScene>(std::move(*plain)) : nullptr;
 }

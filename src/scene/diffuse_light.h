@@ -12,6 +12,8 @@ struct LightSampleLanes {
     Vec3x8 point, p_error, n;
     Vec3x8 radiance;
     Float8 pdf;  // per solid angle, choice of the light included
+    // Only where lights are sampled one by one; triangles are neither.
+    Mask8 infinite{}, delta{};  // as in LightSample
 };
 
 // A point on a light as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if not

@@ -1,5 +1,7 @@
 #include "scene/diffuse_scene.h"
 
+#include <algorithm>
+
 namespace lancer {
 namespace {
 
@@ -7,6 +9,14 @@ using Row = DiffuseScene::Row;
 
 Row row(Vec3 v, float w = 0) { return {v.x, v.y, v.z, w}; }
 Row row(Color c, float w = 0) { return {c.r, c.g, c.b, w}; }
+
+bool is_plain(const Scene& scene, const Light& light)
+{
+    const auto* triangle = std::get_if<TriangleLight>(&light);
+    if (!triangle || !(triangle->area > 0)) return false;
+    const uint32_t material = scene.shading[triangle->mesh].material_of(triangle->triangle);
+    return scene.emission[material].radiance.texture == no_texture && !scene.traits[material].has_holes();
+}
 
 DiffuseScene::Light table_of(const Scene& scene, uint32_t id)
 {
@@ -28,17 +38,17 @@ std::optional<DiffuseScene> DiffuseScene::of(const Scene& scene)
 {
     const Features needed = features_of(scene);
     const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
-    if (!(features | looked_up).covers(needed) || (has_lamps && has_sky)) return {};
+    if (!(features | looked_up).covers(needed)) return {};
     DiffuseScene d;
-    d.looks_up = !features.covers(needed);
+    d.looks_up = !features.covers(needed) || (has_lamps && has_sky);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
-        if (!scene.emission[i].is_dark() && scene.traits[i].has_holes()) return {};  // what lamps send depends on where
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
         d.shines.push_back(!scene.emission[i].is_dark());
     }
-    if (scene.environment_light == Scene::none)
-        for (uint32_t id = 0; id < scene.lights.lights.size(); ++id) d.lights.push_back(table_of(scene, id));
+    const std::vector<lancer::Light>& lights = scene.lights.lights;
+    if (std::all_of(lights.begin(), lights.end(), [&](const auto& light) { return is_plain(scene, light); }))
+        for (uint32_t id = 0; id < lights.size(); ++id) d.lights.push_back(table_of(scene, id));
     return d;
 }
 

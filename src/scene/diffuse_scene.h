@@ -1,7 +1,7 @@
-// A scene that is so plain that eight of its places can be shaded at once: triangles drawn as they are, Lambert's
-// materials, lit by triangles of one colour each or by a sky of one colour. What it lacks is never asked for:
-// instances, spheres, media, and where it looks nothing up textures, maps and holes as well. Tables of it as registers
-// want them.
+// A scene that is so plain that eight of its places can be shaded at once: Lambert's materials and no media. Plainest
+// are triangles drawn as they are, lit by triangles of one colour each or by a sky of one colour: what such a scene
+// lacks is never asked for. Else places are looked at one by one, and lights that are no such triangles sampled so.
+// Tables of it as registers want them.
 #pragma once
 
 #include <optional>
@@ -24,17 +24,23 @@ struct DiffuseScene {
         Row front, back;  // radiance to either side; front.w: probability of being chosen
     };
 
-    // What it may have; and of lamps and a sky only one.
+    // What the plainest may have; and of lamps and a sky only one.
     static constexpr Features features{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
                                        Feature::constant_sky, Feature::light_tree};
-    // Places that have these are looked at one by one; what follows is done for eight again.
-    static constexpr Features looked_up{Feature::textures, Feature::bump_maps, Feature::normal_maps,
-                                        Feature::vertex_colors, Feature::cut_outs};
+    // What others may have besides.
+    static constexpr Features looked_up{Feature::spheres,        Feature::planes,
+                                        Feature::instances,      Feature::textures,
+                                        Feature::bump_maps,      Feature::normal_maps,
+                                        Feature::vertex_colors,  Feature::cut_outs,
+                                        Feature::point_lights,   Feature::directional_lights,
+                                        Feature::sphere_lights,  Feature::shaped_triangle_lights,
+                                        Feature::sky_map,        Feature::background,
+                                        Feature::textured_lights};
 
-    bool looks_up = false;        // whether it has any of those
+    bool looks_up = false;        // whether it is one of the others
     std::vector<Row> albedo;      // of each material, before anything is looked up
     std::vector<uint8_t> shines;  // of each material, whether any of its sides does
-    std::vector<Light> lights;    // parallel to Scene::lights, if these are what is sampled
+    std::vector<Light> lights;    // parallel to Scene::lights, if all of these are plain triangles
 
     // Nothing if the scene is not so plain.
     static std::optional<DiffuseScene> of(const Scene& scene);

@@ -16,17 +16,10 @@ float number_of(uint32_t key, const Hit& hit)
     return static_cast<float>(mix_bits(surface ^ (uint64_t{key} << 32 | hit.primitive)) >> 40) * 0x1p-24f;
 }
 
-uint32_t material_of(const Scene& scene, const Hit& hit)
-{
-    if (hit.kind == Kind::sphere) return scene.sphere_material[hit.primitive];
-    if (hit.kind == Kind::plane) return scene.plane_material[hit.primitive];
-    return scene.shading[hit.geometry].material_of(hit.primitive);
-}
-
 bool let_pass(const void* context, const Ray& ray, const Hit& hit)
 {
     const Scene& scene = *static_cast<const Scene*>(context);
-    const uint32_t material = material_of(scene, hit);
+    const uint32_t material = scene.material_of(hit);
     if (!scene.traits[material].has_holes()) return false;  // another sphere or plane has
     ShadingPoint point{.textures = scene.textures.data()};
     if (scene.traits[material].opacity.texture != no_texture)

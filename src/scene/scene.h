@@ -114,6 +114,20 @@ struct Scene {
     // Both at once.
     static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
 
+    uint32_t material_of(const Hit& hit) const
+    {
+        if (hit.kind == Kind::sphere) return sphere_material[hit.primitive];
+        if (hit.kind == Kind::plane) return plane_material[hit.primitive];
+        return shading[hit.geometry].material_of(hit.primitive);
+    }
+    // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
+    bool lit_by_constant_sky() const
+    {
+        return environment_light != none && lights.lights.size() == 1 && !environment_table;
+    }
+    // Whether what leaves the scene meets the same light everywhere, also as the camera sees it.
+    bool has_even_sky() const { return !environment_map && !background && !glow; }
+
     // What arrives along a ray that leaves the scene towards `dir` (unit).
     Color radiance_from(Vec3 dir) const;
     // What a ray sees that left the scene and that no light sampling could have found: the same, but for the pattern of
