@@ -79,7 +79,7 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     add_name(
         p, "--accel",
         "Who finds what rays meet: Embree, trees of our own, or lists of everything; auto is the fastest: list8 for "
-        "up to 64 triangles, else Embree (auto)",
+        "up to 64 triangles, bvh8 for long ones at an angle, else Embree (auto)",
         accel_names, o.accel);
     add_name(p, "--isa", "Instructions of Embree; others round differently (avx2)", isa_names, o.isa);
     p.group("How it runs");

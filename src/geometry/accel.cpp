@@ -6,6 +6,7 @@
 #include "geometry/embree.h"
 #include "geometry/list.h"
 #include "geometry/list8.h"
+#include "geometry/loose_boxes.h"
 #include "geometry/median.h"
 #include "geometry/tree_accelerator.h"
 
@@ -39,7 +40,9 @@ AccelKind fastest_accelerator(const Geometry& g)
     size_t triangles = 0;
     for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
     const bool is_plain = g.instances.empty() && g.spheres.empty() && g.planes.empty();
-    return is_plain && triangles <= List8::part_size ? AccelKind::list8 : AccelKind::embree;
+    if (is_plain && triangles <= List8::part_size) return AccelKind::list8;
+    constexpr double too_many = 4;
+    return g.instances.empty() && boxes_met_in_vain(g) > too_many ? AccelKind::bvh8 : AccelKind::embree;
 }
 
 std::string_view name_of(AccelKind kind)

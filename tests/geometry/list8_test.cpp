@@ -1,5 +1,4 @@
-// Which accelerator is chosen where none is named. That list8 finds what is there, in batches as singly, the laws of
-// all accelerators show.
+// That list8 finds what is there, in batches as singly, the laws of all accelerators show.
 #include "geometry/list8.h"
 
 #include <gtest/gtest.h>
@@ -9,37 +8,11 @@
 namespace lancer {
 namespace {
 
-Mesh so_many(uint32_t triangles)
-{
-    Mesh mesh = tangle(1, triangles);
-    EXPECT_EQ(mesh.triangles.size(), triangles);
-    return mesh;
-}
-
-TEST(FastestAccelerator, IsAListOfFewTrianglesAndElseEmbree)
-{
-    EXPECT_EQ(fastest_accelerator(of_mesh(so_many(64))), AccelKind::list8);
-    EXPECT_EQ(fastest_accelerator(of_mesh(so_many(65))), AccelKind::embree);
-    Geometry two = of_mesh(so_many(32));
-    two.meshes.push_back(so_many(33));
-    EXPECT_EQ(fastest_accelerator(two), AccelKind::embree);
-    Geometry with_sphere = of_mesh(so_many(2)), with_plane = with_sphere, with_instance = with_sphere;
-    with_sphere.spheres.emplace_back();
-    EXPECT_EQ(fastest_accelerator(with_sphere), AccelKind::embree);
-    with_plane.planes.emplace_back();
-    EXPECT_EQ(fastest_accelerator(with_plane), AccelKind::embree);
-    with_instance.meshes[0].instanced = true;
-    with_instance.instances.push_back(make_instance(0, make_transform({}, {}, {1, 1, 1})));
-    EXPECT_EQ(fastest_accelerator(with_instance), AccelKind::embree);
-    // And that is what one gets.
-    EXPECT_EQ(make_accelerator(AccelKind::automatic, of_mesh(so_many(64)), "avx2")->stats().sah_cost, 64);
-}
-
 // A part of the list ends in the middle of it, and the last octet of rays is not full.
 TEST(List8, AnswersAnyNumberOfRaysAboutAnyNumberOfTriangles)
 {
     for (const uint32_t triangles : {1u, 63u, 64u, 65u, 200u}) {
-        const Geometry g = of_mesh(so_many(triangles));
+        const Geometry g = of_mesh(tangle(1, triangles));
         const auto list8 = make_accelerator(AccelKind::list8, g, ""), list = make_accelerator(AccelKind::list, g, "");
         Random random(triangles);
         for (const size_t count : {1u, 7u, 8u, 9u, 600u, 1025u}) {
@@ -64,7 +37,7 @@ TEST(List8, AnswersAnyNumberOfRaysAboutAnyNumberOfTriangles)
 // they are in double.
 TEST(List8, OfEquallyFarTrianglesMeetsTheFirst)
 {
-    Mesh mesh = so_many(40);
+    Mesh mesh = tangle(1, 40);
     const auto once = mesh.triangles;
     mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
     const Geometry g = of_mesh(mesh);
