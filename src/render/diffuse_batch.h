@@ -2,6 +2,8 @@
 // integrator, and the same bits of each sample, eight paths at a time.
 #pragma once
 
+#include <algorithm>
+
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path.h"
@@ -41,7 +43,8 @@ public:
           counters_(counters),
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && !view.lit_by_constant_sky()),
           samples_sky_(looks_up && samples_ && view.scene.environment_light != Scene::none),
-          keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree))
+          keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
+          shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end())
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -58,6 +61,7 @@ public:
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
             w_.diffuse.normals_next.clear();
+            if (is_last() && !shines_) return end_in_sky();
             w_.hits.resize(now_.size());
             for (size_t first = 0; first < now_.size(); first += at_once) {
                 const size_t n = std::min(at_once, now_.size() - first);
@@ -104,6 +108,7 @@ private:
     void add_emission(size_t i, const Lanes& path, uint32_t lane);
     void add_sky(uint32_t missed, size_t first, const Lanes& path);
     void add_unoccluded();
+    void end_in_sky();
     void spoil(uint32_t lanes, UInt8 slots)
     {
         for_bits(lanes, [&](uint32_t i) { Steps(w_.queue, slots[i]).spoil(); });
@@ -133,6 +138,7 @@ private:
     bool samples_;
     bool samples_sky_;    // as one of them
     bool keeps_normals_;  // see DiffuseWorkspace
+    bool shines_;         // whether any surface does
     uint32_t depth_ = 0;
 };
 

@@ -49,6 +49,22 @@ inline void DiffuseBatch<looks_up>::add_sky(uint32_t missed, size_t first, const
     });
 }
 
+// Rays of which only emission counts where they end, and no surface shines: what they meet is not asked for.
+template <bool looks_up>
+inline void DiffuseBatch<looks_up>::end_in_sky()
+{
+    w_.occluded.resize(now_.size());
+    accel_.any(now_.rays(), w_.occluded);
+    for (size_t first = 0; first < now_.size(); first += float_lanes) {
+        Lanes path;
+        now_.load(first, path);
+        uint32_t missed = 0;
+        for (size_t i = 0; i < std::min<size_t>(float_lanes, now_.size() - first); ++i)
+            missed |= (w_.occluded[first + i] ? 0u : 1u) << i;
+        add_sky(missed, first, path);
+    }
+}
+
 // View::sample_light(), one lane after the other.
 template <bool looks_up>
 inline LightSampleLanes DiffuseBatch<looks_up>::sample_any_light(const Vertices& v, const AddressLanes& address,
