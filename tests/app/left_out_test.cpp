@@ -66,20 +66,28 @@ TEST_F(LeftOut, IsInTheStatistics)
     const Said said =
         run({"render", "some.toml", "--size", "16x16", "-s", "1", "-o", "x.exr", "--verbose", "--stats", "x.json"});
     EXPECT_EQ(said.code, 0) << said.err;
-    expect_words(said.err, "left out; drawn by the kernel 'all':\nlancer:   1 lights without power");
+    expect_words(said.err, "left out; drawn by the kernel 'diffuse':\nlancer:   1 lights without power");
     const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
-    EXPECT_EQ(stats["settings"]["kernel"], "all");
+    EXPECT_EQ(stats["settings"]["kernel"], "diffuse");
     EXPECT_EQ(stats["samples"]["of_open_sky"], 0) << "there is a plane";
     std::string all;
     for (const auto& l : stats["scene"]["left_out"]) {
         all += l["what"].get<std::string>() + "\n";
         EXPECT_GT(l["count"], 0);
         EXPECT_GE(l["bytes"], 0);
-        EXPECT_EQ(l["time"].get<std::string>().empty(), !l["what"].get<std::string>().starts_with("module")) << l;
+        const auto what = l["what"].get<std::string>();
+        const bool has_time = what.starts_with("module") || what.starts_with("kernel");
+        EXPECT_EQ(l["time"].get<std::string>().empty(), !has_time) << l;
     }
     expect_words(all, "lights without power\n");
     expect_words(all, "materials that nothing uses\n");
+    expect_words(all, "kernel for all scenes\n");
     expect_words(all, "module for pictures, which is not opened\n");
+    write("mirror.toml",
+          std::string(small_scene) + "[[sphere]]\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"mirror\"\n");
+    const Said mirror = run({"render", "mirror.toml", "--size", "16x16", "-s", "1", "-o", "m.exr", "--verbose"});
+    expect_words(mirror.err, "drawn by the kernel 'all'");
+    EXPECT_EQ(mirror.err.find("kernel for all scenes"), std::string::npos);
 }
 
 // AOVs that the light tells leave the kernel and the open sky as they are; the others look at every first hit.
