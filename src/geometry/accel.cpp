@@ -41,8 +41,11 @@ AccelKind fastest_accelerator(const Geometry& g)
     for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
     const bool is_plain = g.instances.empty() && g.spheres.empty() && g.planes.empty();
     if (is_plain && triangles <= List8::part_size) return AccelKind::list8;
-    constexpr double too_many = 4;
-    return g.instances.empty() && boxes_met_in_vain(g) > too_many ? AccelKind::bvh8 : AccelKind::embree;
+    // Beyond so many the cutting takes seconds.
+    constexpr size_t most_cut = 500'000;
+    constexpr double too_many_boxes = 4;
+    const bool is_cut = triangles <= most_cut && g.instances.empty() && boxes_met_in_vain(g) > too_many_boxes;
+    return is_cut ? AccelKind::bvh8 : AccelKind::embree;
 }
 
 std::string_view name_of(AccelKind kind)
