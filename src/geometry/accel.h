@@ -65,8 +65,8 @@ inline constexpr std::array accelerators{
 };
 
 // By what was measured (docs/benchmarks.md): list8 for at most 64 triangles and nothing else; bvh8, which cuts
-// triangles into parts, where boxes_met_in_vain() says that their boxes are in each other's way and there are no
-// instances; else Embree. Depends on the geometry alone. Not from inside a parallel loop.
+// triangles into parts, where boxes_met_in_vain() says that their boxes are in each other's way, there are at most
+// 500,000 and no instances; else Embree. Depends on the geometry alone. Not from inside a parallel loop.
 AccelKind fastest_accelerator(const Geometry& geometry);
 // "auto" of automatic; and back, automatic of what is no other's name.
 std::string_view name_of(AccelKind kind);

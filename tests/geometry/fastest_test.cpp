@@ -59,6 +59,8 @@ TEST(FastestAccelerator, CutsTrianglesWhoseBoxesAreInTheWay)
     EXPECT_EQ(fastest_accelerator(many), AccelKind::bvh8);
     many.spheres.emplace_back();
     EXPECT_EQ(fastest_accelerator(many), AccelKind::bvh8);
+    EXPECT_EQ(fastest_accelerator(of_mesh(slivers(500'000, {1, 1, 1}))), AccelKind::bvh8);
+    EXPECT_EQ(fastest_accelerator(of_mesh(slivers(500'001, {1, 1, 1}))), AccelKind::embree);
     many.meshes.push_back(flat(1));
     many.meshes[1].instanced = true;
     many.instances.push_back(make_instance(1, make_transform({}, {}, {1, 1, 1})));
