@@ -77,8 +77,8 @@ inline LightSampleLanes DiffuseBatch<looks_up>::sample_any_light(const Vertices&
     Surface from{};
     for_bits(v.hit & bits((v.cos_o > Float8{}) & ~is_black(v.albedo)), [&](uint32_t i) {
         from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
-        const auto light = view_.sample_light(
-            from, {u.x[i], u.y[i]}, [&] { return number[i]; }, false);
+        const auto pick = [&] { return number[i]; };
+        const auto light = view_.sample_light(from, {u.x[i], u.y[i]}, pick, false);
         if (!light) return;
         const Color& radiance = light->radiance;
         set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);

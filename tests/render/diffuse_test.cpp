@@ -138,6 +138,9 @@ TEST(Diffuse, HasATreeAndEveryFeatureAmongItsCases)
 {
     EXPECT_TRUE(build_scene(cases()[3].scene).lights.tree);
     EXPECT_FALSE(build_scene(cases()[2].scene).lights.tree);
+    EXPECT_FALSE(build_scene(all_lights()).lights.tree);
+    EXPECT_TRUE(build_scene(many_lights()).lights.tree);
+    EXPECT_FALSE(build_scene(many_lights()).lights.far.empty());
     Features all;
     for (const Case& c : cases()) all = all | features_of(build_scene(c.scene));
     EXPECT_TRUE(all.covers(DiffuseScene::features | DiffuseScene::looked_up));
