@@ -50,6 +50,8 @@ public:
         top_ += std::popcount(met) - 1;
         return Bvh8Child(static_cast<uint32_t>(*top_));
     }
+    // The one on top, of which there is at least one.
+    Bvh8Child following() const { return Bvh8Child(static_cast<uint32_t>(top_[-1])); }
     // The next child that begins within t_max; false: there is none.
     bool pop(float t_max, Bvh8Child& child)
     {
@@ -90,6 +92,7 @@ public:
         top_ += std::popcount(met) - 1;
         return Bvh8Child(node.children[static_cast<size_t>(std::countr_zero(met))]);
     }
+    Bvh8Child following() const { return Bvh8Child(top_[-1]); }
     bool pop(Bvh8Child& child)
     {
         if (top_ == entries_.data()) return false;
