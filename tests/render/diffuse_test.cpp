@@ -93,8 +93,8 @@ SceneDescription all_lights()
 SceneDescription many_lights()
 {
     SceneDescription d = all_lights();
-    for (int i = 0; i < 40; ++i)
-        d.lights.push_back(light_of(LightType::point, {0.1f, 0.1f, 0.1f}, {0.1 * i - 2, 1, 1}));
+    for (int i = 0; i < 80; ++i)
+        d.lights.push_back(light_of(LightType::point, {0.1f, 0.1f, 0.1f}, {0.05 * i - 2, 1, 1}));
     return d;
 }
 SceneDescription sun_and_sky()
