@@ -36,6 +36,7 @@ struct LightParts {
     }
     // Whether light is wanted that such a ray meets.
     bool has(Leg leg) const { return leg == Leg::view ? emitters : leg == Leg::direct ? direct : indirect; }
+    bool has_all() const { return emitters && direct && indirect; }
 };
 
 // Weight of a sample of density a, when the other technique would have found it with density b. a > 0.

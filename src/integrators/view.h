@@ -34,9 +34,15 @@ struct View {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
+        return with_bsdf(s, [&] { return sampler.get1(bounce, Dim::mix); }, std::forward<F>(f));
+    }
+    // The same where number() gives that number, in [0, 1).
+    template <class Number, class F>
+    auto with_bsdf(const Surface& s, const Number& number, F&& f) const
+    {
         uint32_t id = s.material;
         if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
-            id = scene.scattering_material(id, scene.shading_point(s), sampler.get1(bounce, Dim::mix));
+            id = scene.scattering_material(id, scene.shading_point(s), number());
         return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[id]);
     }
     template <class Material>

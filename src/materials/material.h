@@ -17,6 +17,12 @@ namespace lancer {
 
 using Material = std::variant<Lambert, Mirror, Metal, Glass, Plastic, Interface>;
 
+// What any of them becomes.
+template <class... M>
+std::variant<decltype(std::declval<const M&>().at(std::declval<const ShadingPoint&>()))...> bsdf_of(
+    const std::variant<M...>&);
+using AnyBsdf = decltype(bsdf_of(std::declval<const Material&>()));
+
 // Radiance that a surface sends out by itself.
 struct Emission {
     ColorParam radiance;

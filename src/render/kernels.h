@@ -6,7 +6,7 @@
 
 #include "integrators/path.h"
 #include "render/workspace.h"
-#include "scene/diffuse_scene.h"
+#include "scene/wide_scene.h"
 
 namespace lancer {
 
@@ -18,12 +18,12 @@ struct PathListener {
     std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
 };
 
-// Path's, for scenes of which there is a DiffuseScene that does or does not look things up: the same bits, eight paths
+// Path's, for scenes of which there is a WideScene that does or does not look things up: the same bits, eight paths
 // at a time. Each stands in a file of its own, or the compiler would think both together too long to inline much.
-template <bool looks_up>
-struct DiffuseKernel {
+template <Shading shading>
+struct WideKernel {
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
-                       const Path& path, const DiffuseScene& scene, Film& film, Tile tile, SampleRange samples,
+                       const Path& path, const WideScene& scene, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters);
 };
 

@@ -7,10 +7,10 @@
 namespace lancer {
 
 enum class Profile {
-    diffuse,  // see scene/diffuse_scene.h, in two versions; of the integrator `path`, without sums for AOVs
-    all,      // everything there is
+    wide,  // eight paths at a time, see scene/wide_scene.h; of the integrator `path`, without sums for AOVs
+    all,   // everything there is
 };
-inline constexpr std::array<std::string_view, 2> profile_names{"diffuse", "all"};
+inline constexpr std::array<std::string_view, 2> profile_names{"wide", "all"};
 inline std::string_view name_of(Profile p) { return profile_names[static_cast<size_t>(p)]; }
 
 }  // namespace lancer

@@ -4,11 +4,24 @@ namespace lancer {
 namespace {
 
 // Null if the scene is not so plain, or the path wants of it what is left out there.
-std::shared_ptr<const DiffuseScene> diffuse_scene_for(const Scene& scene, const Path& path)
+std::shared_ptr<const WideScene> wide_scene_for(const Scene& scene, const Path& path)
 {
     if (scene.lit_by_constant_sky() && path.direct.always) return {};
-    auto plain = DiffuseScene::of(scene);
-    return plain ? std::make_shared<const DiffuseScene>(std::move(*plain)) : nullptr;
+    auto plain = WideScene::of(scene);
+    return plain ? std::make_shared<const WideScene>(std::move(*plain)) : nullptr;
+}
+
+auto* render_eight(Shading shading)
+{
+    switch (shading) {
+        case Shading::plain:
+            return WideKernel<Shading::plain>::render;
+        case Shading::looked_up:
+            return WideKernel<Shading::looked_up>::render;
+        case Shading::any:
+            break;
+    }
+    return WideKernel<Shading::any>::render;
 }
 
 }  // namespace
@@ -16,8 +29,8 @@ std::shared_ptr<const DiffuseScene> diffuse_scene_for(const Scene& scene, const 
 Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted)
 {
     const auto* path = std::get_if<Path>(&integrator);
-    if (wanted == Profile::all || !path || !diffuse_scene_for(scene, *path)) return Profile::all;
-    return Profile::diffuse;
+    if (wanted == Profile::all || !path || !wide_scene_for(scene, *path)) return Profile::all;
+    return Profile::wide;
 }
 
 Profile profile_with(const AovLayout& aovs, Profile without) { return aovs.empty() ? without : Profile::all; }
@@ -29,14 +42,14 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
     return std::visit(
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
             if constexpr (std::is_same_v<Integrator, Path>)
-                if (profile == Profile::diffuse)
-                    return [&, plain = diffuse_scene_for(scene, concrete)](const PathPlan& plan, const Camera& camera,
-                                                                           Film& film, Tile tile, SampleRange samples,
-                                                                           Workspace& w, Counters& counters) {
+                if (profile == Profile::wide)
+                    return [&, plain = wide_scene_for(scene, concrete)](const PathPlan& plan, const Camera& camera,
+                                                                        Film& film, Tile tile, SampleRange samples,
+                                                                        Workspace& w, Counters& counters) {
                         const View view{scene, plan};
-                        if (profile_with(film.aov_layout, Profile::diffuse) == Profile::diffuse)
-                            (plain->looks_up ? DiffuseKernel<true>::render : DiffuseKernel<false>::render)(
-                                view, accel, camera, settings, concrete, *plain, film, tile, samples, w, counters);
+                        if (profile_with(film.aov_layout, Profile::wide) == Profile::wide)
+                            render_eight(plain->shading)(view, accel, camera, settings, concrete, *plain, film, tile,
+                                                         samples, w, counters);
                         else
                             Kernels<Path>::render(view, accel, camera, settings, concrete, film, tile, samples, w,
                                                   counters);

@@ -8,10 +8,10 @@
 #include "geometry/accel.h"
 #include "integrators/steps.h"
 #include "integrators/view.h"
-#include "render/diffuse_states.h"
 #include "render/filter.h"
 #include "render/profile.h"
 #include "render/stop_rule.h"
+#include "render/wide_states.h"
 #include "scene/camera.h"
 
 namespace lancer {
@@ -73,7 +73,7 @@ struct Workspace {
     std::vector<Hit> hits;
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
-    DiffuseWorkspace diffuse;
+    WideWorkspace wide;
     std::vector<Pixel> block;       // one per pixel of the tile
     std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
     std::vector<Color> last;        // of each the last sample, if these decide when pixels end

@@ -28,7 +28,7 @@ TEST_F(Info, OfAScene)
           "features      spheres, planes, instances, opacity, lambert, glass, point lights, triangle lights, smooth or "
           "instanced "
           "triangle lights\n",
-          "kernel        all\n", "left out      \n  1 materials that nothing uses\n",
+          "kernel        wide\n", "left out      \n  1 materials that nothing uses\n",
           "  1 module for pictures, which is not opened; saves 106.000 MB and 250 ms\n",
           "warnings      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
         expect_words(said.out, line);

@@ -66,9 +66,9 @@ TEST_F(LeftOut, IsInTheStatistics)
     const Said said =
         run({"render", "some.toml", "--size", "16x16", "-s", "1", "-o", "x.exr", "--verbose", "--stats", "x.json"});
     EXPECT_EQ(said.code, 0) << said.err;
-    expect_words(said.err, "left out; drawn by the kernel 'diffuse':\nlancer:   1 lights without power");
+    expect_words(said.err, "left out; drawn by the kernel 'wide':\nlancer:   1 lights without power");
     const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
-    EXPECT_EQ(stats["settings"]["kernel"], "diffuse");
+    EXPECT_EQ(stats["settings"]["kernel"], "wide");
     EXPECT_EQ(stats["samples"]["of_open_sky"], 0) << "there is a plane";
     std::string all;
     for (const auto& l : stats["scene"]["left_out"]) {
@@ -83,11 +83,12 @@ TEST_F(LeftOut, IsInTheStatistics)
     expect_words(all, "materials that nothing uses\n");
     expect_words(all, "kernel for all scenes\n");
     expect_words(all, "module for pictures, which is not opened\n");
-    write("mirror.toml",
-          std::string(small_scene) + "[[sphere]]\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"mirror\"\n");
-    const Said mirror = run({"render", "mirror.toml", "--size", "16x16", "-s", "1", "-o", "m.exr", "--verbose"});
-    expect_words(mirror.err, "drawn by the kernel 'all'");
-    EXPECT_EQ(mirror.err.find("kernel for all scenes"), std::string::npos);
+    write("amber.toml", std::string(small_scene) +
+                            "[[sphere]]\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"amber\"\n"
+                            "[material.amber]\ntype = \"glass\"\nabsorption = [0.1, 0.3, 0.8]\n");
+    const Said amber = run({"render", "amber.toml", "--size", "16x16", "-s", "1", "-o", "m.exr", "--verbose"});
+    expect_words(amber.err, "drawn by the kernel 'all'");
+    EXPECT_EQ(amber.err.find("kernel for all scenes"), std::string::npos);
 }
 
 // AOVs that the light tells leave the kernel and the open sky as they are; the others look at every first hit.
@@ -115,8 +116,8 @@ file = "quad.obj"
         EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
         return kernel + (leaves_out ? " without sky" : "");
     };
-    EXPECT_EQ(render({}), "diffuse without sky");
-    EXPECT_EQ(render({"--aov", "variance,samples"}), "diffuse without sky");
+    EXPECT_EQ(render({}), "wide without sky");
+    EXPECT_EQ(render({"--aov", "variance,samples"}), "wide without sky");
     EXPECT_EQ(render({"--aov", "variance,mask"}), "all");
 }
 

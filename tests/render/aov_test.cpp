@@ -274,8 +274,8 @@ TEST(Aovs, OfTheLightAloneLeaveTheKernel)
 {
     SceneDescription d = half_a_wall();
     const Renderer renderer(build_scene(d), {});
-    ASSERT_EQ(renderer.profile(), Profile::diffuse);
-    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::samples})), Profile::diffuse);
+    ASSERT_EQ(renderer.profile(), Profile::wide);
+    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::samples})), Profile::wide);
     EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::depth})), Profile::all);
     RenderRequest r;
     const auto rays = [&](const std::vector<Aov>& which) {

@@ -71,6 +71,14 @@ struct PathLanes {
 struct ConePathLanes : PathLanes {
     Float8 width, spread;  // as in RayCone
 };
+// The same of a path that may come by mirrors and glass.
+struct AnyPathLanes : ConePathLanes {
+    Float8 eta_scale;  // as in State
+    UInt8 so_far;      // bits of it, as below, and State::leg above them
+};
+inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, leg_above = 3;
+inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
+
 struct ShadowLanes {
     Vec3x8 radiance;  // if nothing is in between
     UInt8 slot;
@@ -80,9 +88,9 @@ template <class Lanes>
 struct PathsUnderWay {
     PackedStates<Lanes> now, next;
 };
-// Memory of one thread that traces diffuse scenes.
-struct DiffuseWorkspace {
-    std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>> paths;
+// Memory of one thread that traces such scenes.
+struct WideWorkspace {
+    std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
     std::vector<Vec3> normals_now, normals_next;

@@ -1,11 +1,11 @@
-#include "scene/diffuse_scene.h"
+#include "scene/wide_scene.h"
 
 #include <algorithm>
 
 namespace lancer {
 namespace {
 
-using Row = DiffuseScene::Row;
+using Row = WideScene::Row;
 
 Row row(Vec3 v, float w = 0) { return {v.x, v.y, v.z, w}; }
 Row row(Color c, float w = 0) { return {c.r, c.g, c.b, w}; }
@@ -18,7 +18,7 @@ bool is_plain(const Scene& scene, const Light& light)
     return scene.emission[material].radiance.texture == no_texture && !scene.traits[material].has_holes();
 }
 
-DiffuseScene::Light table_of(const Scene& scene, uint32_t id)
+WideScene::Light table_of(const Scene& scene, uint32_t id)
 {
     const auto& light = std::get<TriangleLight>(scene.lights.lights[id]);
     const Mesh& mesh = scene.geometry.meshes[light.mesh];
@@ -34,13 +34,14 @@ DiffuseScene::Light table_of(const Scene& scene, uint32_t id)
 
 }  // namespace
 
-std::optional<DiffuseScene> DiffuseScene::of(const Scene& scene)
+std::optional<WideScene> WideScene::of(const Scene& scene)
 {
     const Features needed = features_of(scene);
     const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
-    if (!(features | looked_up).covers(needed)) return {};
-    DiffuseScene d;
-    d.looks_up = !features.covers(needed) || (has_lamps && has_sky);
+    if (!(plain | looked_up | any).covers(needed)) return {};
+    WideScene d;
+    if (!plain.covers(needed) || (has_lamps && has_sky)) d.shading = Shading::looked_up;
+    if (!(plain | looked_up).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/warp.h"
-#include "scene/diffuse_scene.h"
+#include "scene/wide_scene.h"
 
 namespace lancer {
 
@@ -18,12 +18,12 @@ struct LightSampleLanes {
 
 // A point on a light as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if not
 // by power alone.
-inline LightSampleLanes sample_lights(const DiffuseScene& scene, const std::array<uint32_t, float_lanes>& ids,
+inline LightSampleLanes sample_lights(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
                                       const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
 {
-    using L = DiffuseScene::Light;
-    const auto rows = [&](DiffuseScene::Row L::*which) {
-        std::array<const DiffuseScene::Row*, float_lanes> of;
+    using L = WideScene::Light;
+    const auto rows = [&](WideScene::Row L::*which) {
+        std::array<const WideScene::Row*, float_lanes> of;
         for (size_t i = 0; i < of.size(); ++i) of[i] = &(scene.lights[ids[i]].*which);
         return turned(of);
     };

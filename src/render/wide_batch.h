@@ -1,47 +1,49 @@
-// The loop over rays for scenes that are plain enough (scene/diffuse_scene.h): what trace_batch() does with the path
+// The loop over rays for scenes that are plain enough (scene/wide_scene.h): what trace_batch() does with the path
 // integrator, and the same bits of each sample, eight paths at a time.
 #pragma once
 
 #include <algorithm>
 
 #include "core/frame.h"
+#include "core/made.h"
 #include "core/warp.h"
 #include "integrators/path.h"
+#include "materials/material.h"
 #include "render/workspace.h"
-#include "scene/diffuse_light.h"
 #include "scene/light_tree.h"
 #include "scene/triangle_place.h"
+#include "scene/wide_light.h"
 
 namespace lancer {
 
-// looks_up: see DiffuseScene.
-template <bool looks_up>
-struct DiffusePath {
+template <Shading shading>
+struct WidePath {
     const Path& path;
-    const DiffuseScene& scene;
+    const WideScene& scene;
 
     void miss(const View& view, const State& s, Steps& steps) const { path.miss(view, s, steps); }
 };
 
-template <bool looks_up>
-class DiffuseBatch {
-    using Lanes = std::conditional_t<looks_up, ConePathLanes, PathLanes>;
+template <Shading shading>
+class WideBatch {
+    static constexpr bool looks_up = shading != Shading::plain, any = shading == Shading::any;
+    using Lanes = std::conditional_t<any, AnyPathLanes, std::conditional_t<looks_up, ConePathLanes, PathLanes>>;
 
 public:
-    DiffuseBatch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                 const KernelSettings& settings, const DiffusePath<looks_up>& integrator, Workspace& w,
-                 Counters& counters)
+    WideBatch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+              const KernelSettings& settings, const WidePath<shading>& integrator, Workspace& w, Counters& counters)
         : view_(view),
           accel_(accel),
           settings_(settings),
           path_(integrator.path),
           scene_(integrator.scene),
           w_(w),
-          now_(std::get<PathsUnderWay<Lanes>>(w.diffuse.paths).now),
-          next_(std::get<PathsUnderWay<Lanes>>(w.diffuse.paths).next),
-          shadows_(w.diffuse.shadows),
+          now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
+          next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
+          shadows_(w.wide.shadows),
           counters_(counters),
-          samples_(path_.direct.nee && !view.scene.lights.pick.empty() && !view.lit_by_constant_sky()),
+          samples_on_matt_(path_.direct.nee && !view.scene.lights.pick.empty() && !view.lit_by_constant_sky()),
+          samples_(samples_on_matt_ || (any && path_.direct.nee && !view.scene.lights.pick.empty())),
           samples_sky_(looks_up && samples_ && view.scene.environment_light != Scene::none),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end())
@@ -60,8 +62,8 @@ public:
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
-            w_.diffuse.normals_next.clear();
-            if (is_last() && !shines_) return end_in_sky();
+            w_.wide.normals_next.clear();
+            if (depth_ > 0 && depth_ == path_.max_depth && !shines_) return end_in_sky();
             w_.hits.resize(now_.size());
             for (size_t first = 0; first < now_.size(); first += at_once) {
                 const size_t n = std::min(at_once, now_.size() - first);
@@ -73,13 +75,23 @@ public:
             }
             add_unoccluded();
             std::swap(now_, next_);
-            std::swap(w_.diffuse.normals_now, w_.diffuse.normals_next);
+            std::swap(w_.wide.normals_now, w_.wide.normals_next);
         }
     }
 
 private:
     // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
     static constexpr size_t at_once = 128;
+    // What is not Lambert's of eight vertices.
+    struct Others {
+        std::array<std::optional<Surface>, float_lanes> surface;
+        std::array<AnyBsdf, float_lanes> bsdf;
+        uint32_t lanes;           // that have one
+        uint32_t only_delta = 0;  // of these, and transmits, as bsdf says
+        uint32_t transmits = 0;
+        Vec3x8 wo;  // local
+    };
+    struct Nothing {};
     // Eight vertices.
     struct Vertices {
         uint32_t hit;  // lanes that there are
@@ -88,15 +100,20 @@ private:
         Vec3x8 n, ns, origin;  // as in Surface
         Float8 cos_o;          // between the shading normal and the way back
         Float8 width;          // of the cone, where textures are looked up
+        [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
     };
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
     void look_up(size_t first, std::span<const Hit> hits, Vertices& v);
-    LightSampleLanes sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
-    LightSampleLanes sample_any_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u);
+    uint32_t asks_for_light(const Vertices& v) const;
+    LightSampleLanes sample_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
+    LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
     void sample_direct(const Vertices& v);
+    void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;
     void scatter(Vertices& v);
+    void scatter_any(Vertices& v);
+    Float8 survival_of_any(const Vec3x8& throughput, const AnyPathLanes& next) const;
     struct Survival {
         Float8 probability;
         bool is_certain;  // in all lanes
@@ -115,10 +132,15 @@ private:
     }
 
     Leg leg() const { return depth_ == 0 ? Leg::view : depth_ == 1 ? Leg::direct : Leg::indirect; }
-    // Whether only emission counts where the rays of this depth end.
-    bool is_last() const
+    static Leg leg_of(UInt8 so_far, uint32_t lane) { return static_cast<Leg>(so_far[lane] >> leg_above); }
+    // Lanes of whose rays only emission counts where they end.
+    uint32_t last_of(const Lanes& path) const
     {
-        return depth_ > 0 && (depth_ == path_.max_depth || (leg() == Leg::direct && !path_.parts.indirect));
+        if (depth_ == 0) return 0;
+        if (depth_ == path_.max_depth) return 255;
+        if (path_.parts.indirect) return 0;
+        if constexpr (any) return bits((path.so_far >> leg_above) == static_cast<uint32_t>(Leg::direct));
+        return leg() == Leg::direct ? 255 : 0;
     }
     AddressLanes numbers(const KeyLanes& key, uint32_t bounce, Dim dim) const
     {
@@ -129,26 +151,27 @@ private:
     const Accelerator& accel_;
     const KernelSettings& settings_;
     const Path& path_;
-    const DiffuseScene& scene_;
+    const WideScene& scene_;
     Workspace& w_;
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
     // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.
-    bool samples_;
+    bool samples_on_matt_, samples_;
     bool samples_sky_;    // as one of them
-    bool keeps_normals_;  // see DiffuseWorkspace
+    bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does
     uint32_t depth_ = 0;
 };
 
-template <bool looks_up>
-inline void DiffuseBatch<looks_up>::send_from(const Camera& camera, uint32_t width, uint32_t first)
+template <Shading shading>
+inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, uint32_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, w_.slots.size() - first);
     Lanes path{};
     if constexpr (looks_up) path.spread = all_lanes(camera.pixel_spread());
     const Float8 one = all_lanes(1.0f);
+    if constexpr (any) path.eta_scale = one, path.so_far = UInt8{} + was_specular;
     path.throughput = {one, one, one};
     for (uint32_t i = 0; i < n; ++i) {
         const SampleId& id = w_.slots[first + i];
@@ -172,8 +195,8 @@ inline void DiffuseBatch<looks_up>::send_from(const Camera& camera, uint32_t wid
     give_keys(now_, (1u << n) - 1, path, 0, Dim::hole);
 }
 
-template <bool looks_up>
-inline void DiffuseBatch<looks_up>::shade(size_t first)
+template <Shading shading>
+inline void WideBatch<shading>::shade(size_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, now_.size() - first);
     const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
@@ -186,7 +209,7 @@ inline void DiffuseBatch<looks_up>::shade(size_t first)
 
     // Lanes without a hit do as the first that has one.
     std::array<size_t, float_lanes> which;
-    std::array<const DiffuseScene::Row*, float_lanes> albedo;
+    std::array<const WideScene::Row*, float_lanes> albedo;
     const auto some = static_cast<size_t>(std::countr_zero(v.hit));
     uint32_t shining = 0;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -198,7 +221,8 @@ inline void DiffuseBatch<looks_up>::shade(size_t first)
         shining |= static_cast<uint32_t>(scene_.shines[material]) << i;
     }
     for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
-    if (is_last()) return;
+    v.hit &= ~last_of(v.path);
+    if (v.hit == 0) return;
     const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
     if constexpr (looks_up) {
         look_up(first, hits, v);
@@ -219,14 +243,18 @@ inline void DiffuseBatch<looks_up>::shade(size_t first)
         if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
     }
     v.cos_o = dot(wo, v.ns);
+    if constexpr (any) v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
 
-    if (samples_ && path_.parts.has(leg_after(leg(), false))) sample_direct(v);
-    scatter(v);
+    if (samples_) sample_direct(v);
+    if constexpr (any)
+        scatter_any(v);
+    else
+        scatter(v);
 }
 
 // One place after the other: what textures and maps say of it differs in how it is found.
-template <bool looks_up>
-inline void DiffuseBatch<looks_up>::look_up(size_t first, std::span<const Hit> hits, Vertices& v)
+template <Shading shading>
+inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits, Vertices& v)
 {
     std::array<TrianglePlace, float_lanes> places;
     view_.triangle_places(hits, places);
@@ -234,24 +262,48 @@ inline void DiffuseBatch<looks_up>::look_up(size_t first, std::span<const Hit> h
     v.albedo = v.origin = {zero, zero, zero};
     v.n = v.ns = {zero, zero, one};
     v.width = zero;
+    Float8 part_of_mix{};
+    if constexpr (any) {
+        v.others.lanes = 0;
+        if (!view_.scene.mix_of.empty()) part_of_mix = numbers(v.path.key, depth_, Dim::mix).get1(v.path.sample);
+    }
     for_bits(v.hit, [&](uint32_t i) {
         const RayCone cone{v.path.width[i], v.path.spread[i]};
-        const Surface s = view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]);
-        const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material]);
-        const Color albedo = lambert ? view_.bsdf_at(*lambert, s).albedo : Color{};
-        set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b});
-        set_lane(v.n, i, s.n);
-        set_lane(v.ns, i, s.ns);
-        set_lane(v.origin, i, s.origin);
-        v.width[i] = cone.width + cone.spread * s.t;
+        const auto at_place = [&] { return view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]); };
+        const auto take = [&](const Surface& s) {
+            set_lane(v.n, i, s.n);
+            set_lane(v.ns, i, s.ns);
+            set_lane(v.origin, i, s.origin);
+            v.width[i] = cone.width + cone.spread * s.t;
+        };
+        const auto take_albedo = [&](Color albedo) { set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b}); };
+        if constexpr (any) {
+            const Surface& s = v.others.surface[i].emplace(Made{at_place});
+            take(s);
+            view_.with_bsdf(
+                s, [&] { return part_of_mix[i]; },
+                [&]<class B>(const B& bsdf) {
+                    if constexpr (std::is_same_v<B, LambertBsdf>) return take_albedo(bsdf.albedo);
+                    const uint32_t bit = 1u << i;
+                    v.others.bsdf[i] = bsdf;
+                    v.others.lanes |= bit;
+                    if (bsdf.only_delta()) v.others.only_delta |= bit;
+                    if (bsdf.transmits()) v.others.transmits |= bit;
+                });
+        } else {
+            const Surface s = at_place();
+            take(s);
+            if (const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material]))
+                take_albedo(view_.bsdf_at(*lambert, s).albedo);
+        }
     });
 }
 
 // To those of the lanes that were just sent. See View::give_key().
-template <bool looks_up>
+template <Shading shading>
 template <class Of>
-inline void DiffuseBatch<looks_up>::give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path,
-                                              uint32_t bounce, Dim dim)
+inline void WideBatch<shading>::give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path,
+                                          uint32_t bounce, Dim dim)
 {
     if constexpr (!looks_up) return;
     if (!view_.scene.geometry.holes.let_pass) return;
@@ -260,74 +312,13 @@ inline void DiffuseBatch<looks_up>::give_keys(PackedStates<Of>& sent, uint32_t l
     for_bits(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, path.sample[i]); });
 }
 
-template <bool looks_up>
-inline void DiffuseBatch<looks_up>::scatter(Vertices& v)
-{
-    const PathPlan& plan = view_.plan;
-    const bool splits = depth_ == 0 && plan.parts > 1;
-    const Float8 zero{}, no_end = all_lanes(std::numeric_limits<float>::infinity());
-    Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
-    if ((bits(reflects) & v.hit) == 0) return;
-    Lanes& next = v.path;  // from here on that of what is sent on
-    Float8 spread{};
-    if constexpr (looks_up) next.width = v.width, spread = next.spread;
-    if (splits) {
-        for_bits(v.hit, [&](uint32_t i) {
-            next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % plan.of_path();
-        });
-        next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
-    }
-    next.throughput = times(next.throughput, v.albedo);
-    reflects &= ~is_black(next.throughput);
-    if ((bits(reflects) & v.hit) == 0) return;
-    const auto [q, is_certain] = survival(v, next.throughput);
-    if (!is_certain) next.throughput = next.throughput / q;
-    const FrameT<Float8> frame(v.ns);
-    const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-    const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-    for (uint32_t part = 0; part < (splits ? plan.split : 1); ++part, next.sample += 1u) {
-        const Vec2x8 u = address.get2(next.sample);
-        const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
-        const Vec3x8 wi = normalize(frame.to_world(local));
-        Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
-        if (!is_certain) goes &= roulette.get2_x(next.sample) < q;
-        const uint32_t wanted = bits(goes) & v.hit,
-                       traceable = bits(is_traceable(v.origin, wi, all_lanes(Ray{}.t_min), no_end));
-        spoil(wanted & ~traceable, next.slot);
-        next.pdf = local.z * (1 / pi);
-        if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-        next_.push(wanted & traceable, v.origin, wi, no_end, next);
-        give_keys(next_, wanted & traceable, next, depth_ + 1, Dim::hole);
-        if (keeps_normals_)
-            for_bits(wanted & traceable, [&](uint32_t i) { w_.diffuse.normals_next.push_back(lane(v.ns, i)); });
-    }
-}
-
-// With what probability roulette lets a ray go on to the next depth: see survives_roulette().
-template <bool looks_up>
-inline typename DiffuseBatch<looks_up>::Survival DiffuseBatch<looks_up>::survival(const Vertices& v,
-                                                                                  const Vec3x8& throughput) const
-{
-    const bool is_deep = depth_ + 1 >= path_.roulette_depth;
-    const Float8 cap = all_lanes(is_deep ? roulette_cap : 1.0f);
-    if (view_.plan.worth.empty()) {
-        if (!is_deep) return {cap, true};
-        return {min(max(throughput.x, max(throughput.y, throughput.z)), cap), false};
-    }
-    const Vec3x8 part = times(throughput, v.path.worth);
-    const Float8 of_pixel = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
-    const Float8 of_path = of_pixel * static_cast<float>(view_.plan.parts > 1 ? view_.plan.split : 1);
-    const Float8 q = min(max(roulette_rays * of_path, all_lanes(least_survival)), cap);
-    return {q, (bits(q != all_lanes(1.0f)) & v.hit) == 0};
-}
-
 // See render/batch.h.
-template <bool looks_up>
+template <Shading shading>
 inline void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                        const KernelSettings& settings, const DiffusePath<looks_up>& integrator, Workspace& w,
+                        const KernelSettings& settings, const WidePath<shading>& integrator, Workspace& w,
                         Counters& counters, const NoListener&)
 {
-    DiffuseBatch<looks_up>(view, accel, camera, width, settings, integrator, w, counters).trace();
+    WideBatch<shading>(view, accel, camera, width, settings, integrator, w, counters).trace();
 }
 
 }  // namespace lancer

@@ -1,0 +1,256 @@
+// What vertices of a WideBatch get from lamps: emission met by their rays, and light that is sampled.
+#pragma once
+
+#include "render/wide_batch.h"
+
+namespace lancer {
+
+// What the functions for one path want of it where ray i ended.
+template <Shading shading>
+inline State WideBatch<shading>::state_of(size_t i, const Lanes& path, uint32_t in) const
+{
+    State s;
+    const Vec3 t = lane(path.throughput, in);
+    s.ray = now_.rays()[i];
+    s.throughput = {t.x, t.y, t.z};
+    s.pdf = path.pdf[in];
+    if constexpr (looks_up) s.cone = {path.width[in], path.spread[in]};
+    if (keeps_normals_ && depth_ > 0) s.normal = w_.wide.normals_now[i];
+    if constexpr (any) {
+        const uint32_t so_far = path.so_far[in];
+        s.specular = (so_far & was_specular) != 0;
+        s.light_sampled = (so_far & has_sampled_light) != 0;
+        s.leg = leg_of(path.so_far, in);
+    } else {
+        s.specular = depth_ == 0;
+        s.light_sampled = samples_ && depth_ > 0;
+        s.leg = leg();
+    }
+    return s;
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::add_emission(size_t i, const Lanes& path, uint32_t in)
+{
+    const State s = state_of(i, path, in);
+    Steps steps(w_.queue, path.slot[in]);
+    lancer::add_emission(view_, s, view_.surface_at(s.ray, w_.hits[i], s.cone), path_.direct, path_.parts, steps);
+}
+
+// To lanes whose rays met nothing; `first`: the ray of the first lane.
+template <Shading shading>
+inline void WideBatch<shading>::add_sky(uint32_t missed, size_t first, const Lanes& path)
+{
+    if (missed == 0) return;
+    if constexpr (any) {
+        if (!path_.parts.has_all())
+            for_bits(missed, [&](uint32_t i) { missed &= ~(uint32_t{!path_.parts.has(leg_of(path.so_far, i))} << i); });
+    } else if (!path_.parts.has(leg())) {
+        return;
+    }
+    uint32_t plain = missed;  // of which nothing needs to be weighed
+    if constexpr (looks_up) {
+        if (!view_.scene.has_even_sky())
+            plain = 0;
+        else if constexpr (any)
+            plain &= ~bits(is_set(path.so_far, has_sampled_light));
+        else if (samples_sky_)
+            plain = 0;
+    }
+    const Color sky = view_.scene.environment;
+    if (!is_black(sky))
+        for_bits(plain, [&](uint32_t i) {
+            const Vec3 t = lane(path.throughput, i);
+            Steps(w_.queue, path.slot[i]).add(Color{t.x, t.y, t.z} * sky);
+        });
+    for_bits(missed & ~plain, [&](uint32_t i) {
+        Steps steps(w_.queue, path.slot[i]);
+        add_environment(view_, state_of(first + i, path, i), path_.direct, path_.parts, steps);
+    });
+}
+
+// Rays of which only emission counts where they end, and no surface shines: what they meet is not asked for.
+template <Shading shading>
+inline void WideBatch<shading>::end_in_sky()
+{
+    w_.occluded.resize(now_.size());
+    accel_.any(now_.rays(), w_.occluded);
+    for (size_t first = 0; first < now_.size(); first += float_lanes) {
+        Lanes path;
+        now_.load(first, path);
+        uint32_t missed = 0;
+        for (size_t i = 0; i < std::min<size_t>(float_lanes, now_.size() - first); ++i)
+            missed |= (w_.occluded[first + i] ? 0u : 1u) << i;
+        add_sky(missed, first, path);
+    }
+}
+
+// View::sample_light(), one lane after the other.
+template <Shading shading>
+inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking,
+                                                             const AddressLanes& address, const Vec2x8& u)
+{
+    Float8 number{};
+    if (!view_.scene.lights.pick.stretches()) number = address.get1(v.path.sample);
+    LightSampleLanes s{};
+    uint32_t found = 0, infinite = 0, delta = 0;
+    Surface plain{};
+    for_bits(asking, [&](uint32_t i) {
+        const auto pick = [&] { return number[i]; };
+        const auto sample = [&](const Surface& from, bool through) {
+            return view_.sample_light(from, {u.x[i], u.y[i]}, pick, through);
+        };
+        std::optional<LightSample> light;
+        if constexpr (any) {
+            light = sample(*v.others.surface[i], (v.others.transmits >> i & 1) != 0);
+        } else {
+            plain.n = plain.side = lane(v.n, i), plain.ns = lane(v.ns, i), plain.origin = lane(v.origin, i);
+            light = sample(plain, false);
+        }
+        if (!light) return;
+        const Color& radiance = light->radiance;
+        set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);
+        set_lane(s.n, i, light->n), set_lane(s.radiance, i, {radiance.r, radiance.g, radiance.b});
+        s.pdf[i] = light->pdf;
+        const uint32_t bit = 1u << i;
+        found |= bit;
+        if (light->infinite) infinite |= bit;
+        if (light->delta) delta |= bit;
+    });
+    s.found = lanes_of(found), s.infinite = lanes_of(infinite), s.delta = lanes_of(delta);
+    return s;
+}
+
+// View::sample_light()
+template <Shading shading>
+inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint32_t asking,
+                                                         const AddressLanes& address, const Vec2x8& u)
+{
+    bool one_by_one = looks_up && scene_.lights.empty();
+    if constexpr (any) one_by_one |= (asking & v.others.transmits) != 0;
+    if constexpr (looks_up)
+        if (one_by_one) return sample_any_light(v, asking, address, u);
+    const Discrete& pick = view_.scene.lights.pick;
+    if (pick.stretches()) {
+        Discrete::StretchedLanes chosen{{}, u.x};
+        if (pick.size() > 1) chosen = pick.stretch(u.x);
+        return sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
+    }
+    const Float8 number = address.get1(v.path.sample);
+    std::array<uint32_t, float_lanes> ids{};
+    if (!view_.scene.lights.tree) {
+        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
+        return sample_lights(scene_, ids, v.origin, u);
+    }
+    std::array<double, float_lanes> numbers;
+    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
+    std::array<LightTree::Choice, float_lanes> choices{};
+    view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
+    Float8 probability{};
+    for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = choices[i].light, probability[i] = choices[i].probability;
+    return sample_lights(scene_, ids, v.origin, u, &probability);
+}
+
+// Lanes in which light is sampled. See samples_light(); where nothing goes back along the path, none is.
+template <Shading shading>
+inline uint32_t WideBatch<shading>::asks_for_light(const Vertices& v) const
+{
+    const Float8 zero{};
+    uint32_t asking = samples_on_matt_ ? v.hit & bits((v.cos_o > zero) & ~is_black(v.albedo)) : 0;
+    if constexpr (!any) return path_.parts.has(leg_after(leg(), false)) ? asking : 0;
+    if constexpr (any) {
+        asking |= v.hit & v.others.lanes & ~v.others.only_delta & bits(v.cos_o > zero);
+        if (path_.parts.has_all()) return asking;
+        for_bits(asking, [&](uint32_t i) {
+            if (!path_.parts.has(leg_after(leg_of(v.path.so_far, i), false))) asking &= ~(1u << i);
+        });
+        return asking;
+    }
+}
+
+// What those of the lit lanes whose surfaces are not matt do to the light.
+template <Shading shading>
+inline void WideBatch<shading>::eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit,
+                                            Vec3x8& f_cos, Float8& pdf) const
+{
+    const Float8 zero{};
+    const Vec3x8 wi = FrameT<Float8>(v.ns).to_local(light.wi);
+    const Mask8 disagree = (dot(light.wi, v.n) < zero) ^ (wi.z < zero);  // sides_agree()
+    for_bits(lit, [&](uint32_t i) {
+        BsdfValue f{};
+        if ((bits(disagree) >> i & 1) == 0)
+            f = std::visit([&](const auto& bsdf) { return bsdf.eval(lane(v.others.wo, i), lane(wi, i)); },
+                           v.others.bsdf[i]);
+        set_lane(f_cos, i, {f.f_cos.r, f.f_cos.g, f.f_cos.b});
+        pdf[i] = f.pdf;
+    });
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::sample_direct(const Vertices& v)
+{
+    const uint32_t asking = asks_for_light(v);
+    if (asking == 0) return;
+    const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
+    const Vec2x8 u = address.get2(v.path.sample);
+    const LightSampleLanes light = sample_light(v, asking, address, u);
+    const Float8 zero{}, cos_i = dot(light.wi, v.ns);
+    Float8 pdf = cos_i * (1 / pi);
+    Vec3x8 f_cos = v.albedo * pdf;
+    Mask8 lit = light.found & (dot(light.wi, v.n) > zero) & (cos_i > zero);
+    if constexpr (any) {
+        const uint32_t others = bits(light.found) & asking & v.others.lanes;
+        if (others != 0) {
+            eval_others(v, light, others, f_cos, pdf);
+            lit |= lanes_of(others);
+        }
+    }
+    lit &= lanes_of(asking) & ~is_black(f_cos);
+    if (bits(lit) == 0) return;
+    Float8 weight = all_lanes(1.0f);
+    if (path_.direct.mis) {
+        const Float8 r = pdf / light.pdf;
+        weight = 1.0f / (1.0f + r * r);
+        if constexpr (looks_up) weight = select(light.delta, all_lanes(1.0f), weight);
+    }
+    const Vec3x8 radiance = times(times(v.path.throughput, f_cos), light.radiance) * (weight / light.pdf);
+    const uint32_t wanted = bits(lit & ~is_black(radiance));
+    if (wanted == 0) return;
+    Vec3x8 origin = v.origin;
+    if constexpr (any)
+        for_bits(wanted & v.others.lanes & bits(dot(light.wi, v.n) < zero),
+                 [&](uint32_t i) { set_lane(origin, i, ray_origin(*v.others.surface[i], lane(light.wi, i))); });
+    // shadow_ray()
+    const Float8 reach = length(light.point - origin) * gamma(16);
+    const Vec3x8 end = offset_origin(light.point, light.p_error + Vec3x8{reach, reach, reach}, light.n, -light.wi);
+    const Vec3x8 d = end - origin;
+    Float8 distance = length(d);
+    Vec3x8 dir = d / distance;
+    if constexpr (looks_up) {
+        dir = select(light.infinite, light.wi, dir);
+        distance = select(light.infinite, all_lanes(std::numeric_limits<float>::infinity()), distance);
+    }
+    const uint32_t traceable = bits(is_traceable(origin, dir, all_lanes(Ray{}.t_min), distance));
+    spoil(wanted & ~traceable, v.path.slot);
+    shadows_.push(wanted & traceable, origin, dir, distance, {radiance, v.path.slot});
+    give_keys(shadows_, wanted & traceable, v.path, depth_, Dim::shadow_hole);
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::add_unoccluded()
+{
+    w_.occluded.resize(shadows_.size());
+    accel_.any(shadows_.rays(), w_.occluded);
+    counters_.shadow_rays += shadows_.size();
+    for (size_t first = 0; first < shadows_.size(); first += float_lanes) {
+        ShadowLanes shadow;
+        shadows_.load(first, shadow);
+        for (size_t i = 0; i < std::min<size_t>(float_lanes, shadows_.size() - first); ++i) {
+            if (w_.occluded[first + i]) continue;
+            const Vec3 brought = lane(shadow.radiance, i);
+            w_.queue.radiance[shadow.slot[i]] += Color{brought.x, brought.y, brought.z};
+        }
+    }
+}
+
+}  // namespace lancer

@@ -1,0 +1,21 @@
+// The pixel loop for scenes of which there is a WideScene. Only kernels_plain.cpp and kernels_looked_up.cpp include
+// this.
+#pragma once
+
+#include "render/kernel.h"
+#include "render/wide_batch.h"
+#include "render/wide_direct.h"
+#include "render/wide_scatter.h"
+
+namespace lancer {
+
+template <Shading shading>
+void WideKernel<shading>::render(const View& view, const Accelerator& accel, const Camera& camera,
+                                 const KernelSettings& settings, const Path& path, const WideScene& scene, Film& film,
+                                 Tile tile, SampleRange samples, Workspace& w, Counters& counters)
+{
+    render_tile(view, accel, camera, settings, WidePath<shading>{path, scene}, film, tile, samples, w, counters,
+                NoListener{});
+}
+
+}  // namespace lancer

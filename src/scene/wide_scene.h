@@ -1,0 +1,57 @@
+// A scene of which eight places can be shaded at once: without media. Plainest are triangles of Lambert's materials
+// drawn as they are, lit by triangles of one colour each or by a sky of one colour: what such a scene lacks is never
+// asked for. Else places are looked at one by one, lights that are no such triangles sampled so, and materials that are
+// not Lambert's asked so. Tables of it as registers want them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/vec_lanes.h"
+#include "scene/features.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+enum class Shading { plain, looked_up, any };
+
+struct WideScene {
+    struct alignas(16) Row {
+        float x = 0, y = 0, z = 0, w = 0;
+    };
+    // A triangle that shines.
+    struct Light {
+        Row a, b, c;      // its corners
+        Row n_area;       // normal of its front side, and area
+        Row front, back;  // radiance to either side; front.w: probability of being chosen
+    };
+
+    // What each way of shading knows, and those above it. Of lamps and a sky the plainest knows only one at a time.
+    static constexpr Features plain{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
+                                    Feature::constant_sky, Feature::light_tree};
+    static constexpr Features looked_up{Feature::spheres,        Feature::planes,
+                                        Feature::instances,      Feature::textures,
+                                        Feature::bump_maps,      Feature::normal_maps,
+                                        Feature::vertex_colors,  Feature::cut_outs,
+                                        Feature::point_lights,   Feature::directional_lights,
+                                        Feature::sphere_lights,  Feature::shaped_triangle_lights,
+                                        Feature::sky_map,        Feature::background,
+                                        Feature::textured_lights};
+    static constexpr Features any{Feature::mirror,  Feature::metal,     Feature::glass,
+                                  Feature::plastic, Feature::interface, Feature::mixes};
+
+    Shading shading = Shading::plain;  // the least that it takes
+    std::vector<Row> albedo;           // of each material, before anything is looked up
+    std::vector<uint8_t> shines;       // of each material, whether any of its sides does
+    std::vector<Light> lights;         // parallel to Scene::lights, if all of these are plain triangles
+
+    // Nothing if the scene is not so plain.
+    static std::optional<WideScene> of(const Scene& scene);
+};
+
+inline RowLanes turned(const std::array<const WideScene::Row*, float_lanes>& rows)
+{
+    return turned_rows([&](size_t i) { return load4(&rows[i]->x); });
+}
+
+}  // namespace lancer
