@@ -8,7 +8,6 @@
 #include <optional>
 #include <type_traits>
 
-#include "core/made.h"
 #include "integrators/ahead.h"
 #include "integrators/media.h"
 #include "render/tinted_shadows.h"
@@ -37,6 +36,14 @@ struct AheadOf {
 template <LooksAhead Integrator>
 struct AheadOf<Integrator> {
     using type = typename Integrator::Ahead;
+};
+
+// For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
+// in parts would wait for all that came before.
+template <class F>
+struct Made {
+    const F& f;
+    operator std::invoke_result_t<F>() const { return f(); }
 };
 
 // Where on the film a sample is. offset: from the middle of its pixel.

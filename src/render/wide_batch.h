@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/frame.h"
-#include "core/made.h"
 #include "core/warp.h"
 #include "integrators/path.h"
 #include "materials/material.h"
@@ -82,14 +81,14 @@ public:
 private:
     // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
     static constexpr size_t at_once = 128;
-    // What is not Lambert's of eight vertices.
+    // What of eight vertices is not matt, and what that wants to know.
     struct Others {
-        std::array<std::optional<Surface>, float_lanes> surface;
-        std::array<AnyBsdf, float_lanes> bsdf;
-        uint32_t lanes;           // that have one
-        uint32_t only_delta = 0;  // of these, and transmits, as bsdf says
-        uint32_t transmits = 0;
-        Vec3x8 wo;  // local
+        uint32_t lanes;                                // that are not
+        std::array<const AnyBsdf*, float_lanes> bsdf;  // of these
+        std::array<AnyBsdf, float_lanes> own;          // of those that were looked up
+        uint32_t only_delta, transmits;                // lanes whose BSDF says so
+        Vec3x8 p, p_error;                             // as in Surface
+        Vec3x8 wo;                                     // local
     };
     struct Nothing {};
     // Eight vertices.
@@ -100,12 +99,24 @@ private:
         Vec3x8 n, ns, origin;  // as in Surface
         Float8 cos_o;          // between the shading normal and the way back
         Float8 width;          // of the cone, where textures are looked up
+        std::array<uint32_t, float_lanes> material;
         [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
     };
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
-    void look_up(size_t first, std::span<const Hit> hits, Vertices& v);
+    uint32_t place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
+                   Vertices& v);
+    void look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
+    void take_fixed(uint32_t plain, uint32_t front, const Vec3x8& wo, Vertices& v);
+    static void take_other(uint32_t i, const AnyBsdf& bsdf, Vertices& v);
+    void look_up_each(uint32_t lanes, size_t first, std::span<const Hit> hits, Vertices& v);
+    // Where a ray starts that leaves on the other side.
+    static Vec3 origin_behind(const Vertices& v, uint32_t i)
+    {
+        const Vec3 n = lane(v.n, i);
+        return offset_origin(lane(v.others.p, i), lane(v.others.p_error, i), n, -n);
+    }
     uint32_t asks_for_light(const Vertices& v) const;
     LightSampleLanes sample_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
     LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
@@ -113,6 +124,16 @@ private:
     void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;
     void scatter(Vertices& v);
     void scatter_any(Vertices& v);
+    uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;
+    // Directions that BSDFs chose.
+    struct Scattered {
+        Vec3x8 wi, weight;  // as in BsdfSample, and so what follows
+        Float8 pdf{}, eta;
+        uint32_t delta = 0;
+        uint32_t lanes = 0;  // that there are
+    };
+    Scattered sample_any(const Vertices& v, uint32_t lanes, const AddressLanes& address) const;
+    void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v);
     Float8 survival_of_any(const Vec3x8& throughput, const AnyPathLanes& next) const;
     struct Survival {
         Float8 probability;
@@ -209,39 +230,23 @@ inline void WideBatch<shading>::shade(size_t first)
 
     // Lanes without a hit do as the first that has one.
     std::array<size_t, float_lanes> which;
-    std::array<const WideScene::Row*, float_lanes> albedo;
     const auto some = static_cast<size_t>(std::countr_zero(v.hit));
     uint32_t shining = 0;
     for (uint32_t i = 0; i < float_lanes; ++i) {
         which[i] = v.hit >> i & 1 ? i : some;
         const Hit& hit = hits[which[i]];
-        const uint32_t material =
+        v.material[i] =
             looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
-        albedo[i] = &scene_.albedo[material];
-        shining |= static_cast<uint32_t>(scene_.shines[material]) << i;
+        shining |= static_cast<uint32_t>(scene_.shines[v.material[i]]) << i;
     }
     for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
     v.hit &= ~last_of(v.path);
     if (v.hit == 0) return;
     const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
-    if constexpr (looks_up) {
-        look_up(first, hits, v);
-    } else {
-        v.albedo = turned(albedo).xyz;
-        const auto four = [&](size_t from) {
-            return places_of(view_.scene, hits, {which[from], which[from + 1], which[from + 2], which[from + 3]});
-        };
-        const PlacesOfFour low = four(0), high = four(4);
-        const Vec3x8 p = joined(low.p, high.p), p_error = joined(low.p_error, high.p_error);
-        v.n = joined(low.n, high.n), v.ns = joined(low.ns, high.ns);
-        // As surface_at() has it.
-        const Float8 zero{};
-        const Mask8 front = dot(v.n, wo) > zero;
-        v.n = select(front, v.n, -v.n), v.ns = select(front, v.ns, -v.ns);
-        v.origin = offset_origin(p, p_error, v.n, v.n);
-        const Float8 c = dot(v.ns, wo);
-        if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
-    }
+    if constexpr (looks_up)
+        look_up(first, hits, wo, v);
+    else
+        place(hits, which, wo, v);
     v.cos_o = dot(wo, v.ns);
     if constexpr (any) v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
 
@@ -250,53 +255,6 @@ inline void WideBatch<shading>::shade(size_t first)
         scatter_any(v);
     else
         scatter(v);
-}
-
-// One place after the other: what textures and maps say of it differs in how it is found.
-template <Shading shading>
-inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits, Vertices& v)
-{
-    std::array<TrianglePlace, float_lanes> places;
-    view_.triangle_places(hits, places);
-    const Float8 zero{}, one = all_lanes(1.0f);
-    v.albedo = v.origin = {zero, zero, zero};
-    v.n = v.ns = {zero, zero, one};
-    v.width = zero;
-    Float8 part_of_mix{};
-    if constexpr (any) {
-        v.others.lanes = 0;
-        if (!view_.scene.mix_of.empty()) part_of_mix = numbers(v.path.key, depth_, Dim::mix).get1(v.path.sample);
-    }
-    for_bits(v.hit, [&](uint32_t i) {
-        const RayCone cone{v.path.width[i], v.path.spread[i]};
-        const auto at_place = [&] { return view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]); };
-        const auto take = [&](const Surface& s) {
-            set_lane(v.n, i, s.n);
-            set_lane(v.ns, i, s.ns);
-            set_lane(v.origin, i, s.origin);
-            v.width[i] = cone.width + cone.spread * s.t;
-        };
-        const auto take_albedo = [&](Color albedo) { set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b}); };
-        if constexpr (any) {
-            const Surface& s = v.others.surface[i].emplace(Made{at_place});
-            take(s);
-            view_.with_bsdf(
-                s, [&] { return part_of_mix[i]; },
-                [&]<class B>(const B& bsdf) {
-                    if constexpr (std::is_same_v<B, LambertBsdf>) return take_albedo(bsdf.albedo);
-                    const uint32_t bit = 1u << i;
-                    v.others.bsdf[i] = bsdf;
-                    v.others.lanes |= bit;
-                    if (bsdf.only_delta()) v.others.only_delta |= bit;
-                    if (bsdf.transmits()) v.others.transmits |= bit;
-                });
-        } else {
-            const Surface s = at_place();
-            take(s);
-            if (const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material]))
-                take_albedo(view_.bsdf_at(*lambert, s).albedo);
-        }
-    });
 }
 
 // To those of the lanes that were just sent. See View::give_key().

@@ -94,19 +94,16 @@ inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, 
     if (!view_.scene.lights.pick.stretches()) number = address.get1(v.path.sample);
     LightSampleLanes s{};
     uint32_t found = 0, infinite = 0, delta = 0;
-    Surface plain{};
+    Surface from{};
     for_bits(asking, [&](uint32_t i) {
         const auto pick = [&] { return number[i]; };
-        const auto sample = [&](const Surface& from, bool through) {
-            return view_.sample_light(from, {u.x[i], u.y[i]}, pick, through);
-        };
-        std::optional<LightSample> light;
+        from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
+        bool through = false;
         if constexpr (any) {
-            light = sample(*v.others.surface[i], (v.others.transmits >> i & 1) != 0);
-        } else {
-            plain.n = plain.side = lane(v.n, i), plain.ns = lane(v.ns, i), plain.origin = lane(v.origin, i);
-            light = sample(plain, false);
+            from.p = lane(v.others.p, i), from.p_error = lane(v.others.p_error, i);
+            through = (v.others.transmits >> i & 1) != 0;
         }
+        const auto light = view_.sample_light(from, {u.x[i], u.y[i]}, pick, through);
         if (!light) return;
         const Color& radiance = light->radiance;
         set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);
@@ -180,7 +177,7 @@ inline void WideBatch<shading>::eval_others(const Vertices& v, const LightSample
         BsdfValue f{};
         if ((bits(disagree) >> i & 1) == 0)
             f = std::visit([&](const auto& bsdf) { return bsdf.eval(lane(v.others.wo, i), lane(wi, i)); },
-                           v.others.bsdf[i]);
+                           *v.others.bsdf[i]);
         set_lane(f_cos, i, {f.f_cos.r, f.f_cos.g, f.f_cos.b});
         pdf[i] = f.pdf;
     });
@@ -219,7 +216,7 @@ inline void WideBatch<shading>::sample_direct(const Vertices& v)
     Vec3x8 origin = v.origin;
     if constexpr (any)
         for_bits(wanted & v.others.lanes & bits(dot(light.wi, v.n) < zero),
-                 [&](uint32_t i) { set_lane(origin, i, ray_origin(*v.others.surface[i], lane(light.wi, i))); });
+                 [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
     // shadow_ray()
     const Float8 reach = length(light.point - origin) * gamma(16);
     const Vec3x8 end = offset_origin(light.point, light.p_error + Vec3x8{reach, reach, reach}, light.n, -light.wi);

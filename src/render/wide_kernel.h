@@ -1,10 +1,11 @@
-// The pixel loop for scenes of which there is a WideScene. Only kernels_plain.cpp and kernels_looked_up.cpp include
+// The pixel loop for scenes of which there is a WideScene. Only the files that compile one way of shading each include
 // this.
 #pragma once
 
 #include "render/kernel.h"
 #include "render/wide_batch.h"
 #include "render/wide_direct.h"
+#include "render/wide_places.h"
 #include "render/wide_scatter.h"
 
 namespace lancer {

@@ -10,7 +10,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
 {
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
-    const Float8 zero{}, no_end = all_lanes(std::numeric_limits<float>::infinity());
+    const Float8 zero{};
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((bits(reflects) & v.hit) == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
@@ -36,15 +36,9 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         const Vec3x8 wi = normalize(frame.to_world(local));
         Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
         if (!is_certain) goes &= roulette.get2_x(next.sample) < q;
-        const uint32_t wanted = bits(goes) & v.hit,
-                       traceable = bits(is_traceable(v.origin, wi, all_lanes(Ray{}.t_min), no_end));
-        spoil(wanted & ~traceable, next.slot);
         next.pdf = local.z * (1 / pi);
         if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-        next_.push(wanted & traceable, v.origin, wi, no_end, next);
-        give_keys(next_, wanted & traceable, next, depth_ + 1, Dim::hole);
-        if (keeps_normals_)
-            for_bits(wanted & traceable, [&](uint32_t i) { w_.wide.normals_next.push_back(lane(v.ns, i)); });
+        send(bits(goes) & v.hit, v.origin, wi, v);
     }
 }
 
@@ -66,89 +60,110 @@ inline typename WideBatch<shading>::Survival WideBatch<shading>::survival(const 
     return {q, (bits(q != all_lanes(1.0f)) & v.hit) == 0};
 }
 
-// The same where some lanes are not matt: their BSDFs are asked one by one, what follows is done for all.
+// splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
+// part.
+template <Shading shading>
+inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const
+{
+    const PathPlan& plan = view_.plan;
+    if (plan.parts == 1) return 0;
+    const uint32_t splits = sends & ~others.only_delta & ~bits(is_set(path.so_far, has_split));
+    if (splits == 0) return 0;
+    for_bits(splits, [&](uint32_t i) {
+        path.sample[i] = path.sample[i] * plan.parts + w_.slots[path.slot[i]].sample % plan.of_path();
+    });
+    const Mask8 split = lanes_of(splits);
+    path.throughput = select(split, path.throughput / all_lanes(static_cast<float>(plan.split)), path.throughput);
+    path.so_far |= reinterpret_cast<UInt8>(split) & has_split;
+    return splits;
+}
+
+// A direction for each of `lanes`: those that are not matt are asked one by one.
+template <Shading shading>
+inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, uint32_t lanes,
+                                                                             const AddressLanes& address) const
+{
+    const Others& others = v.others;
+    const Float8 zero{};
+    const UInt8 sample = v.path.sample;
+    const Vec2x8 u = address.get2(sample);
+    Scattered s{.wi = square_to_cosine_hemisphere(u.x, u.y), .weight = v.albedo, .eta = all_lanes(1.0f)};
+    s.pdf = s.wi.z * (1 / pi);
+    s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
+    if ((lanes & others.lanes) == 0) return s;
+    const Float8 lobe = address.get1(sample);
+    for_bits(lanes & others.lanes, [&](uint32_t i) {
+        const Vec3 wo = lane(others.wo, i);
+        const auto sampled = std::visit(
+            [&](const auto& bsdf) {
+                return bsdf.sample(wo, lobe[i], {u.x[i], u.y[i]});
+            },
+            *others.bsdf[i]);
+        if (!sampled || is_black(sampled->weight)) return;
+        set_lane(s.wi, i, sampled->wi);
+        set_lane(s.weight, i, {sampled->weight.r, sampled->weight.g, sampled->weight.b});
+        s.pdf[i] = sampled->pdf, s.eta[i] = sampled->eta;
+        s.lanes |= 1u << i, s.delta |= uint32_t{sampled->delta} << i;
+    });
+    return s;
+}
+
+// scatter() where some lanes are not matt. See send_on().
 template <Shading shading>
 inline void WideBatch<shading>::scatter_any(Vertices& v)
 {
-    const PathPlan& plan = view_.plan;
     const Others& others = v.others;
-    const Float8 zero{}, one = all_lanes(1.0f), no_end = all_lanes(std::numeric_limits<float>::infinity());
-    const Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
-    const uint32_t sends = v.hit & (bits(reflects) | others.lanes);
+    const Float8 zero{}, one = all_lanes(1.0f);
+    const uint32_t sends = v.hit & (others.lanes | bits((v.cos_o > zero) & ~is_black(v.albedo)));
     if (sends == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
-    uint32_t splits = 0;   // splits_at()
-    if (plan.parts > 1) splits = sends & ~others.only_delta & ~bits(is_set(next.so_far, has_split));
-    if (splits != 0) {
-        for_bits(splits, [&](uint32_t i) {
-            next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % plan.of_path();
-        });
-        const Mask8 split = lanes_of(splits);
-        next.throughput = select(split, next.throughput / all_lanes(static_cast<float>(plan.split)), next.throughput);
-        next.so_far |= reinterpret_cast<UInt8>(split) & has_split;
-    }
+    const uint32_t splits = split_any(sends, others, next);
     const Vec3x8 throughput = next.throughput;
     const Float8 eta_scale = next.eta_scale, spread = next.spread;
     next.width = v.width;
-    // State::leg behind a lobe that spreads light and behind one that does not, and what else is the same of all parts.
-    const auto leg = [](Leg l) { return UInt8{} + static_cast<uint32_t>(l); };
-    const UInt8 leg_before = next.so_far >> leg_above;
-    const Mask8 seen = leg_before == leg(Leg::view);
-    Mask8 samples = lanes_of(samples_on_matt_ ? 255u : 0u);
-    samples |= lanes_of(samples_ ? others.lanes & ~others.only_delta : 0u);
-    const UInt8 spreading = (next.so_far & has_split) | (reinterpret_cast<UInt8>(samples) & has_sampled_light) |
-                            select(seen, leg(Leg::direct), leg(Leg::indirect)) << leg_above;
-    const UInt8 straight =
-        (next.so_far & has_split) | was_specular | select(seen, leg(Leg::view), leg(Leg::indirect)) << leg_above;
+    // What State says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
+    const UInt8 kept = next.so_far & has_split;
+    const Mask8 seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+    const auto leg = [&](Leg from_view) { return select(seen, bits_of(from_view), bits_of(Leg::indirect)); };
+    const uint32_t sampled = (samples_on_matt_ ? ~others.lanes : 0) | (samples_ ? others.lanes : 0);
+    const UInt8 spreading =
+        kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
+    const UInt8 straight = kept | leg(Leg::view) | was_specular;
     const FrameT<Float8> frame(v.ns);
     const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
     const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-    for (uint32_t part = 0; part < (splits != 0 ? plan.split : 1); ++part, next.sample += 1u) {
-        const uint32_t lanes = part == 0 ? sends : splits;
-        const Vec2x8 u = address.get2(next.sample);
-        Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y), weight = v.albedo;
-        Float8 eta = one;
-        next.pdf = local.z * (1 / pi);
-        uint32_t goes = lanes & bits(reflects & (local.z > zero)), delta = 0;
-        if ((lanes & others.lanes) != 0) {
-            const Float8 lobe = address.get1(next.sample);
-            for_bits(lanes & others.lanes, [&](uint32_t i) {
-                const auto sample = std::visit(
-                    [&](const auto& bsdf) {
-                        return bsdf.sample(lane(others.wo, i), lobe[i], {u.x[i], u.y[i]});
-                    },
-                    others.bsdf[i]);
-                if (!sample) return;
-                set_lane(local, i, sample->wi);
-                set_lane(weight, i, {sample->weight.r, sample->weight.g, sample->weight.b});
-                next.pdf[i] = sample->pdf, eta[i] = sample->eta;
-                goes |= 1u << i, delta |= uint32_t{sample->delta} << i;
-            });
-        }
-        const Vec3x8 wi = normalize(frame.to_world(local));
-        const Mask8 behind = dot(wi, v.n) < zero;
-        next.throughput = times(throughput, weight);
-        goes &= bits(~(behind ^ (local.z < zero)) & ~is_black(weight) & ~is_black(next.throughput));
+    for (uint32_t part = 0; part < (splits != 0 ? view_.plan.split : 1); ++part, next.sample += 1u) {
+        const Scattered s = sample_any(v, part == 0 ? sends : splits, address);
+        const Vec3x8 wi = normalize(frame.to_world(s.wi));
+        const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
+        next.throughput = times(throughput, s.weight);
+        uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
         if (goes == 0) continue;
-        const Mask8 is_delta = lanes_of(delta);
-        next.eta_scale = eta_scale * (eta * eta);
+        next.pdf = s.pdf;
+        next.eta_scale = eta_scale * (s.eta * s.eta);
         next.so_far = select(is_delta, straight, spreading);
-        next.spread = select(is_delta, smaller(one, spread), opened(spread, next.pdf));
+        next.spread = select(is_delta, smaller(one, spread), opened(spread, s.pdf));
         const Float8 q = survival_of_any(next.throughput, next);
         if ((bits(q != one) & goes) != 0) {
             goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
             next.throughput = next.throughput / q;
         }
         Vec3x8 origin = v.origin;
-        for_bits(goes & bits(behind),
-                 [&](uint32_t i) { set_lane(origin, i, ray_origin(*others.surface[i], lane(wi, i))); });
-        const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
-        spoil(goes & ~traceable, next.slot);
-        next_.push(goes & traceable, origin, wi, no_end, next);
-        give_keys(next_, goes & traceable, next, depth_ + 1, Dim::hole);
-        if (keeps_normals_)
-            for_bits(goes & traceable, [&](uint32_t i) { w_.wide.normals_next.push_back(lane(v.ns, i)); });
+        for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
+        send(goes, origin, wi, v);
     }
+}
+
+// What `lanes` of v.path are sent on as.
+template <Shading shading>
+inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v)
+{
+    const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
+    const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
+    spoil(lanes & ~traceable, v.path.slot);
+    next_.push(lanes & traceable, origin, wi, no_end, v.path);
+    give_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::hole);
+    if (keeps_normals_) for_bits(lanes & traceable, [&](uint32_t i) { w_.wide.normals_next.push_back(lane(v.ns, i)); });
 }
 
 // See survives_roulette(). next: of the ray that is sent on.

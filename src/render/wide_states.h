@@ -8,6 +8,7 @@
 #include "core/pack.h"
 #include "core/sampler_lanes.h"
 #include "geometry/ray_lanes.h"
+#include "integrators/steps.h"
 
 namespace lancer {
 
@@ -77,6 +78,7 @@ struct AnyPathLanes : ConePathLanes {
     UInt8 so_far;      // bits of it, as below, and State::leg above them
 };
 inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, leg_above = 3;
+inline UInt8 bits_of(Leg leg) { return UInt8{} + (static_cast<uint32_t>(leg) << leg_above); }
 inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
 
 struct ShadowLanes {

@@ -32,6 +32,18 @@ WideScene::Light table_of(const Scene& scene, uint32_t id)
             row(emission.plain_towards(false))};
 }
 
+WideScene::Fixed fixed_of(const Scene& scene, size_t material)
+{
+    const MaterialTraits& traits = scene.traits[material];
+    const bool is_mix = !scene.mix_of.empty() && scene.mix_of[material] != Scene::none;
+    if (traits.reads_uv || traits.tilts() || is_mix) return {};
+    WideScene::Fixed fixed{.is = true};
+    for (const bool front : {false, true})
+        fixed.bsdf[front] =
+            std::visit([&](const auto& m) { return AnyBsdf(m.at({.front = front})); }, scene.materials[material]);
+    return fixed;
+}
+
 }  // namespace
 
 std::optional<WideScene> WideScene::of(const Scene& scene)
@@ -46,6 +58,7 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
         d.shines.push_back(!scene.emission[i].is_dark());
+        if (d.shading != Shading::plain) d.fixed.push_back(fixed_of(scene, i));
     }
     const std::vector<lancer::Light>& lights = scene.lights.lights;
     if (std::all_of(lights.begin(), lights.end(), [&](const auto& light) { return is_plain(scene, light); }))

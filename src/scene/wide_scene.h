@@ -40,9 +40,16 @@ struct WideScene {
     static constexpr Features any{Feature::mirror,  Feature::metal,     Feature::glass,
                                   Feature::plastic, Feature::interface, Feature::mixes};
 
+    // What a material becomes wherever it is, on the back and on the front of a surface.
+    struct Fixed {
+        bool is = false;  // if not, it asks for the place
+        std::array<AnyBsdf, 2> bsdf{};
+    };
+
     Shading shading = Shading::plain;  // the least that it takes
     std::vector<Row> albedo;           // of each material, before anything is looked up
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
+    std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do
     std::vector<Light> lights;         // parallel to Scene::lights, if all of these are plain triangles
 
     // Nothing if the scene is not so plain.
