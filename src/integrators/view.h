@@ -34,7 +34,8 @@ struct View {
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
-        return with_bsdf(s, [&] { return sampler.get1(bounce, Dim::mix); }, std::forward<F>(f));
+        return with_bsdf(
+            s, [&] { return sampler.get1(bounce, Dim::mix); }, std::forward<F>(f));
     }
     // The same where number() gives that number, in [0, 1).
     template <class Number, class F>
@@ -86,17 +87,11 @@ struct View {
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
     {
-        if (scene.lights.pick.empty()) return {};
-        const auto pick = [&] { return sampler.get1(bounce, Dim::light); };
-        return sample_light(from, sampler.get2(bounce, Dim::light), pick, through);
-    }
-    // The same by numbers in [0, 1): pick() is only asked for where u does not say which light, too. Not without
-    // lights.
-    template <class Pick>
-    std::optional<LightSample> sample_light(const Surface& from, Vec2 u, const Pick& pick, bool through) const
-    {
-        if (!scene.lights.pick.stretches()) return lancer::sample_light(scene, from, pick(), u, through);
-        const Discrete::Stretched s = scene.lights.pick.stretch(u.x);
+        const Discrete& pick = scene.lights.pick;
+        if (pick.empty()) return {};
+        const Vec2 u = sampler.get2(bounce, Dim::light);
+        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
+        const Discrete::Stretched s = pick.stretch(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
     bool lit_by_constant_sky() const { return scene.lit_by_constant_sky(); }

@@ -119,6 +119,7 @@ private:
     }
     uint32_t asks_for_light(const Vertices& v) const;
     LightSampleLanes sample_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
+    LightSampleLanes sample_even_sky(const Vertices& v, const Vec2x8& u) const;
     LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
     void sample_direct(const Vertices& v);
     void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;

@@ -85,31 +85,58 @@ inline void WideBatch<shading>::end_in_sky()
     }
 }
 
-// View::sample_light(), one lane after the other.
+// A direction to a sky of one colour, for each lane.
+template <Shading shading>
+inline LightSampleLanes WideBatch<shading>::sample_even_sky(const Vertices& v, const Vec2x8& u) const
+{
+    const Scene& scene = view_.scene;
+    const Float8 zero{};
+    LightSampleLanes s{};
+    s.wi = FrameT<Float8>(v.ns).to_world(square_to_cosine_hemisphere(u.x, u.y));
+    const Float8 cos = dot(v.ns, s.wi);
+    s.pdf = cos * (1 / pi) * scene.lights.pick.probability(scene.environment_light);
+    s.found = (cos * (1 / pi) > zero) & (dot(s.wi, v.n) > zero);
+    s.radiance = {all_lanes(scene.environment.r), all_lanes(scene.environment.g), all_lanes(scene.environment.b)};
+    return s;
+}
+
+// View::sample_light(), one lane after the other but for those that choose a sky of one colour.
 template <Shading shading>
 inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking,
                                                              const AddressLanes& address, const Vec2x8& u)
 {
+    const Scene& scene = view_.scene;
+    const Discrete& pick = scene.lights.pick;
+    const bool stretches = pick.stretches();
+    Discrete::StretchedLanes chosen{{}, u.x};
+    uint32_t through = 0, to_sky = 0;
+    if constexpr (any) through = v.others.transmits;
     Float8 number{};
-    if (!view_.scene.lights.pick.stretches()) number = address.get1(v.path.sample);
+    if (!stretches) {
+        number = address.get1(v.path.sample);
+    } else {
+        if (pick.size() > 1) chosen = pick.stretch(u.x);
+        if (samples_sky_ && !scene.environment_table)
+            for_bits(asking & ~through,
+                     [&](uint32_t i) { to_sky |= uint32_t{chosen.index[i] == scene.environment_light} << i; });
+    }
     LightSampleLanes s{};
-    uint32_t found = 0, infinite = 0, delta = 0;
+    if (to_sky != 0) s = sample_even_sky(v, {chosen.u, u.y});
+    uint32_t found = bits(s.found) & to_sky, infinite = to_sky, delta = 0;
     Surface from{};
-    for_bits(asking, [&](uint32_t i) {
-        const auto pick = [&] { return number[i]; };
+    for_bits(asking & ~to_sky, [&](uint32_t i) {
+        const uint32_t bit = 1u << i;
         from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
-        bool through = false;
-        if constexpr (any) {
-            from.p = lane(v.others.p, i), from.p_error = lane(v.others.p_error, i);
-            through = (v.others.transmits >> i & 1) != 0;
-        }
-        const auto light = view_.sample_light(from, {u.x[i], u.y[i]}, pick, through);
+        if constexpr (any) from.p = lane(v.others.p, i), from.p_error = lane(v.others.p_error, i);
+        const bool both_sides = (through & bit) != 0;
+        const auto light = stretches
+                               ? sample_chosen_light(scene, from, chosen.index[i], {chosen.u[i], u.y[i]}, both_sides)
+                               : lancer::sample_light(scene, from, number[i], {u.x[i], u.y[i]}, both_sides);
         if (!light) return;
         const Color& radiance = light->radiance;
         set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);
         set_lane(s.n, i, light->n), set_lane(s.radiance, i, {radiance.r, radiance.g, radiance.b});
         s.pdf[i] = light->pdf;
-        const uint32_t bit = 1u << i;
         found |= bit;
         if (light->infinite) infinite |= bit;
         if (light->delta) delta |= bit;

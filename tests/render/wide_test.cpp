@@ -161,6 +161,15 @@ SceneDescription materials_under_lamps(int count)
     }
     return d;
 }
+// What mirrors, with normals that would send light into it.
+SceneDescription smooth_materials()
+{
+    SceneDescription d = smooth_scene();
+    MeshData steel = *d.meshes[1].data;
+    steel.materials = {make_glossy("steel", MaterialType::metal, {0.6f, 0.6f, 0.7f}, 0.3f)};
+    d.meshes[1].data = std::make_shared<const MeshData>(std::move(steel));
+    return d;
+}
 SceneDescription materials_and_many_lights()
 {
     SceneDescription d = all_materials();
@@ -190,7 +199,8 @@ std::vector<Case> cases()
             {"materials, sky", materials_under_sky()},
             {"materials, lamps", materials_under_lamps(20)},
             {"materials, tree", materials_under_lamps(50)},
-            {"materials, lights", materials_and_many_lights()}};
+            {"materials, lights", materials_and_many_lights()},
+            {"smooth materials", smooth_materials()}};
 }
 
 TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
