@@ -117,8 +117,7 @@ inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, 
     } else {
         if (pick.size() > 1) chosen = pick.stretch(u.x);
         if (samples_sky_ && !scene.environment_table)
-            for_bits(asking & ~through,
-                     [&](uint32_t i) { to_sky |= uint32_t{chosen.index[i] == scene.environment_light} << i; });
+            for_bits(asking, [&](uint32_t i) { to_sky |= uint32_t{chosen.index[i] == scene.environment_light} << i; });
     }
     LightSampleLanes s{};
     if (to_sky != 0) s = sample_even_sky(v, {chosen.u, u.y});

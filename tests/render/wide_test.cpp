@@ -161,13 +161,15 @@ SceneDescription materials_under_lamps(int count)
     }
     return d;
 }
-// What mirrors, with normals that would send light into it.
+// What mirrors, with normals that would send light into it; and glass whose inner side is seen.
 SceneDescription smooth_materials()
 {
     SceneDescription d = smooth_scene();
     MeshData steel = *d.meshes[1].data;
     steel.materials = {make_glossy("steel", MaterialType::metal, {0.6f, 0.6f, 0.7f}, 0.3f)};
     d.meshes[1].data = std::make_shared<const MeshData>(std::move(steel));
+    d.meshes.push_back(make_mesh(make_cube(make_glossy("ice", MaterialType::glass, {0.9f, 1, 0.9f}, 0.1f)),
+                                 {{-0.6, -0.3, 0.9}, {20, 30, 0}, {0.3, 0.3, 0.3}}));
     return d;
 }
 SceneDescription materials_and_many_lights()
