@@ -25,26 +25,34 @@ namespace sobol {
 // What follows is written once for one number, four and eight at once.
 using UInt4 = uint32_t __attribute__((vector_size(16)));
 
-constexpr uint32_t reverse_bytes(uint32_t x) { return __builtin_bswap32(x); }
-inline UInt4 reverse_bytes(UInt4 x)
+constexpr uint32_t reverse_bits(uint32_t x)
 {
-    using Bytes = uint8_t __attribute__((vector_size(16)));
-    constexpr Bytes order{3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12};
-    return reinterpret_cast<UInt4>(__builtin_shuffle(reinterpret_cast<Bytes>(x), order));
-}
-inline UInt8 reverse_bytes(UInt8 x)
-{
-    const __m256i order = _mm256_setr_epi8(3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12,  //
-                                           3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12);
-    return reinterpret_cast<UInt8>(_mm256_shuffle_epi8(reinterpret_cast<__m256i>(x), order));
-}
-template <class T>
-constexpr T reverse_bits(T x)
-{
-    x = reverse_bytes(x);
+    x = __builtin_bswap32(x);
     x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
     x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
     return (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+}
+// Of several: the bytes turned round, and each half of a byte looked up.
+struct alignas(16) SixteenBytes : std::array<uint8_t, 16> {};
+inline constexpr SixteenBytes last_byte_first{{3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12}};
+inline constexpr SixteenBytes reversed_half{{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15}};
+inline __m128i load(const SixteenBytes& from) { return _mm_load_si128(reinterpret_cast<const __m128i*>(from.data())); }
+inline UInt4 reverse_bits(UInt4 x)
+{
+    const __m128i bytes = _mm_shuffle_epi8(reinterpret_cast<__m128i>(x), load(last_byte_first));
+    const __m128i half = _mm_set1_epi8(15), reversed = load(reversed_half);
+    const __m128i low = _mm_shuffle_epi8(reversed, _mm_and_si128(bytes, half));
+    const __m128i high = _mm_shuffle_epi8(reversed, _mm_and_si128(_mm_srli_epi16(bytes, 4), half));
+    return reinterpret_cast<UInt4>(_mm_or_si128(_mm_slli_epi16(low, 4), high));
+}
+inline UInt8 reverse_bits(UInt8 x)
+{
+    const __m256i order = _mm256_broadcastsi128_si256(load(last_byte_first));
+    const __m256i bytes = _mm256_shuffle_epi8(reinterpret_cast<__m256i>(x), order);
+    const __m256i half = _mm256_set1_epi8(15), reversed = _mm256_broadcastsi128_si256(load(reversed_half));
+    const __m256i low = _mm256_shuffle_epi8(reversed, _mm256_and_si256(bytes, half));
+    const __m256i high = _mm256_shuffle_epi8(reversed, _mm256_and_si256(_mm256_srli_epi16(bytes, 4), half));
+    return reinterpret_cast<UInt8>(_mm256_or_si256(_mm256_slli_epi16(low, 4), high));
 }
 // Owen scrambling of bit-reversed x: flips each bit by a hash of the bits below it.
 template <class T>
