@@ -86,6 +86,7 @@ public:
     };
     StretchedLanes stretch(Float8 u) const
     {
+        if (size() == 1) return {{}, u};
         const auto four = [&](Float4 of, uint32_t* index) -> Float4 {
             const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
             Double4 below{}, above = all_lanes(cumulative_[0]);

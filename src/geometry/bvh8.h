@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "core/prefetch.h"
 #include "geometry/bvh8_layout.h"
 #include "geometry/bvh8_leaf.h"
 #include "geometry/bvh8_stack.h"
@@ -92,7 +93,7 @@ private:
     {
         const auto* at = tree_.memory.get() + (c.is_leaf() ? c.leaf_offset() : c.node_offset()) * Bvh8Child::unit;
         constexpr size_t line = 64;
-        for (size_t i = 0; i < sizeof(Bvh8Leaf); i += line) __builtin_prefetch(reinterpret_cast<const char*>(at) + i);
+        for (size_t i = 0; i < sizeof(Bvh8Leaf); i += line) prefetch(reinterpret_cast<const char*>(at) + i);
     }
     // Whether t_max has become less, and then by which triangle.
     template <class Found>

@@ -41,8 +41,8 @@ public:
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
           shadows_(w.wide.shadows),
           counters_(counters),
-          samples_on_matt_(path_.direct.nee && !view.scene.lights.pick.empty() && !view.lit_by_constant_sky()),
-          samples_(samples_on_matt_ || (any && path_.direct.nee && !view.scene.lights.pick.empty())),
+          samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.lit_by_constant_sky())),
+          samples_on_matt_(samples_ && !view.lit_by_constant_sky()),
           samples_sky_(looks_up && samples_ && view.scene.environment_light != Scene::none),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end())
@@ -62,7 +62,7 @@ public:
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear();
             w_.wide.normals_next.clear();
-            if (depth_ > 0 && depth_ == path_.max_depth && !shines_) return end_in_sky();
+            if (are_last() && !shines_) return end_in_sky();
             w_.hits.resize(now_.size());
             for (size_t first = 0; first < now_.size(); first += at_once) {
                 const size_t n = std::min(at_once, now_.size() - first);
@@ -135,12 +135,7 @@ private:
     };
     Scattered sample_any(const Vertices& v, uint32_t lanes, const AddressLanes& address) const;
     void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v);
-    Float8 survival_of_any(const Vec3x8& throughput, const AnyPathLanes& next) const;
-    struct Survival {
-        Float8 probability;
-        bool is_certain;  // in all lanes
-    };
-    Survival survival(const Vertices& v, const Vec3x8& throughput) const;
+    Float8 survival(const Lanes& next) const;
     template <class Of>
     void give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
     State state_of(size_t i, const Lanes& path, uint32_t lane) const;
@@ -155,14 +150,19 @@ private:
 
     Leg leg() const { return depth_ == 0 ? Leg::view : depth_ == 1 ? Leg::direct : Leg::indirect; }
     static Leg leg_of(UInt8 so_far, uint32_t lane) { return static_cast<Leg>(so_far[lane] >> leg_above); }
-    // Lanes of whose rays only emission counts where they end.
+    // Whether only emission counts where the rays of this depth end.
+    bool are_last() const
+    {
+        if (depth_ == 0) return false;
+        return depth_ == path_.max_depth || (!any && leg() == Leg::direct && !path_.parts.indirect);
+    }
+    // Lanes of which that is so.
     uint32_t last_of(const Lanes& path) const
     {
-        if (depth_ == 0) return 0;
-        if (depth_ == path_.max_depth) return 255;
-        if (path_.parts.indirect) return 0;
-        if constexpr (any) return bits((path.so_far >> leg_above) == static_cast<uint32_t>(Leg::direct));
-        return leg() == Leg::direct ? 255 : 0;
+        if (are_last()) return 255;
+        if constexpr (any)
+            if (!path_.parts.indirect) return bits((path.so_far >> leg_above) == static_cast<uint32_t>(Leg::direct));
+        return 0;
     }
     AddressLanes numbers(const KeyLanes& key, uint32_t bounce, Dim dim) const
     {
@@ -179,7 +179,7 @@ private:
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
     // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.
-    bool samples_on_matt_, samples_;
+    bool samples_, samples_on_matt_;
     bool samples_sky_;    // as one of them
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does

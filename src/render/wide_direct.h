@@ -108,14 +108,14 @@ inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, 
     const Scene& scene = view_.scene;
     const Discrete& pick = scene.lights.pick;
     const bool stretches = pick.stretches();
-    Discrete::StretchedLanes chosen{{}, u.x};
+    Discrete::StretchedLanes chosen{};
     uint32_t through = 0, to_sky = 0;
     if constexpr (any) through = v.others.transmits;
     Float8 number{};
     if (!stretches) {
         number = address.get1(v.path.sample);
     } else {
-        if (pick.size() > 1) chosen = pick.stretch(u.x);
+        chosen = pick.stretch(u.x);
         if (samples_sky_ && !scene.environment_table)
             for_bits(asking, [&](uint32_t i) { to_sky |= uint32_t{chosen.index[i] == scene.environment_light} << i; });
     }
@@ -155,8 +155,7 @@ inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint
         if (one_by_one) return sample_any_light(v, asking, address, u);
     const Discrete& pick = view_.scene.lights.pick;
     if (pick.stretches()) {
-        Discrete::StretchedLanes chosen{{}, u.x};
-        if (pick.size() > 1) chosen = pick.stretch(u.x);
+        const Discrete::StretchedLanes chosen = pick.stretch(u.x);
         return sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
     }
     const Float8 number = address.get1(v.path.sample);

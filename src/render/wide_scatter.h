@@ -25,7 +25,8 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     next.throughput = times(next.throughput, v.albedo);
     reflects &= ~is_black(next.throughput);
     if ((bits(reflects) & v.hit) == 0) return;
-    const auto [q, is_certain] = survival(v, next.throughput);
+    const Float8 q = survival(next);
+    const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
     const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
@@ -40,24 +41,6 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         if constexpr (looks_up) next.spread = opened(spread, next.pdf);
         send(bits(goes) & v.hit, v.origin, wi, v);
     }
-}
-
-// With what probability roulette lets a ray go on to the next depth: see survives_roulette().
-template <Shading shading>
-inline typename WideBatch<shading>::Survival WideBatch<shading>::survival(const Vertices& v,
-                                                                          const Vec3x8& throughput) const
-{
-    const bool is_deep = depth_ + 1 >= path_.roulette_depth;
-    const Float8 cap = all_lanes(is_deep ? roulette_cap : 1.0f);
-    if (view_.plan.worth.empty()) {
-        if (!is_deep) return {cap, true};
-        return {min(max(throughput.x, max(throughput.y, throughput.z)), cap), false};
-    }
-    const Vec3x8 part = times(throughput, v.path.worth);
-    const Float8 of_pixel = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
-    const Float8 of_path = of_pixel * static_cast<float>(view_.plan.parts > 1 ? view_.plan.split : 1);
-    const Float8 q = min(max(roulette_rays * of_path, all_lanes(least_survival)), cap);
-    return {q, (bits(q != all_lanes(1.0f)) & v.hit) == 0};
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
@@ -143,7 +126,7 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
         next.eta_scale = eta_scale * (s.eta * s.eta);
         next.so_far = select(is_delta, straight, spreading);
         next.spread = select(is_delta, smaller(one, spread), opened(spread, s.pdf));
-        const Float8 q = survival_of_any(next.throughput, next);
+        const Float8 q = survival(next);
         if ((bits(q != one) & goes) != 0) {
             goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
             next.throughput = next.throughput / q;
@@ -166,21 +149,28 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     if (keeps_normals_) for_bits(lanes & traceable, [&](uint32_t i) { w_.wide.normals_next.push_back(lane(v.ns, i)); });
 }
 
-// See survives_roulette(). next: of the ray that is sent on.
+// With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.
 template <Shading shading>
-inline Float8 WideBatch<shading>::survival_of_any(const Vec3x8& throughput, const AnyPathLanes& next) const
+inline Float8 WideBatch<shading>::survival(const Lanes& next) const
 {
     const bool is_deep = depth_ + 1 >= path_.roulette_depth;
-    const Float8 cap = all_lanes(is_deep ? roulette_cap : 1.0f);
+    const Float8 one = all_lanes(1.0f), cap = all_lanes(is_deep ? roulette_cap : 1.0f);
+    const Float8 split = all_lanes(static_cast<float>(view_.plan.split));
+    // Of matt surfaces the first one splits all paths, and no ray is seen straight that one of them sent.
+    Float8 eta_scale = one, rays = view_.plan.parts > 1 ? split : one;
+    Mask8 seen{};
+    if constexpr (any) {
+        eta_scale = next.eta_scale;
+        rays = select(is_set(next.so_far, has_split), split, one);
+        seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+    }
+    const Vec3x8& t = next.throughput;
     Float8 by_throughput = cap;
-    if (is_deep) by_throughput = min(max(throughput.x, max(throughput.y, throughput.z)) * next.eta_scale, cap);
+    if (is_deep) by_throughput = min(max(t.x, max(t.y, t.z)) * eta_scale, cap);
     if (view_.plan.worth.empty()) return by_throughput;
-    const Vec3x8 part = times(throughput, next.worth);
+    const Vec3x8 part = times(t, next.worth);
     const Float8 of_pixel = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
-    const Float8 of_path = of_pixel * select(is_set(next.so_far, has_split),
-                                             all_lanes(static_cast<float>(view_.plan.split)), all_lanes(1.0f));
-    const Float8 by_pixel = min(max(roulette_rays * of_path * next.eta_scale, all_lanes(least_survival)), cap);
-    const Mask8 seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+    const Float8 by_pixel = min(max(roulette_rays * (of_pixel * rays) * eta_scale, all_lanes(least_survival)), cap);
     return select(seen, by_throughput, by_pixel);
 }
 

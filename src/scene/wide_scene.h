@@ -13,7 +13,11 @@
 
 namespace lancer {
 
-enum class Shading { plain, looked_up, any };
+enum class Shading {
+    plain,      // nothing is looked up
+    looked_up,  // matt places that may have textures, maps and holes, under any lights
+    any,        // of any material
+};
 
 struct WideScene {
     struct alignas(16) Row {
