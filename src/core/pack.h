@@ -15,6 +15,7 @@ public:
         : order_(_mm256_load_si256(reinterpret_cast<const __m256i*>(orders[wanted].data())))
     {
     }
+    Float8 operator()(Float8 x) const { return _mm256_permutevar8x32_ps(x, order_); }
     // Writes eight numbers, of which the wanted ones come first.
     void store(uint32_t* to, UInt8 x) const
     {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/lanes.h"
+#include "core/pack.h"
 #include "core/ray.h"
 
 namespace lancer {
@@ -60,28 +61,25 @@ inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Fl
 }
 inline Mask8 is_traceable(const RayOctet& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
 
-// Writes the wanted rays, in order, and says how many; their keys stay what they are.
+// Writes the wanted rays, in order, and says how many; their keys stay what they are. to: room for eight, of which
+// those behind the last become anything.
 inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)
 {
-    alignas(32) std::array<std::array<float, 4>, 2 * float_lanes> rows;  // of org, then of dir
-    const auto turn = [&](const Vec3T<Float8>& v, Float8 behind, size_t first) {
-        const __m256 xy0 = _mm256_unpacklo_ps(v.x, v.y), xy2 = _mm256_unpackhi_ps(v.x, v.y);
-        const __m256 zw0 = _mm256_unpacklo_ps(v.z, behind), zw2 = _mm256_unpackhi_ps(v.z, behind);
+    const Packing packing(wanted);
+    const auto turn = [&](const Vec3T<Float8>& v, Float8 behind, auto&& number) {
+        const Float8 x = packing(v.x), y = packing(v.y), z = packing(v.z);
+        const __m256 xy0 = _mm256_unpacklo_ps(x, y), xy2 = _mm256_unpackhi_ps(x, y);
+        const __m256 zw0 = _mm256_unpacklo_ps(z, behind), zw2 = _mm256_unpackhi_ps(z, behind);
         const auto store = [&](size_t i, __m256 two) {
-            _mm_store_ps(rows[first + i].data(), lower(two));
-            _mm_store_ps(rows[first + i + 4].data(), upper(two));
+            _mm_storeu_ps(number(to[i]), lower(two));
+            _mm_storeu_ps(number(to[i + 4]), upper(two));
         };
         store(0, _mm256_shuffle_ps(xy0, zw0, 0x44)), store(1, _mm256_shuffle_ps(xy0, zw0, 0xee));
         store(2, _mm256_shuffle_ps(xy2, zw2, 0x44)), store(3, _mm256_shuffle_ps(xy2, zw2, 0xee));
     };
-    turn(org, all_lanes(Ray{}.t_min), 0);
-    turn(dir, t_max, float_lanes);
-    size_t count = 0;
-    for_bits(wanted, [&](uint32_t i) {
-        _mm_storeu_ps(&to[count].org.x, _mm_load_ps(rows[i].data()));
-        _mm_storeu_ps(&to[count++].dir.x, _mm_load_ps(rows[float_lanes + i].data()));
-    });
-    return count;
+    turn(org, all_lanes(Ray{}.t_min), [](Ray& r) { return &r.org.x; });
+    turn(dir, packing(t_max), [](Ray& r) { return &r.dir.x; });
+    return static_cast<size_t>(std::popcount(wanted));
 }
 
 // The axes of a space in which a ray goes along the third one most; in the order of the hand.

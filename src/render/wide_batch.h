@@ -125,6 +125,7 @@ private:
     void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;
     void scatter(Vertices& v);
     void scatter_any(Vertices& v);
+    UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;
     // Directions that BSDFs chose.
     struct Scattered {

@@ -1,9 +1,22 @@
 // The rays that vertices of a WideBatch send on.
 #pragma once
 
+#include <optional>
+
 #include "render/wide_batch.h"
 
 namespace lancer {
+
+// Of paths that split: which sample has the numbers of the first part of each. lanes: those that there are.
+template <Shading shading>
+inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
+{
+    const PathPlan& plan = view_.plan;
+    UInt8 sample = path.sample * plan.parts;
+    if (plan.of_path() > 1)
+        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.slot[i]].sample % plan.of_path(); });
+    return sample;
+}
 
 template <Shading shading>
 inline void WideBatch<shading>::scatter(Vertices& v)
@@ -17,9 +30,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     Float8 spread{};
     if constexpr (looks_up) next.width = v.width, spread = next.spread;
     if (splits) {
-        for_bits(v.hit, [&](uint32_t i) {
-            next.sample[i] = next.sample[i] * plan.parts + w_.slots[next.slot[i]].sample % plan.of_path();
-        });
+        next.sample = of_first_part(next, v.hit);
         next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
     }
     next.throughput = times(next.throughput, v.albedo);
@@ -30,13 +41,14 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
     const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-    const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+    std::optional<AddressLanes> roulette;  // mostly not asked for
+    if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
     for (uint32_t part = 0; part < (splits ? plan.split : 1); ++part, next.sample += 1u) {
         const Vec2x8 u = address.get2(next.sample);
         const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
         const Vec3x8 wi = normalize(frame.to_world(local));
         Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
-        if (!is_certain) goes &= roulette.get2_x(next.sample) < q;
+        if (roulette) goes &= roulette->get2_x(next.sample) < q;
         next.pdf = local.z * (1 / pi);
         if constexpr (looks_up) next.spread = opened(spread, next.pdf);
         send(bits(goes) & v.hit, v.origin, wi, v);
@@ -52,10 +64,8 @@ inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& othe
     if (plan.parts == 1) return 0;
     const uint32_t splits = sends & ~others.only_delta & ~bits(is_set(path.so_far, has_split));
     if (splits == 0) return 0;
-    for_bits(splits, [&](uint32_t i) {
-        path.sample[i] = path.sample[i] * plan.parts + w_.slots[path.slot[i]].sample % plan.of_path();
-    });
     const Mask8 split = lanes_of(splits);
+    path.sample = select(split, of_first_part(path, splits), path.sample);
     path.throughput = select(split, path.throughput / all_lanes(static_cast<float>(plan.split)), path.throughput);
     path.so_far |= reinterpret_cast<UInt8>(split) & has_split;
     return splits;
