@@ -15,7 +15,8 @@ constexpr double reach = 2.5;    // pixels around a ray's own that its sample ma
 constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_cell = 4, most_columns = 1024;
 constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
-constexpr size_t together = 32;         // neighbours in the list of a mesh are mostly neighbours in space
+constexpr uint32_t looked_at = 16;      // cells each way in which it is asked whether all are covered already
+constexpr size_t together = 8;          // neighbours in the list of a mesh are mostly neighbours in space
 constexpr size_t piece_size = 1024;     // triangles that one thread takes at least
 constexpr size_t most_parts = 8;        // at once, each with marks of its own
 constexpr uint64_t most_per_pixel = 4;  // triangles: to look at more takes longer than some samples of the sky do
@@ -35,6 +36,7 @@ public:
           columns_((width + cell_ - 1) / cell_),
           rows_((height + cell_ - 1) / cell_),
           marks_(size_t{columns_ + 1} * (rows_ + 1)),
+          covered_(size_t{columns_} * rows_),
           // Directions of float, and the way that accelerators take through boxes, are good for some 1e-6 of a radian.
           margin_(reach + 4e-6 / static_cast<double>(camera.pixel_spread()))
     {
@@ -54,15 +56,17 @@ public:
         add_clipped({seen.begin(), seen.end()}, error);
     }
     // All that lies within eight corners, if these are seen so close to each other that to look at each thing within
-    // would not tell more. False, and nothing done, if not.
-    bool add_if_small(const std::array<Vec3d, 8>& corners, double error)
+    // would not tell more, or if it is seen where all is covered already. False, and nothing done, if not.
+    bool add_as_whole(const std::array<Vec3d, 8>& corners, double error)
     {
         std::array<Camera::Seen, 8> seen;
         double least = INFINITY;
         for (size_t i = 0; i < 8; ++i) seen[i] = camera_.seen(corners[i]), least = std::min(least, seen[i].depth);
         if (!(least > nearest * error)) return false;
         const auto cells = cells_around(seen, error / static_cast<double>(camera_.pixel_spread()) / least);
-        if (!cells || cells->right - cells->left > small || cells->bottom - cells->top > small) return false;
+        if (!cells || !is_within(*cells, looked_at)) return false;
+        if (is_covered(*cells)) return true;
+        if (!is_within(*cells, small)) return false;
         mark(*cells);
         return true;
     }
@@ -80,10 +84,18 @@ public:
         }
         return open;
     }
+    // One that counts from nothing, and knows what is covered here.
+    Coverage next() const
+    {
+        Coverage c = *this;
+        std::fill(c.marks_.begin(), c.marks_.end(), 0);
+        return c;
+    }
     // What another one of the same grid has been told, too.
     void add(const Coverage& other)
     {
         for (size_t i = 0; i < marks_.size(); ++i) marks_[i] += other.marks_[i];
+        for (size_t i = 0; i < covered_.size(); ++i) covered_[i] |= other.covered_[i];
     }
     bool any_open() const
     {
@@ -154,12 +166,30 @@ private:
         if (c.left >= c.right || c.top >= c.bottom) return;
         const auto at = [&](uint32_t x, uint32_t y) -> int64_t& { return marks_[size_t{y} * (columns_ + 1) + x]; };
         ++at(c.left, c.top), --at(c.right, c.top), --at(c.left, c.bottom), ++at(c.right, c.bottom);
+        if (is_within(c, looked_at))
+            for (uint32_t y = c.top; y < c.bottom; ++y) std::fill_n(row(c, y), c.right - c.left, 1);
+    }
+    static bool is_within(const Cells& c, uint32_t each_way)
+    {
+        return c.right - c.left <= each_way && c.bottom - c.top <= each_way;
+    }
+    // By small rectangles: the others are only counted.
+    bool is_covered(const Cells& c)
+    {
+        for (uint32_t y = c.top; y < c.bottom; ++y)
+            if (std::find(row(c, y), row(c, y) + (c.right - c.left), 0) != row(c, y) + (c.right - c.left)) return false;
+        return true;
+    }
+    std::vector<uint8_t>::iterator row(const Cells& c, uint32_t y)
+    {
+        return covered_.begin() + static_cast<std::ptrdiff_t>(size_t{y} * columns_ + c.left);
     }
 
     const Camera& camera_;
     uint32_t cell_, columns_, rows_;
-    std::vector<int64_t> marks_;  // a column and a row more than there are cells
-    double margin_;               // pixels
+    std::vector<int64_t> marks_;    // a column and a row more than there are cells
+    std::vector<uint8_t> covered_;  // cells by rectangles that were small
+    double margin_;                 // pixels
     std::array<Side, 5> sides_;
 };
 
@@ -211,7 +241,7 @@ void add_triangles(Coverage& coverage, const Mesh& mesh, std::span<const std::ar
     for (size_t first = 0; first < triangles.size(); first += together) {
         const auto group = triangles.subspan(first, std::min(together, triangles.size() - first));
         const Bounds box = bounds_of(mesh, group);
-        if (coverage.add_if_small(corners_of(box, {}), std::max(error_at(box.lower), error_at(box.upper)))) continue;
+        if (coverage.add_as_whole(corners_of(box, {}), std::max(error_at(box.lower), error_at(box.upper)))) continue;
         for (const auto& t : group) {
             const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
                         c = to_double(mesh.positions[t[2]]);
@@ -235,10 +265,9 @@ bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
         for (size_t first = 0; first < all.size(); first += piece_size)
             pieces.push_back({&mesh, all.subspan(first, std::min(piece_size, all.size() - first))});
     }
-    const Coverage none = coverage;
     for (size_t first = 0, round; first < pieces.size(); first += round) {
         round = std::min(std::max<size_t>(3 * first, 1), pieces.size() - first);
-        std::vector<Coverage> parts(std::min(round, most_parts), none);
+        std::vector<Coverage> parts(std::min(round, most_parts), coverage.next());
         parallel_for(parts.size(), [&](size_t i) {
             for (size_t k = round * i / parts.size(); k < round * (i + 1) / parts.size(); ++k)
                 add_triangles(parts[i], *pieces[first + k].mesh, pieces[first + k].triangles, error_at);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/parallel.h"
 #include "report/metrics.h"
 
 namespace lancer {
@@ -11,33 +12,39 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
-// The mean of each pixel's neighbours, without itself. values: as Film::pixels.
-std::vector<Channels> around_each(const Film& film, const std::vector<Channels>& values)
+// The mean of a pixel's neighbours, without itself. value(i): of pixel i as Film::pixels has them.
+template <class Value>
+Channels mean_around(const Film& film, size_t x, size_t y, const Value& value)
 {
     const size_t width = film.crop.width(), height = film.crop.height();
-    std::vector<Channels> all(values.size());
-    for (size_t y = 0; y < height; ++y)
-        for (size_t x = 0; x < width; ++x) {
-            Channels around{};
-            double n = 0;
-            for (size_t v = y == 0 ? 0 : y - 1; v < std::min(height, y + 2); ++v)
-                for (size_t u = x == 0 ? 0 : x - 1; u < std::min(width, x + 2); ++u) {
-                    if (u == x && v == y) continue;
-                    for (size_t c = 0; c < 3; ++c) around[c] += values[v * width + u][c];
-                    ++n;
-                }
-            for (double& sum : around) sum /= n;
-            all[y * width + x] = n > 0 ? around : values[y * width + x];
+    Channels around{};
+    double n = 0;
+    for (size_t v = y == 0 ? 0 : y - 1; v < std::min(height, y + 2); ++v)
+        for (size_t u = x == 0 ? 0 : x - 1; u < std::min(width, x + 2); ++u) {
+            if (u == x && v == y) continue;
+            const Channels c = value(v * width + u);
+            for (size_t k = 0; k < 3; ++k) around[k] += c[k];
+            ++n;
         }
+    for (double& sum : around) sum /= n;
+    return n > 0 ? around : value(y * width + x);
+}
+std::vector<Channels> around_each(const Film& film, const std::vector<Channels>& values)
+{
+    std::vector<Channels> all(values.size());
+    const size_t width = film.crop.width();
+    for (size_t i = 0; i < all.size(); ++i)
+        all[i] = mean_around(film, i % width, i / width, [&](size_t k) { return values[k]; });
     return all;
 }
-
-std::vector<Channels> means_of(const Film& film)
+// Of pixels [begin, end), or of all.
+std::vector<Channels> means_of(const Film& film, size_t begin, size_t end)
 {
-    std::vector<Channels> means(film.pixels.size());
-    for (size_t i = 0; i < means.size(); ++i) means[i] = channels(film.whole(i).mean());
+    std::vector<Channels> means(end - begin);
+    for (size_t i = begin; i < end; ++i) means[i - begin] = channels(film.whole(i).mean());
     return means;
 }
+std::vector<Channels> means_of(const Film& film) { return means_of(film, 0, film.pixels.size()); }
 
 // The square of what a pixel would show without noise, as far as that can be told without believing a sample that
 // sticks out: as the pixel has it (without bias: a product of independent halves, or less the variance) or its
@@ -93,43 +100,66 @@ std::vector<Channels> squares_without_noise(const Film& film, const Seen& seen)
     return squares;
 }
 
+// around(): the mean of the pixel's neighbours.
+template <class Half, class Around>
+void look_at(const Pixel& pixel, Half& half, const Around& around)
+{
+    const double n = pixel.n, before = half.n, since = n - before;
+    // A second half that is a fraction of the first is too few points to be spread evenly; but better than nothing.
+    if (half.n != 0 && since < before && (half.error >= 0 || since == 0)) return;
+    const Color mean = pixel.mean();
+    if (half.n != 0) {
+        const Channels all = channels(mean), first = channels(half.mean), beside = around();
+        double error = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const double second = (n * all[c] - before * first[c]) / since, apart = first[c] - second;
+            error += apart * apart / (without_noise(first[c] * second, beside[c]) + relmse_epsilon) / 3;
+        }
+        half.error = static_cast<float>(error * before * since / (n * n));
+    }
+    half.mean = mean, half.n = pixel.n;
+}
+
+struct ErrorSum {
+    double sum = 0, squares = 0, count = 0;
+
+    void add(double error) { sum += error, squares += error * error, ++count; }
+    ErrorSum& operator+=(const ErrorSum& o)
+    {
+        sum += o.sum, squares += o.squares, count += o.count;
+        return *this;
+    }
+};
+
 }  // namespace
 
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
-    std::vector<Channels> around;  // only where samples have doubled: it takes a while
-    double sum = 0, squares = 0;
-    size_t known = 0;
-    for (size_t i = 0; i < halves_.size(); ++i) {
-        const Pixel pixel = film.whole(i);
-        if (pixel.n == 0) continue;
-        Half& half = halves_[i];
-        const double n = pixel.n, before = half.n, since = n - before;
-        // A second half that is a fraction of the first is too few points to be spread evenly; but better than nothing.
-        if (half.n == 0 || since >= before || (half.error < 0 && since > 0)) {
-            const Color mean = pixel.mean();
-            if (half.n != 0) {
-                if (around.empty()) around = around_each(film, means_of(film));
-                const auto all = channels(mean), first = channels(half.mean);
-                double error = 0;
-                for (size_t c = 0; c < 3; ++c) {
-                    const double second = (n * all[c] - before * first[c]) / since, apart = first[c] - second;
-                    error += apart * apart / (without_noise(first[c] * second, around[i][c]) + relmse_epsilon) / 3;
-                }
-                half.error = static_cast<float>(error * before * since / (n * n));
-            }
-            half.mean = mean, half.n = pixel.n;
+    // By strips, and these added up in order: the same for any threads.
+    constexpr size_t strip = 16;  // rows
+    const size_t width = film.crop.width(), height = film.crop.height();
+    std::vector<ErrorSum> strips((height + strip - 1) / strip);
+    parallel_for(strips.size(), [&](size_t s) {
+        const size_t first = s * strip, last = std::min(height, first + strip);
+        const size_t begin = (first == 0 ? 0 : first - 1) * width, end = std::min(height, last + 1) * width;
+        std::vector<Channels> means;  // from `begin` on; only where samples have doubled: it takes a while
+        for (size_t i = first * width; i < last * width; ++i) {
+            const Pixel pixel = film.whole(i);
+            if (pixel.n == 0) continue;
+            look_at(pixel, halves_[i], [&] {
+                if (means.empty()) means = means_of(film, begin, end);
+                return mean_around(film, i % width, i / width, [&](size_t k) { return means[k - begin]; });
+            });
+            if (halves_[i].error >= 0) strips[s].add(double{halves_[i].error} * halves_[i].n / pixel.n);
         }
-        if (half.error < 0) continue;
-        const double error = double{half.error} * half.n / n;
-        sum += error, squares += error * error;
-        ++known;
-    }
-    if (known == 0) return;
+    });
+    ErrorSum all;
+    for (const ErrorSum& of_strip : strips) all += of_strip;
+    if (all.count == 0) return;
     // Where a few pixels have most of the error, those that shall have met their bright samples later are missing.
-    const double count = static_cast<double>(known), mean = sum / count;
-    error_ = mean + std::sqrt(std::max(0.0, squares - mean * sum)) / count;
+    const double mean = all.sum / all.count;
+    error_ = mean + std::sqrt(std::max(0.0, all.squares - mean * all.sum)) / all.count;
 }
 
 std::optional<ReplicateError> estimate_from_replicates(const Film& film, uint32_t replicates)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/hash.h"
+#include "core/parallel.h"
 #include "support/random.h"
 
 namespace lancer {
@@ -72,6 +73,20 @@ TEST(HalfBuffers, KnowNothingBeforeTheSecondLook)
     add_samples(film, 8, 0.1, random);
     halves.look(film);
     EXPECT_TRUE(halves.rel_mse());
+}
+
+TEST(HalfBuffers, SayTheSameOfAnyThreads)
+{
+    std::vector<double> said;
+    for (const unsigned threads : {1u, 3u})
+        with_threads(threads, [&] {
+            Random random(2);
+            Film film(side, side, {0, 0, side, side});
+            HalfBuffers halves;
+            for (int look = 0; look < 3; ++look) add_samples(film, 8, 0.1, random, 1, uneven), halves.look(film);
+            said.push_back(*halves.rel_mse());
+        });
+    EXPECT_EQ(said[0], said[1]);
 }
 
 // Of independent samples: expected is the variance of the mean, and 1600 pixels tell it to sqrt(2 / 1600) = 3.5 %, by
