@@ -31,12 +31,18 @@ inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm2
 inline Float4 lower(Float8 x) { return _mm256_castps256_ps128(x); }
 inline Float4 upper(Float8 x) { return _mm256_extractf128_ps(x, 1); }
 
-// From four floats, as they are and in double.
+// From four numbers, as they are and in double.
 inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
+inline Double4 load4(const double* from) { return _mm256_loadu_pd(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
 // from: 32-byte aligned.
 inline Float8 load8(const float* from) { return _mm256_load_ps(from); }
+
+inline Double4 to_double(Float4 x) { return _mm256_cvtps_pd(x); }
+inline double to_double(float x) { return x; }
+inline Float4 to_float(Double4 x) { return _mm256_cvtpd_ps(x); }
+inline float to_float(double x) { return static_cast<float>(x); }
 
 // As it is after being stored in float.
 inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
@@ -44,6 +50,7 @@ inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x))
 // NaN where x is negative.
 inline Double4 sqrt(Double4 x) { return _mm256_sqrt_pd(x); }
 inline Float8 sqrt(Float8 x) { return _mm256_sqrt_ps(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
 
 inline Double4 copysign(Double4 x, Double4 sign)
@@ -55,6 +62,11 @@ inline Float8 copysign(Float8 x, Float8 sign)
 {
     const Float8 bit = all_lanes(-0.0f);
     return _mm256_or_ps(_mm256_andnot_ps(bit, x), _mm256_and_ps(bit, sign));
+}
+inline Float4 copysign(Float4 x, Float4 sign)
+{
+    const Float4 bit = _mm_set1_ps(-0.0f);
+    return _mm_or_ps(_mm_andnot_ps(bit, x), _mm_and_ps(bit, sign));
 }
 inline float copysign(float x, float sign) { return std::copysign(x, sign); }
 
@@ -69,6 +81,7 @@ inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
 {
     return reinterpret_cast<UInt8>(select(m, reinterpret_cast<Float8>(yes), reinterpret_cast<Float8>(no)));
 }
+inline double select(bool m, double yes, double no) { return m ? yes : no; }
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
 // Of four doubles, for what is done with four floats.
 inline Mask4f narrowed(Mask4 m)

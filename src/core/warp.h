@@ -85,13 +85,21 @@ inline Vec2x8 square_to_triangle(const Vec2x8& u)
 template <class T>
 T one_minus_cos(T sin2)
 {
-    return sin2 / (1 + std::sqrt(std::max(T{0}, 1 - sin2)));
+    return sin2 / (1 + sqrt(larger(T{}, 1 - sin2)));
 }
 
 // Polar angle in the cone with the given 1 - cos(theta_max), uniform in solid angle: 1 - cos(theta) for u in [0, 1).
 // Density 1 / (2 pi (1 - cos(theta_max))).
-inline double square_to_cone(float u, double one_minus_cos_max) { return static_cast<double>(u) * one_minus_cos_max; }
-inline double pdf_cone(double one_minus_cos_max) { return 1 / (2 * pi_d * one_minus_cos_max); }
+template <class T>
+T square_to_cone(T u, T one_minus_cos_max)
+{
+    return u * one_minus_cos_max;
+}
+template <class T>
+T pdf_cone(T one_minus_cos_max)
+{
+    return 1 / (2 * pi_d * one_minus_cos_max);
+}
 
 // Unit sphere, uniform, density 1 / (4 pi).
 inline Vec3 square_to_sphere(Vec2 u)

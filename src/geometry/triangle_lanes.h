@@ -6,8 +6,7 @@
 #include <array>
 #include <span>
 
-#include "core/lanes.h"
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 #include "geometry/hit.h"
 
 namespace lancer {
@@ -41,14 +40,6 @@ inline Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
 {
     _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);
     return {v[0], v[1], v[2]};
-}
-inline Vec3T<Double4> to_double(const Vec3T<Float4>& v)
-{
-    return {_mm256_cvtps_pd(v.x), _mm256_cvtps_pd(v.y), _mm256_cvtps_pd(v.z)};
-}
-inline Vec3T<Float4> to_float(const Vec3T<Double4>& v)
-{
-    return {_mm256_cvtpd_ps(v.x), _mm256_cvtpd_ps(v.y), _mm256_cvtpd_ps(v.z)};
 }
 
 }  // namespace lancer

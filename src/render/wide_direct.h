@@ -96,34 +96,58 @@ inline LightSampleLanes WideBatch<shading>::sample_even_sky(const Vertices& v, c
     const Float8 cos = dot(v.ns, s.wi);
     s.pdf = cos * (1 / pi) * scene.lights.pick.probability(scene.environment_light);
     s.found = (cos * (1 / pi) > zero) & (dot(s.wi, v.n) > zero);
+    s.infinite = lanes_of(255);
     s.radiance = {all_lanes(scene.environment.r), all_lanes(scene.environment.g), all_lanes(scene.environment.b)};
     return s;
 }
 
-// View::sample_light(), one lane after the other but for those that choose a sky of one colour.
+// View::sample_light() where lights are of several kinds. Where they are few, lanes that choose lights of the same kind
+// sample them together; the others go one after the other.
 template <Shading shading>
 inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking,
                                                              const AddressLanes& address, const Vec2x8& u)
 {
+    using Lamp = WideScene::Lamp;
     const Scene& scene = view_.scene;
     const Discrete& pick = scene.lights.pick;
     const bool stretches = pick.stretches();
+    LightSampleLanes s{};
     Discrete::StretchedLanes chosen{};
-    uint32_t through = 0, to_sky = 0;
+    uint32_t through = 0, one_by_one = asking;
     if constexpr (any) through = v.others.transmits;
     Float8 number{};
     if (!stretches) {
         number = address.get1(v.path.sample);
     } else {
         chosen = pick.stretch(u.x);
-        if (samples_sky_ && !scene.environment_table)
-            for_bits(asking, [&](uint32_t i) { to_sky |= uint32_t{chosen.index[i] == scene.environment_light} << i; });
+        const Vec2x8 stretched{chosen.u, u.y};
+        const auto choosing = [&](Lamp lamp) {
+            uint32_t lanes = 0;
+            for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.lamps[chosen.index[i]] == lamp} << i;
+            return lanes & asking;
+        };
+        const auto take = [&](uint32_t lanes, const LightSampleLanes& from) {
+            one_by_one &= ~lanes;
+            s = select(lanes_of(lanes), from, s);
+        };
+        if (const uint32_t lanes = samples_sky_ ? choosing(Lamp::even_sky) : 0; lanes != 0)
+            take(lanes, sample_even_sky(v, stretched));
+        // What lies behind a surface that lets light through is for the others.
+        const auto take_lamps = [&](uint32_t lanes, LightSampleLanes from) {
+            from.found &= ~(dot(from.wi, v.n) <= Float8{});
+            take(lanes, from);
+        };
+        if (const uint32_t lanes = scene_.balls.empty() ? 0 : choosing(Lamp::ball) & ~through; lanes != 0) {
+            const LightSampleLanes balls = sample_balls(scene_, chosen.index, v.origin, stretched);
+            take_lamps(lanes & bits(balls.found), balls);
+        }
+        if (const uint32_t lanes = scene_.lights.empty() ? 0 : choosing(Lamp::triangle) & ~through; lanes != 0)
+            take_lamps(lanes, sample_triangles(scene_, chosen.index, v.origin, stretched));
     }
-    LightSampleLanes s{};
-    if (to_sky != 0) s = sample_even_sky(v, {chosen.u, u.y});
-    uint32_t found = bits(s.found) & to_sky, infinite = to_sky, delta = 0;
+    if (one_by_one == 0) return s;
+    uint32_t found = bits(s.found), infinite = bits(s.infinite), delta = 0;
     Surface from{};
-    for_bits(asking & ~to_sky, [&](uint32_t i) {
+    for_bits(one_by_one, [&](uint32_t i) {
         const uint32_t bit = 1u << i;
         from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
         if constexpr (any) from.p = lane(v.others.p, i), from.p_error = lane(v.others.p_error, i);
@@ -149,20 +173,20 @@ template <Shading shading>
 inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint32_t asking,
                                                          const AddressLanes& address, const Vec2x8& u)
 {
-    bool one_by_one = looks_up && scene_.lights.empty();
+    bool one_by_one = looks_up && !scene_.has_triangles_only;
     if constexpr (any) one_by_one |= (asking & v.others.transmits) != 0;
     if constexpr (looks_up)
         if (one_by_one) return sample_any_light(v, asking, address, u);
     const Discrete& pick = view_.scene.lights.pick;
     if (pick.stretches()) {
         const Discrete::StretchedLanes chosen = pick.stretch(u.x);
-        return sample_lights(scene_, chosen.index, v.origin, {chosen.u, u.y});
+        return sample_triangles(scene_, chosen.index, v.origin, {chosen.u, u.y});
     }
     const Float8 number = address.get1(v.path.sample);
     std::array<uint32_t, float_lanes> ids{};
     if (!view_.scene.lights.tree) {
         for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
-        return sample_lights(scene_, ids, v.origin, u);
+        return sample_triangles(scene_, ids, v.origin, u);
     }
     std::array<double, float_lanes> numbers;
     for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
@@ -170,7 +194,7 @@ inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint
     view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
     Float8 probability{};
     for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = choices[i].light, probability[i] = choices[i].probability;
-    return sample_lights(scene_, ids, v.origin, u, &probability);
+    return sample_triangles(scene_, ids, v.origin, u, &probability);
 }
 
 // Lanes in which light is sampled. See samples_light(); where nothing goes back along the path, none is.

@@ -6,6 +6,7 @@
 #include "scene/holes.h"
 #include "scene/light_tree.h"
 #include "scene/scene.h"
+#include "scene/sphere_light.h"
 #include "scene/surface.h"
 
 namespace lancer {
@@ -94,8 +95,7 @@ std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, ui
                        .delta = true};
 }
 
-// Uniform in the cone under which the sphere is seen (Physically Based Rendering, 4th ed., section 6.2.4), in double
-// and with 1 - cos free of cancellation, so that it holds for any distance; from inside, uniform over the area.
+// Uniform in the cone under which the sphere is seen; from inside, uniform over the area.
 std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
@@ -103,15 +103,14 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     if (!scene.soft_shadows) return sample_center(scene, s, material, org);
     const Vec3d p = to_double(org), to_center = s.center - p;
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
-    const auto sample_at = [&](Vec3d n, Vec3 wi, float pdf) {
-        const Vec3 point = to_float(s.center + n * s.radius);
+    const auto sample_at = [&](const PointOnSphere<float>& on) {
         std::optional<LightSample> at(std::in_place);  // as above
-        at->wi = wi;
-        at->point = point;
-        at->p_error = sphere_point_error(s, point);
-        at->n = to_float(n);
-        at->radiance = radiance_at(scene, material, true, [&] { return sphere_uv(to_float(n)); });
-        at->pdf = pdf;
+        at->wi = on.wi;
+        at->point = on.point;
+        at->p_error = sphere_point_error(s, on.point);
+        at->n = on.n;
+        at->radiance = radiance_at(scene, material, true, [&] { return sphere_uv(on.n); });
+        at->pdf = on.pdf;
         return at;
     };
     if (d2 <= r2) {
@@ -119,17 +118,12 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
         const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
         const double l2 = dot(d, d), c = dot(d, n);
         if (!(l2 > 0) || !(c > 0)) return {};
-        return sample_at(n, to_float(d / std::sqrt(l2)), static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2)));
+        return sample_at({.wi = to_float(d / std::sqrt(l2)),
+                          .point = to_float(s.center + n * s.radius),
+                          .n = to_float(n),
+                          .pdf = static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2))});
     }
-    const double max = one_minus_cos(r2 / d2), v = square_to_cone(u.x, max);
-    const double cos_theta = 1 - v, sin2_theta = v * (2 - v), d = std::sqrt(d2);
-    const SinCos phi = sin_cos_2pi(u.y);
-    const Frame frame(to_float(to_center / d));
-    const Vec3d side =
-        to_double(frame.x) * static_cast<double>(phi.cos) + to_double(frame.y) * static_cast<double>(phi.sin);
-    const Vec3d w = to_center / d * cos_theta + side * std::sqrt(sin2_theta);
-    const double t = d * cos_theta - std::sqrt(std::max(0.0, r2 - d2 * sin2_theta));
-    return sample_at(normalize(w * t - to_center), to_float(normalize(w)), static_cast<float>(pdf_cone(max)));
+    return sample_at(sphere_seen_from_outside(s.center, s.radius, to_center, u.x, sin_cos_2pi(u.y)));
 }
 
 // A constant sky: by the cosine at the surface, which is all that varies.

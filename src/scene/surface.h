@@ -60,11 +60,17 @@ inline Vec3 ray_origin(const Surface& s, Vec3 w)
 Vec2 sphere_uv(Vec3 n);
 
 // Bound of the error, per axis, of a point of a sphere that was computed in double and rounded to float.
-inline Vec3 sphere_point_error(const Sphere& s, Vec3 p)
+// rounding: rounding_on() the sphere.
+template <class T>
+Vec3T<T> sphere_point_error(T rounding, const Vec3T<T>& p)
 {
-    const float e = rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
-    return abs(p) * gamma(4) + Vec3{e, e, e};
+    return abs(p) * (T{} + gamma(4)) + Vec3T<T>{rounding, rounding, rounding};
 }
+inline float rounding_on(const Sphere& s)
+{
+    return rounding_in_double(static_cast<float>(max_component(abs(s.center)) + s.radius));
+}
+inline Vec3 sphere_point_error(const Sphere& s, Vec3 p) { return sphere_point_error(rounding_on(s), p); }
 
 // A point of a triangle and what light sampling needs to know there.
 struct TrianglePoint {

@@ -1,7 +1,9 @@
-// Light sampling in scenes that are plain enough: sample_light() of eight places at once.
+// Light sampling of eight places at once, with the bits of sample_light().
 #pragma once
 
 #include "core/warp.h"
+#include "scene/sphere_light.h"
+#include "scene/surface.h"
 #include "scene/wide_scene.h"
 
 namespace lancer {
@@ -11,15 +13,23 @@ struct LightSampleLanes {
     Vec3x8 wi;    // unit
     Vec3x8 point, p_error, n;
     Vec3x8 radiance;
-    Float8 pdf;  // per solid angle, choice of the light included
-    // Only where lights are sampled one by one; triangles are neither.
+    Float8 pdf;                 // per solid angle, choice of the light included
     Mask8 infinite{}, delta{};  // as in LightSample
 };
+inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const LightSampleLanes& no)
+{
+    const auto chosen = [&](Mask8 a, Mask8 b) { return (m & a) | (~m & b); };
+    return {chosen(yes.found, no.found),    select(m, yes.wi, no.wi),
+            select(m, yes.point, no.point), select(m, yes.p_error, no.p_error),
+            select(m, yes.n, no.n),         select(m, yes.radiance, no.radiance),
+            select(m, yes.pdf, no.pdf),     chosen(yes.infinite, no.infinite),
+            chosen(yes.delta, no.delta)};
+}
 
-// A point on a light as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if not
-// by power alone.
-inline LightSampleLanes sample_lights(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                      const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
+// A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if
+// not by power alone.
+inline LightSampleLanes sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
+                                         const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
 {
     using L = WideScene::Light;
     const auto rows = [&](WideScene::Row L::*which) {
@@ -41,6 +51,36 @@ inline LightSampleLanes sample_lights(const WideScene& scene, const std::array<u
     s.radiance = select(cos > Float8{}, front, rows(&L::back).xyz);
     s.pdf = d2 / (abs(cos) * area) * probability;
     s.found = (d2 > Float8{}) & (cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
+    return s;
+}
+
+// A point on a sphere as seen from `origin`; found where that is outside of it.
+inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
+                                     const Vec3x8& origin, const Vec2x8& u)
+{
+    std::array<const WideScene::Row*, float_lanes> radiance;
+    LightSampleLanes s;
+    Float8 rounding{};
+    for (size_t i = 0; i < float_lanes; ++i) {
+        const WideScene::Ball& ball = scene.balls[ids[i]];
+        radiance[i] = &ball.radiance, rounding[i] = ball.rounding;
+    }
+    const SinCosT<Float8> phi = sin_cos_2pi(u.y);
+    std::array<Mask4, 2> inside;
+    const auto four = [&](size_t from, const Vec3T<Float4>& org, Float4 ux, const SinCosT<Float4>& turn) {
+        const auto row = [&](size_t i) { return load4(scene.balls[ids[from + i]].center_radius.data()); };
+        const auto [center, radius] = turned_rows4(row);
+        const Vec3T<Double4> to_center = center - to_double(org);
+        inside[from / double_lanes] = dot(to_center, to_center) <= radius * radius;
+        return sphere_seen_from_outside(center, radius, to_center, ux, turn);
+    };
+    const auto low = four(0, lower(origin), lower(u.x), {lower(phi.sin), lower(phi.cos)});
+    const auto high = four(double_lanes, upper(origin), upper(u.x), {upper(phi.sin), upper(phi.cos)});
+    s.found = lanes_of(~(bits(inside[0]) | bits(inside[1]) << double_lanes) & 255);
+    s.wi = joined(low.wi, high.wi), s.point = joined(low.point, high.point), s.n = joined(low.n, high.n);
+    s.p_error = sphere_point_error(rounding, s.point);
+    const auto [color, probability] = turned(radiance);
+    s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * probability;
     return s;
 }
 

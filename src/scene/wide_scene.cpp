@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/surface.h"
+
 namespace lancer {
 namespace {
 
@@ -10,12 +12,21 @@ using Row = WideScene::Row;
 Row row(Vec3 v, float w = 0) { return {v.x, v.y, v.z, w}; }
 Row row(Color c, float w = 0) { return {c.r, c.g, c.b, w}; }
 
-bool is_plain(const Scene& scene, const Light& light)
+bool is_plain(const Scene& scene, uint32_t material)
 {
-    const auto* triangle = std::get_if<TriangleLight>(&light);
-    if (!triangle || !(triangle->area > 0)) return false;
-    const uint32_t material = scene.shading[triangle->mesh].material_of(triangle->triangle);
     return scene.emission[material].radiance.texture == no_texture && !scene.traits[material].has_holes();
+}
+
+WideScene::Lamp lamp_of(const Scene& scene, const Light& light)
+{
+    using Lamp = WideScene::Lamp;
+    if (const auto* triangle = std::get_if<TriangleLight>(&light)) {
+        const uint32_t material = scene.shading[triangle->mesh].material_of(triangle->triangle);
+        return triangle->area > 0 && is_plain(scene, material) ? Lamp::triangle : Lamp::other;
+    }
+    if (const auto* sphere = std::get_if<SphereLight>(&light))
+        return scene.soft_shadows && is_plain(scene, scene.sphere_material[sphere->sphere]) ? Lamp::ball : Lamp::other;
+    return std::holds_alternative<EnvironmentLight>(light) && !scene.environment_table ? Lamp::even_sky : Lamp::other;
 }
 
 WideScene::Light table_of(const Scene& scene, uint32_t id)
@@ -30,6 +41,27 @@ WideScene::Light table_of(const Scene& scene, uint32_t id)
             row(light.n, light.area),
             row(emission.plain_towards(true), scene.lights.pick.probability(id)),
             row(emission.plain_towards(false))};
+}
+
+WideScene::Ball ball_of(const Scene& scene, uint32_t id)
+{
+    const uint32_t sphere = std::get<SphereLight>(scene.lights.lights[id]).sphere;
+    const Sphere& s = scene.geometry.spheres[sphere];
+    return {{s.center.x, s.center.y, s.center.z, s.radius},
+            row(scene.emission[scene.sphere_material[sphere]].plain_towards(true), scene.lights.pick.probability(id)),
+            rounding_on(s)};
+}
+
+// Room for all lights, the rows of others being empty.
+template <class T, class Of>
+std::vector<T> rows_of(const std::vector<WideScene::Lamp>& lamps, WideScene::Lamp which, const Of& of)
+{
+    std::vector<T> rows;
+    if (std::find(lamps.begin(), lamps.end(), which) == lamps.end()) return rows;
+    rows.resize(lamps.size());
+    for (uint32_t id = 0; id < lamps.size(); ++id)
+        if (lamps[id] == which) rows[id] = of(id);
+    return rows;
 }
 
 WideScene::Fixed fixed_of(const Scene& scene, size_t material)
@@ -60,9 +92,10 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading != Shading::plain) d.fixed.push_back(fixed_of(scene, i));
     }
-    const std::vector<lancer::Light>& lights = scene.lights.lights;
-    if (std::all_of(lights.begin(), lights.end(), [&](const auto& light) { return is_plain(scene, light); }))
-        for (uint32_t id = 0; id < lights.size(); ++id) d.lights.push_back(table_of(scene, id));
+    for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));
+    d.lights = rows_of<Light>(d.lamps, Lamp::triangle, [&](uint32_t id) { return table_of(scene, id); });
+    d.balls = rows_of<Ball>(d.lamps, Lamp::ball, [&](uint32_t id) { return ball_of(scene, id); });
+    d.has_triangles_only = std::all_of(d.lamps.begin(), d.lamps.end(), [](Lamp l) { return l == Lamp::triangle; });
     return d;
 }
 

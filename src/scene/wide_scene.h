@@ -29,6 +29,19 @@ struct WideScene {
         Row n_area;       // normal of its front side, and area
         Row front, back;  // radiance to either side; front.w: probability of being chosen
     };
+    // A sphere that shines.
+    struct alignas(32) Ball {
+        std::array<double, 4> center_radius{};
+        Row radiance;        // of its outside; w: probability of being chosen
+        float rounding = 0;  // rounding_on()
+    };
+    // How a light is sampled.
+    enum class Lamp : uint8_t {
+        triangle,  // drawn as it is and of one colour
+        ball,      // of one colour
+        even_sky,
+        other,  // by the functions for one
+    };
 
     // What each way of shading knows, and those above it. Of lamps and a sky the plainest knows only one at a time.
     static constexpr Features plain{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
@@ -54,7 +67,10 @@ struct WideScene {
     std::vector<Row> albedo;           // of each material, before anything is looked up
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
     std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do
-    std::vector<Light> lights;         // parallel to Scene::lights, if all of these are plain triangles
+    std::vector<Lamp> lamps;           // parallel to Scene::lights
+    std::vector<Light> lights;         // so, too, if some are triangles
+    std::vector<Ball> balls;           // so, too, if some are balls
+    bool has_triangles_only = false;   // of the lights
 
     // Nothing if the scene is not so plain.
     static std::optional<WideScene> of(const Scene& scene);

@@ -90,7 +90,10 @@ TEST(Warp, ConeMatchesItsDensity)
 {
     for (const double max : {1e-9, 0.3}) {
         const auto r = test_warp(
-            23, [&](Vec2 u) { return as_vec2(square_to_cone(u.x, max) / max, static_cast<double>(u.y)); },
+            23,
+            [&](Vec2 u) {
+                return as_vec2(square_to_cone(static_cast<double>(u.x), max) / max, static_cast<double>(u.y));
+            },
             [&](double, double) { return 2 * pi_d * max * pdf_cone(max); });
         EXPECT_GT(r.p, level) << max;
     }

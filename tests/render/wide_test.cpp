@@ -172,6 +172,38 @@ SceneDescription smooth_materials()
                                  {{-0.6, -0.3, 0.9}, {20, 30, 0}, {0.3, 0.3, 0.3}}));
     return d;
 }
+// Few lights, so that lanes which choose alike sample together: balls, a small one and one with a picture among them, a
+// panel and a sky.
+SceneDescription balls_of_light()
+{
+    SceneDescription d = all_materials();
+    d.meshes.pop_back();  // the panel
+    d.lights = {light_of(LightType::sphere, {10, 12, 14}, {1.5, 2, 1}, 0.2),
+                light_of(LightType::sphere, {400, 300, 200}, {-1.5, 5, 1}, 0.05), sky_of({0.2f, 0.2f, 0.3f})};
+    MaterialDescription shown = make_emitter("shown", {30, 30, 30});
+    shown.emission_map = picture_of("colours", Encoding::srgb);
+    d.materials.push_back(shown);
+    d.spheres.push_back(sphere_of({-1.6, 0.5, 1}, 0.2, "shown"));
+    d.meshes.push_back(make_mesh(make_quad({1.4, 0, -0.3}, {1.4, 0, 0.3}, {1.4, 0.6, 0.3}, {1.4, 0.6, -0.3},
+                                           make_emitter("plain", {30, 20, 10}))));
+    return d;
+}
+SceneDescription inside_a_ball()
+{
+    SceneDescription d = balls_of_light();
+    d.lights.pop_back();  // the sky
+    MaterialDescription around = make_emitter("around", {0.2f, 0.2f, 0.1f});
+    around.emission_both_sides = true;
+    d.materials.push_back(around);
+    d.spheres.push_back(sphere_of({0, 0, 0}, 6, "around"));
+    return d;
+}
+SceneDescription points_of_light()
+{
+    SceneDescription d = balls_of_light();
+    d.render.set(Switch::soft_shadows, false);
+    return d;
+}
 SceneDescription materials_and_many_lights()
 {
     SceneDescription d = all_materials();
@@ -202,6 +234,9 @@ std::vector<Case> cases()
             {"materials, lamps", materials_under_lamps(20)},
             {"materials, tree", materials_under_lamps(50)},
             {"materials, lights", materials_and_many_lights()},
+            {"balls", balls_of_light()},
+            {"inside a ball", inside_a_ball()},
+            {"points", points_of_light()},
             {"smooth materials", smooth_materials()}};
 }
 
@@ -210,6 +245,11 @@ TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
     EXPECT_TRUE(build_scene(cases()[3].scene).lights.tree);
     EXPECT_FALSE(build_scene(cases()[2].scene).lights.tree);
     EXPECT_FALSE(build_scene(all_lights()).lights.tree);
+    EXPECT_TRUE(build_scene(balls_of_light()).lights.pick.stretches());
+    const std::vector<WideScene::Lamp> lamps = WideScene::of(build_scene(balls_of_light()))->lamps;
+    for (const auto lamp :
+         {WideScene::Lamp::triangle, WideScene::Lamp::ball, WideScene::Lamp::even_sky, WideScene::Lamp::other})
+        EXPECT_TRUE(std::find(lamps.begin(), lamps.end(), lamp) != lamps.end()) << static_cast<int>(lamp);
     EXPECT_TRUE(build_scene(many_lights()).lights.tree);
     EXPECT_FALSE(build_scene(many_lights()).lights.far.empty());
     Features all;

@@ -199,7 +199,8 @@ TEST(LightDensity, IntegratesToOneFromAfar)
         const Frame frame(to_float(normalize(axis)));
         stats::Tally sum;
         for (int i = 0; i < 100000; ++i) {
-            const double v = square_to_cone(random.unit(), one_minus_cos(sin2)), r = std::sqrt(v * (2 - v));
+            const double v = square_to_cone(static_cast<double>(random.unit()), one_minus_cos(sin2)),
+                         r = std::sqrt(v * (2 - v));
             const double phi = random.uniform(0, 2 * std::numbers::pi);
             const Vec3 w = frame.to_world(to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), 1 - v}));
             const Ray ray{.org = from.p, .dir = normalize(w)};
