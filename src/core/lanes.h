@@ -81,6 +81,12 @@ inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
 {
     return reinterpret_cast<UInt8>(select(m, reinterpret_cast<Float8>(yes), reinterpret_cast<Float8>(no)));
 }
+// Lane i of what comes out is lane from[i] of x.
+inline Float8 permuted(Float8 x, UInt8 from) { return _mm256_permutevar8x32_ps(x, reinterpret_cast<__m256i>(from)); }
+inline Mask8 permuted(Mask8 x, UInt8 from)
+{
+    return reinterpret_cast<Mask8>(permuted(reinterpret_cast<Float8>(x), from));
+}
 inline double select(bool m, double yes, double no) { return m ? yes : no; }
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
 // Of four doubles, for what is done with four floats.
@@ -109,6 +115,8 @@ inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
 inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
+inline double abs(double x) { return std::abs(x); }
+inline Double4 abs(Double4 x) { return _mm256_andnot_pd(all_lanes(-0.0), x); }
 inline Float4 abs(Float4 x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
 inline Float8 abs(Float8 x) { return _mm256_andnot_ps(all_lanes(-0.0f), x); }
 // c - a * b, rounded once.
@@ -131,6 +139,7 @@ inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
 // Bit i: lane i.
 inline uint32_t bits(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
+inline uint32_t bits(bool m) { return m; }
 inline uint32_t bits(Mask4f m) { return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(m))); }
 inline uint32_t bits_le(Float8 a, Float8 b) { return bits(a <= b); }
 inline uint32_t bits_eq(Float8 a, Float8 b) { return bits(a == b); }

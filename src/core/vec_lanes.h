@@ -20,6 +20,10 @@ inline Vec3x8 select(Mask8 m, const Vec3x8& yes, const Vec3x8& no)
 {
     return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
+inline Vec3x8 permuted(const Vec3x8& v, UInt8 from)
+{
+    return {permuted(v.x, from), permuted(v.y, from), permuted(v.z, from)};
+}
 inline Vec3T<Float4> abs(const Vec3T<Float4>& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
 inline Vec3T<Float4> select(Mask4f m, const Vec3T<Float4>& yes, const Vec3T<Float4>& no)
 {

@@ -50,7 +50,11 @@ inline Vec3T<T> square_to_cosine_hemisphere(T u, T v)
     return {r * sc.cos, r * sc.sin, sqrt(larger(T{}, 1.0f - u))};
 }
 inline Vec3 square_to_cosine_hemisphere(Vec2 u) { return square_to_cosine_hemisphere(u.x, u.y); }
-inline float pdf_cosine_hemisphere(float cos_theta) { return std::max(0.0f, cos_theta) * (1 / pi); }
+template <class T>
+inline T pdf_cosine_hemisphere(T cos_theta)
+{
+    return larger(T{}, cos_theta) * (1 / pi);
+}
 
 // Hemisphere around z, uniform.
 inline Vec3 square_to_hemisphere(Vec2 u)

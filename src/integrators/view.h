@@ -42,10 +42,17 @@ struct View {
     auto with_bsdf(const Surface& s, const Number& number, F&& f) const
     {
         uint32_t id = s.material;
-        if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
-            id = scene.scattering_material(id, scene.shading_point(s), number());
+        if (is_mix(id)) id = scene.scattering_material(id, scene.shading_point(s), number());
         return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[id]);
     }
+    // The same where all that is looked up there is known.
+    template <class Number, class F>
+    auto with_bsdf(uint32_t id, const ShadingPoint& p, const Number& number, F&& f) const
+    {
+        if (is_mix(id)) id = scene.scattering_material(id, p, number());
+        return std::visit([&](const auto& material) { return f(material.at(p)); }, scene.materials[id]);
+    }
+    bool is_mix(uint32_t material) const { return !scene.mix_of.empty() && scene.mix_of[material] != Scene::none; }
     template <class Material>
     auto bsdf_at(const Material& material, const Surface& s) const
     {

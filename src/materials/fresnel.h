@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/color.h"
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 
 namespace lancer {
 
@@ -20,19 +21,21 @@ using Fresnel = FresnelT<float>;
 // cos_i and sin2_i, cosine and squared sine of one angle, each with its own full precision; eta: index beyond the
 // boundary over index before it, > 0. In double: for an index far from 1 the angles that are not reflected totally are
 // so few that float cannot tell g^2 from 0.
-inline FresnelT<double> fresnel_dielectric_double(double cos_i, double sin2_i, double eta)
+// D: double or several of them.
+template <class D>
+inline FresnelT<D> fresnel_dielectric_double(D cos_i, std::type_identity_t<D> sin2_i, std::type_identity_t<D> eta)
 {
     // g = eta cos_t, from g^2 = cos_i^2 + (eta^2 - 1) = eta^2 - sin_i^2: the one that cancels less. With
     // k = eta^2 - 1 the amplitudes are
     // r_s = (cos_i - g) / (cos_i + g) = -k / (cos_i + g)^2 and
     // r_p = (eta^2 cos_i - g) / (eta^2 cos_i + g) = k (cos_i g - sin_i^2) / ((cos_i + g) (eta^2 cos_i + g)).
-    const double k = (eta - 1) * (eta + 1);
-    const double g2 = sin2_i < 0.5 ? eta * eta - sin2_i : cos_i * cos_i + k;
-    if (!(g2 > 0)) return {1, 0};
-    const double g = std::sqrt(g2), sum = cos_i + g;
-    const double rs = k / (sum * sum);
-    const double rp = k * (cos_i * g - sin2_i) / (sum * (eta * eta * cos_i + g));
-    return {std::min(1.0, 0.5 * (rs * rs + rp * rp)), g / eta};
+    const D k = (eta - 1.0) * (eta + 1.0), one = D{} + 1.0;
+    const D g2 = select(sin2_i < 0.5, eta * eta - sin2_i, cos_i * cos_i + k);
+    const auto is_refracted = g2 > 0.0;
+    const D g = sqrt(g2), sum = cos_i + g;
+    const D rs = k / (sum * sum);
+    const D rp = k * (cos_i * g - sin2_i) / (sum * (eta * eta * cos_i + g));
+    return {select(is_refracted, smaller(one, 0.5 * (rs * rs + rp * rp)), one), select(is_refracted, g / eta, D{})};
 }
 inline Fresnel fresnel_dielectric(double cos_i, double sin2_i, double eta)
 {

@@ -145,7 +145,7 @@ private:
     // cos^n / (2 pi), 0 where the cosine is not positive.
     double lobe(Vec3 wo, Vec3 wi) const
     {
-        const Vec3d between = unit_in_double(wi) - unit_in_double({-wo.x, -wo.y, wo.z});
+        const Vec3d between = unit_in_double(wi) - unit_in_double(Vec3{-wo.x, -wo.y, wo.z});
         const double away = 0.5 * dot(between, between);
         return away < 1 ? std::exp(static_cast<double>(shininess_) * std::log1p(-away)) / (2 * pi_d) : 0;
     }

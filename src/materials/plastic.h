@@ -10,78 +10,68 @@
 
 #include <memory>
 
-#include "materials/albedo_table.h"
-#include "materials/fresnel.h"
-#include "materials/microfacet.h"
 #include "materials/phong.h"
+#include "materials/plastic_coat.h"
 #include "materials/texture.h"
 
 namespace lancer {
 
 class PlasticBsdf {
 public:
-    // coat: of eta; not used where alpha is 0. mean_through: 1 - E'.
-    PlasticBsdf(Color base, Color specular, float eta, float alpha, const AlbedoTable* coat, float mean_through)
-        : specular_(specular), eta_(eta), alpha_(alpha), mean_through_(mean_through), coat_(coat)
+    using Coat = PlasticCoat<float, const AlbedoTable*>;
+
+    // table: of eta; not used where alpha is 0. mean_through: 1 - E'.
+    PlasticBsdf(Color base, Color specular, float eta, float alpha, const AlbedoTable* table, float mean_through)
+        : specular_(specular), coat_{eta, alpha, mean_through, alpha == 0 ? nullptr : table}
     {
         base_ = base / mean_through;
     }
 
-    bool only_delta() const { return is_black(base_) && alpha_ == 0; }
+    bool only_delta() const { return is_black(base_) && coat_.alpha == 0; }
     static constexpr bool transmits() { return false; }
-    Color reflectance() const { return specular_ * (1 - mean_through_) + base_ * (mean_through_ * mean_through_); }
+    Color reflectance() const
+    {
+        return specular_ * (1 - coat_.mean_through) + base_ * (coat_.mean_through * coat_.mean_through);
+    }
 
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {
         if (only_delta() || wo.z <= 0 || wi.z <= 0) return {};
-        const float through_o = through(wo.z);
-        return eval_lobes(wo, wi, through_o, probability_of_coat(through_o));
+        return eval_lobes(seen(wo), wi);
     }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};
-        const float through_o = through(wo.z), p = probability_of_coat(through_o);
-        const bool coat = u < p;
-        if (coat && alpha_ == 0)
-            return BsdfSample{
-                .wi = {-wo.x, -wo.y, wo.z}, .weight = specular_ * ((1 - through_o) / p), .pdf = p, .delta = true};
+        const Coat::Seen o = seen(wo);
+        const bool coat = u < o.choice;
+        if (coat && coat_.alpha == 0)
+            return BsdfSample{.wi = {-wo.x, -wo.y, wo.z},
+                              .weight = specular_ * ((1 - o.through) / o.choice),
+                              .pdf = o.choice,
+                              .delta = true};
         std::optional<Vec3> wi = square_to_cosine_hemisphere(v);
-        if (coat) wi = sample_facets({alpha_}, unit_in_double(wo), v);
+        if (coat) wi = sample_facets({coat_.alpha}, o.wo, v);
         if (!wi || !(wi->z > 0)) return {};
-        const BsdfValue f = eval_lobes(wo, *wi, through_o, p);
+        const BsdfValue f = eval_lobes(o, *wi);
         if (!(f.pdf > 0)) return {};
         return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf};
     }
 
+    // For who asks many at once. The base is as it is under the coat.
+    Color base() const { return base_; }
+    Color specular() const { return specular_; }
+    const Coat& coat() const { return coat_; }
+
 private:
-    // 1 - E
-    float through(float cos) const
+    Coat::Seen seen(Vec3 wo) const { return coat_.seen(wo, max_component(specular_), max_component(base_)); }
+    BsdfValue eval_lobes(const Coat::Seen& o, Vec3 wi) const
     {
-        const float smooth = fresnel_dielectric(std::min(1.0f, cos), eta_).reflectance;
-        return 1 - smooth + (alpha_ == 0 ? 0 : smooth * coat_->loss(cos, alpha_));
-    }
-    // By the light that the lobes send back.
-    float probability_of_coat(float through_o) const
-    {
-        const float coat = max_component(specular_) * (1 - through_o);
-        const float base = max_component(base_) * through_o * mean_through_;
-        return coat > 0 ? coat / (coat + base) : 0;
-    }
-    BsdfValue eval_lobes(Vec3 wo, Vec3 wi, float through_o, float p) const
-    {
-        const float pdf_base = pdf_cosine_hemisphere(wi.z);
-        BsdfValue f{base_ * (through_o * through(wi.z) * pdf_base), (1 - p) * pdf_base};
-        if (alpha_ == 0) return f;
-        const FacetReflection facets = eval_facets({alpha_}, unit_in_double(wo), unit_in_double(wi));
-        const float reflected = fresnel_dielectric(static_cast<float>(facets.cos_h), eta_).reflectance;
-        f.f_cos += specular_ * (reflected * static_cast<float>(facets.f_cos));
-        f.pdf += p * static_cast<float>(facets.pdf);
-        return f;
+        const Coat::Value f = coat_.eval(o, wi);
+        return {base_ * f.base + specular_ * f.coat, f.pdf};
     }
 
     Color base_, specular_;
-    float eta_, alpha_, mean_through_;
-    const AlbedoTable* coat_;
+    Coat coat_;
 };
 static_assert(Bsdf<PlasticBsdf>);
 

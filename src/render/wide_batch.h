@@ -8,6 +8,7 @@
 #include "core/warp.h"
 #include "integrators/path.h"
 #include "materials/material.h"
+#include "materials/plastic_lanes.h"
 #include "render/workspace.h"
 #include "scene/light_tree.h"
 #include "scene/triangle_place.h"
@@ -85,10 +86,10 @@ private:
     struct Others {
         uint32_t lanes;                                // that are not
         std::array<const AnyBsdf*, float_lanes> bsdf;  // of these
-        std::array<AnyBsdf, float_lanes> own;          // of those that were looked up
         uint32_t only_delta, transmits;                // lanes whose BSDF says so
         Vec3x8 p, p_error;                             // as in Surface
         Vec3x8 wo;                                     // local
+        PlasticLanes plastic;
     };
     struct Nothing {};
     // Eight vertices.
@@ -105,12 +106,22 @@ private:
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     void shade(size_t first);
-    uint32_t place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
-                   Vertices& v);
+    // What is known of triangles besides Vertices.
+    struct Placed {
+        uint32_t front = 0;  // lanes whose rays come to the front
+        std::array<PlacesOfFour, 2> fours;
+        float area(uint32_t i) const { return fours[i / double_lanes].area[i % double_lanes]; }
+        TrianglePlace of(uint32_t i) const { return place_of(fours[i / double_lanes], i % double_lanes); }
+    };
+    Placed place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
+                 Vertices& v);
+    Placed place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
+    static Placed place_nowhere(Vertices& v);
     void look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
-    void take_fixed(uint32_t plain, uint32_t front, const Vec3x8& wo, Vertices& v);
+    void bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v);
     static void take_other(uint32_t i, const AnyBsdf& bsdf, Vertices& v);
-    void look_up_each(uint32_t lanes, size_t first, std::span<const Hit> hits, Vertices& v);
+    template <class At>
+    void take_each(uint32_t lanes, Vertices& v, const At& at);
     // Where a ray starts that leaves on the other side.
     static Vec3 origin_behind(const Vertices& v, uint32_t i)
     {
@@ -185,6 +196,7 @@ private:
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does
     uint32_t depth_ = 0;
+    std::array<AnyBsdf, float_lanes> own_;  // BSDFs that were looked up for the eight vertices at work
 };
 
 template <Shading shading>
@@ -250,7 +262,10 @@ inline void WideBatch<shading>::shade(size_t first)
     else
         place(hits, which, wo, v);
     v.cos_o = dot(wo, v.ns);
-    if constexpr (any) v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
+    if constexpr (any) {
+        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
+        if (v.others.plastic.lanes() != 0) v.others.plastic.see(v.others.wo);
+    }
 
     if (samples_) sample_direct(v);
     if constexpr (any)

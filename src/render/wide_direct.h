@@ -222,7 +222,14 @@ inline void WideBatch<shading>::eval_others(const Vertices& v, const LightSample
     const Float8 zero{};
     const Vec3x8 wi = FrameT<Float8>(v.ns).to_local(light.wi);
     const Mask8 disagree = (dot(light.wi, v.n) < zero) ^ (wi.z < zero);  // sides_agree()
-    for_bits(lit, [&](uint32_t i) {
+    const uint32_t plastic = lit & v.others.plastic.lanes();
+    if (plastic != 0) {
+        const BsdfValueLanes f = v.others.plastic.eval(wi);
+        const Mask8 is_asked = lanes_of(plastic);
+        f_cos = select(is_asked, select(disagree, {zero, zero, zero}, f.f_cos), f_cos);
+        pdf = select(is_asked, select(disagree, zero, f.pdf), pdf);
+    }
+    for_bits(lit & ~plastic, [&](uint32_t i) {
         BsdfValue f{};
         if ((bits(disagree) >> i & 1) == 0)
             f = std::visit([&](const auto& bsdf) { return bsdf.eval(lane(v.others.wo, i), lane(wi, i)); },

@@ -6,11 +6,11 @@
 
 namespace lancer {
 
-// surface_at() of triangles that are drawn as they are and say nothing of their own. Returns on which of them rays come
-// to the front.
+// surface_at() of triangles that are drawn as they are, before anything is looked up.
 template <Shading shading>
-inline uint32_t WideBatch<shading>::place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
-                                          const Vec3x8& wo, Vertices& v)
+inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<const Hit> hits,
+                                                                     const std::array<size_t, float_lanes>& which,
+                                                                     const Vec3x8& wo, Vertices& v)
 {
     std::array<const WideScene::Row*, float_lanes> albedo;
     for (uint32_t i = 0; i < float_lanes; ++i) albedo[i] = &scene_.albedo[v.material[which[i]]];
@@ -28,49 +28,83 @@ inline uint32_t WideBatch<shading>::place(std::span<const Hit> hits, const std::
     const Float8 c = dot(v.ns, wo);
     if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
     if constexpr (any) v.others.p = p, v.others.p_error = p_error;
-    return bits(front);
+    return {bits(front), {low, high}};
 }
 
-// Places of which something is to be looked up one after the other: what textures and maps say of them differs in how
-// it is found. The others at once.
+// Lanes that are not drawn do as the first that is.
+template <Shading shading>
+inline typename WideBatch<shading>::Placed WideBatch<shading>::place_drawn(uint32_t drawn, std::span<const Hit> hits,
+                                                                           const Vec3x8& wo, Vertices& v)
+{
+    std::array<size_t, float_lanes> which;
+    for (uint32_t i = 0; i < float_lanes; ++i) {
+        which[i] = drawn >> i & 1 ? i : static_cast<size_t>(std::countr_zero(drawn));
+        v.width[i] = hits[which[i]].t;
+    }
+    v.width = v.path.width + v.path.spread * v.width;
+    return place(hits, which, wo, v);
+}
+
+template <Shading shading>
+inline typename WideBatch<shading>::Placed WideBatch<shading>::place_nowhere(Vertices& v)
+{
+    const Float8 zero{};
+    v.albedo = v.origin = {zero, zero, zero};
+    v.n = v.ns = {zero, zero, all_lanes(1.0f)};
+    v.width = zero;
+    if constexpr (any) v.others.p = v.others.p_error = v.origin;
+    return {};
+}
+
+// Places and what they are made of. Textures are asked one after the other, and so is where on other things than
+// triangles that are drawn as they are a place is, and what maps that tilt it make of it.
 template <Shading shading>
 inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v)
 {
-    uint32_t plain = 0;
+    // Triangles that are drawn as they are; of these, those that are not tilted; and of these, those of which nothing
+    // is to be looked up.
+    uint32_t drawn = 0, straight = 0, fixed = 0;
     for_bits(v.hit, [&](uint32_t i) {
         const Hit& hit = hits[i];
-        if (hit.kind == Kind::triangle && hit.instance == Hit::no_instance && scene_.fixed[v.material[i]].is &&
-            view_.scene.shading[hit.geometry].colors.empty())
-            plain |= 1u << i;
+        if (hit.kind != Kind::triangle || hit.instance != Hit::no_instance) return;
+        drawn |= 1u << i;
+        straight |= uint32_t{!scene_.tilts[v.material[i]]} << i;
+        if (scene_.fixed[v.material[i]].is && view_.scene.shading[hit.geometry].colors.empty()) fixed |= 1u << i;
     });
-    uint32_t front = 0;
-    if (plain != 0) {
-        std::array<size_t, float_lanes> which;
-        for (uint32_t i = 0; i < float_lanes; ++i)
-            which[i] = plain >> i & 1 ? i : static_cast<size_t>(std::countr_zero(plain));
-        front = place(hits, which, wo, v);
-        for (uint32_t i = 0; i < float_lanes; ++i) v.width[i] = hits[which[i]].t;
-        v.width = v.path.width + v.path.spread * v.width;
-    } else {
-        const Float8 zero{};
-        v.albedo = v.origin = {zero, zero, zero};
-        v.n = v.ns = {zero, zero, all_lanes(1.0f)};
-        v.width = zero;
-        if constexpr (any) v.others.p = v.others.p_error = v.origin;
+    const Placed placed = drawn != 0 ? place_drawn(drawn, hits, wo, v) : place_nowhere(v);
+    if constexpr (any) {
+        v.others.lanes = v.others.only_delta = v.others.transmits = 0;
+        v.others.plastic.clear();
+        bend_back(straight, wo, v);
+        for_bits(fixed, [&](uint32_t i) { take_other(i, scene_.fixed[v.material[i]].bsdf[placed.front >> i & 1], v); });
     }
-    if constexpr (any) take_fixed(plain, front, wo, v);
-    if ((v.hit & ~plain) != 0) look_up_each(v.hit & ~plain, first, hits, v);
+    if (v.hit == fixed) return;
+    take_each(straight & ~fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
+        const bool front = (placed.front >> i & 1) != 0;
+        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], placed.area(i));
+        view_.with_bsdf(v.material[i], p, number, take);
+    });
+    take_each(v.hit & ~straight, v, [&](uint32_t i, const auto& number, const auto& take) {
+        const RayCone cone{v.path.width[i], v.path.spread[i]};
+        const Ray& ray = now_.rays()[first + i];
+        const Surface s = (drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, placed.of(i))
+                                                : view_.surface_at(ray, hits[i], cone);
+        set_lane(v.n, i, s.n);
+        set_lane(v.ns, i, s.ns);
+        set_lane(v.origin, i, s.origin);
+        v.width[i] = cone.width + cone.spread * s.t;
+        if constexpr (any) set_lane(v.others.p, i, s.p), set_lane(v.others.p_error, i, s.p_error);
+        view_.with_bsdf(s, number, take);
+    });
 }
 
-// The materials of plain places, and what those that mirror want of the normal.
+// What lanes whose materials mirror want of the shading normal.
 template <Shading shading>
-inline void WideBatch<shading>::take_fixed(uint32_t plain, uint32_t front, const Vec3x8& wo, Vertices& v)
+inline void WideBatch<shading>::bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v)
 {
-    v.others.lanes = v.others.only_delta = v.others.transmits = 0;
-    for_bits(plain, [&](uint32_t i) {
-        const AnyBsdf& bsdf = scene_.fixed[v.material[i]].bsdf[front >> i & 1];
-        take_other(i, bsdf, v);
-        if (view_.scene.traits[v.material[i]].mirrors && lane(v.ns, i) != lane(v.n, i))
+    lanes &= bits((v.ns.x != v.n.x) | (v.ns.y != v.n.y) | (v.ns.z != v.n.z));
+    for_bits(lanes, [&](uint32_t i) {
+        if (view_.scene.traits[v.material[i]].mirrors)
             set_lane(v.ns, i, keep_reflection_outside(lane(v.n, i), lane(v.ns, i), lane(wo, i)));
     });
 }
@@ -82,6 +116,11 @@ inline void WideBatch<shading>::take_other(uint32_t i, const AnyBsdf& bsdf, Vert
     const uint32_t bit = 1u << i;
     v.others.bsdf[i] = &bsdf;
     v.others.lanes |= bit;
+    if (const auto* plastic = std::get_if<PlasticBsdf>(&bsdf)) {
+        v.others.plastic.set(i, *plastic);
+        if (plastic->only_delta()) v.others.only_delta |= bit;
+        return;
+    }
     std::visit(
         [&](const auto& b) {
             if (b.only_delta()) v.others.only_delta |= bit;
@@ -90,36 +129,24 @@ inline void WideBatch<shading>::take_other(uint32_t i, const AnyBsdf& bsdf, Vert
         bsdf);
 }
 
+// The materials of places: at(i, number, take) gives that of lane i to take(bsdf); number() chooses of a mix.
 template <Shading shading>
-inline void WideBatch<shading>::look_up_each(uint32_t lanes, size_t first, std::span<const Hit> hits, Vertices& v)
+template <class At>
+inline void WideBatch<shading>::take_each(uint32_t lanes, Vertices& v, const At& at)
 {
-    std::array<TrianglePlace, float_lanes> places;
-    view_.triangle_places(hits, places);
+    if (lanes == 0) return;
     Float8 part_of_mix{};
-    if constexpr (any)
-        if (!view_.scene.mix_of.empty()) part_of_mix = numbers(v.path.key, depth_, Dim::mix).get1(v.path.sample);
+    if (any && !view_.scene.mix_of.empty()) part_of_mix = numbers(v.path.key, depth_, Dim::mix).get1(v.path.sample);
     for_bits(lanes, [&](uint32_t i) {
-        const RayCone cone{v.path.width[i], v.path.spread[i]};
-        const Surface s = view_.surface_at(now_.rays()[first + i], hits[i], cone, places[i]);
-        set_lane(v.n, i, s.n);
-        set_lane(v.ns, i, s.ns);
-        set_lane(v.origin, i, s.origin);
-        v.width[i] = cone.width + cone.spread * s.t;
         Color albedo;
-        if constexpr (any) {
-            set_lane(v.others.p, i, s.p);
-            set_lane(v.others.p_error, i, s.p_error);
-            view_.with_bsdf(
-                s, [&] { return part_of_mix[i]; },
-                [&]<class B>(const B& bsdf) {
-                    if constexpr (std::is_same_v<B, LambertBsdf>)
-                        albedo = bsdf.albedo;
-                    else
-                        take_other(i, v.others.own[i] = bsdf, v);
-                });
-        } else if (const auto* lambert = std::get_if<Lambert>(&view_.scene.materials[s.material])) {
-            albedo = view_.bsdf_at(*lambert, s).albedo;
-        }
+        at(
+            i, [&] { return part_of_mix[i]; },
+            [&]<class B>(const B& bsdf) {
+                if constexpr (std::is_same_v<B, LambertBsdf>)
+                    albedo = bsdf.albedo;
+                else if constexpr (any)
+                    take_other(i, own_[i] = bsdf, v);
+            });
         set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b});
     });
 }

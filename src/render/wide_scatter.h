@@ -71,7 +71,7 @@ inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& othe
     return splits;
 }
 
-// A direction for each of `lanes`: those that are not matt are asked one by one.
+// A direction for each of `lanes`: those that are neither matt nor plastic are asked one by one.
 template <Shading shading>
 inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, uint32_t lanes,
                                                                              const AddressLanes& address) const
@@ -85,7 +85,15 @@ inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(con
     s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
     if ((lanes & others.lanes) == 0) return s;
     const Float8 lobe = address.get1(sample);
-    for_bits(lanes & others.lanes, [&](uint32_t i) {
+    const uint32_t plastic = lanes & others.plastic.lanes();
+    if (plastic != 0) {
+        const BsdfSampleLanes sampled = others.plastic.sample(lobe, u, s.wi);
+        const Mask8 is_asked = lanes_of(plastic);
+        s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
+        s.pdf = select(is_asked, sampled.pdf, s.pdf);
+        s.lanes |= plastic & sampled.found & ~bits(is_black(sampled.weight)), s.delta |= sampled.delta;
+    }
+    for_bits(lanes & others.lanes & ~plastic, [&](uint32_t i) {
         const Vec3 wo = lane(others.wo, i);
         const auto sampled = std::visit(
             [&](const auto& bsdf) {

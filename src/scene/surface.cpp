@@ -129,6 +129,16 @@ void map_plane(Surface& s, const Normalisation& normalisation, const PlaneMap& m
 
 }  // namespace
 
+ShadingPoint shading_point_at(const Scene& scene, const Hit& hit, bool front, float width, float area)
+{
+    ShadingPoint p{.front = front, .textures = scene.textures.data()};
+    const MeshShading& shading = scene.shading[hit.geometry];
+    if (!shading.colors.empty()) p.vertex_color = vertex_color(scene, hit);
+    if (const auto uvs = corner_uvs(shading, hit.primitive))
+        p.uv = weighed(*uvs, hit.uv), p.uv_width = width * uv_per_length(*uvs, area);
+    return p;
+}
+
 Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
 {
     const auto uvs = corner_uvs(shading, triangle);

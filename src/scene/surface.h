@@ -4,6 +4,7 @@
 #include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
+#include "materials/texture.h"
 #include "scene/triangle_place.h"
 
 namespace lancer {
@@ -48,6 +49,10 @@ struct RayCone {
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone = {});
 // The same where it is known where on its triangle the hit is; of other hits `place` is not looked at.
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place);
+
+// What a material wants to know at a hit of a triangle that is drawn as it is and that no map tilts. front: of the
+// surface; width: of the ray's cone there; area: of the triangle.
+ShadingPoint shading_point_at(const Scene& scene, const Hit& hit, bool front, float width, float area);
 
 // Where a ray in direction w starts, off the surface by its rounding.
 inline Vec3 ray_origin(const Surface& s, Vec3 w)

@@ -76,12 +76,15 @@ struct PlacesOfFour {
 PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
 // The same of triangles whose corners have no normals of their own.
 PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
+inline TrianglePlace place_of(const PlacesOfFour& four, size_t k)
+{
+    const auto lane = [&](const Vec3T<Float4>& v) { return Vec3{v.x[k], v.y[k], v.z[k]}; };
+    return {lane(four.p), lane(four.p_error), lane(four.n), lane(four.ns), four.area[k]};
+}
 // Each to the place of its hit.
 inline void put(const PlacesOfFour& four, const FourHits& which, std::span<TrianglePlace> places)
 {
-    const auto lane = [](const Vec3T<Float4>& v, size_t k) { return Vec3{v.x[k], v.y[k], v.z[k]}; };
-    for (size_t k = 0; k < double_lanes; ++k)
-        places[which[k]] = {lane(four.p, k), lane(four.p_error, k), lane(four.n, k), lane(four.ns, k), four.area[k]};
+    for (size_t k = 0; k < double_lanes; ++k) places[which[k]] = place_of(four, k);
 }
 
 // Asks for all that places_of() and surface_at() will read of the triangles that were hit, so that they need not wait

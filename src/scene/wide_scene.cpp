@@ -90,6 +90,7 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
         d.shines.push_back(!scene.emission[i].is_dark());
+        d.tilts.push_back(scene.traits[i].tilts());
         if (d.shading != Shading::plain) d.fixed.push_back(fixed_of(scene, i));
     }
     for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));

@@ -66,6 +66,7 @@ struct WideScene {
     Shading shading = Shading::plain;  // the least that it takes
     std::vector<Row> albedo;           // of each material, before anything is looked up
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
+    std::vector<uint8_t> tilts;        // of each material, whether a map tilts it
     std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do
     std::vector<Lamp> lamps;           // parallel to Scene::lights
     std::vector<Light> lights;         // so, too, if some are triangles

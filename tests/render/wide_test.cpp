@@ -172,6 +172,27 @@ SceneDescription smooth_materials()
                                  {{-0.6, -0.3, 0.9}, {20, 30, 0}, {0.3, 0.3, 0.3}}));
     return d;
 }
+// Triangles that no map tilts, but of which something else is looked up: pictures, colours of vertices and a mix on
+// what mirrors with normals of its own.
+SceneDescription pictured_materials()
+{
+    SceneDescription d = materials_under_lamps(3);
+    MaterialDescription wall = make_glossy("varnish", MaterialType::plastic, {0.9f, 0.8f, 0.7f}, 0.4f);
+    wall.base_color_map = picture_of("colours", Encoding::srgb);
+    d.meshes[0] = make_mesh(make_mapped_quad({-2, -0.8, 2}, {2, -0.8, 2}, {2, -0.8, -2}, {-2, -0.8, -2}, {4, 3}, wall));
+    MeshData painted = *d.meshes[1].data;
+    painted.materials = {make_glossy("paint", MaterialType::plastic, {0.8f, 0.8f, 0.8f}, 0.2f)};
+    for (size_t i = 0; i < painted.positions.size(); ++i)
+        painted.colors.push_back({0.3f, 0.02f * static_cast<float>(i % 40), 0.9f});
+    d.meshes[1].data = std::make_shared<const MeshData>(std::move(painted));
+    MaterialDescription half = make_glossy("half metal", MaterialType::plastic, {0.8f, 0.6f, 0.4f}, 0.3f);
+    half.metallic = 1;
+    half.metallic_map = picture_of("colours", Encoding::linear, Channel::red);
+    half.roughness_map = picture_of("waves", Encoding::linear, Channel::red);
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-0.5, -0.6, 0.9}, {0.6, -0.6, 0.8}, {0.6, 0.3, 0.8}, {-0.5, 0.3, 0.9}, {2, 3}, half)));
+    return d;
+}
 // Few lights, so that lanes which choose alike sample together: balls, a small one and one with a picture among them, a
 // panel and a sky.
 SceneDescription balls_of_light()
@@ -237,7 +258,8 @@ std::vector<Case> cases()
             {"balls", balls_of_light()},
             {"inside a ball", inside_a_ball()},
             {"points", points_of_light()},
-            {"smooth materials", smooth_materials()}};
+            {"smooth materials", smooth_materials()},
+            {"pictured materials", pictured_materials()}};
 }
 
 TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)

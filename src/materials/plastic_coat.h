@@ -1,0 +1,68 @@
+// The two lobes of plastic (materials/plastic.h) but for their colours, once for one place and once for several, with
+// the same bits.
+#pragma once
+
+#include "materials/albedo_table.h"
+#include "materials/fresnel.h"
+#include "materials/microfacet.h"
+
+namespace lancer {
+
+// AlbedoTable::loss() of each lane; 0 where there is no table.
+inline float loss_of(const AlbedoTable* table, float cos, float alpha) { return table ? table->loss(cos, alpha) : 0; }
+inline Float4 loss_of(const std::array<const AlbedoTable*, 4>& tables, Float4 cos, Float4 alpha)
+{
+    Float4 loss{};
+    for (size_t i = 0; i < tables.size(); ++i) loss[i] = loss_of(tables[i], cos[i], alpha[i]);
+    return loss;
+}
+
+// T: float or several of them. Table: const AlbedoTable* or as many of them, null where alpha is 0.
+template <class T, class Table>
+struct PlasticCoat {
+    using D = decltype(to_double(T{}));
+    T eta, alpha, mean_through;  // mean_through: 1 - the albedo under even light
+    Table table;
+
+    // What does not depend on where the light comes from.
+    struct Seen {
+        T through;    // part of the light that crosses the coat
+        T choice;     // probability of sampling what the coat reflects
+        Vec3T<D> wo;  // unit
+    };
+    // Factors of the two colours in f cos, and the density.
+    struct Value {
+        T base, coat, pdf;
+    };
+
+    // 1 - E
+    T through(T cos) const
+    {
+        const D c = to_double(smaller(T{} + 1.0f, cos));
+        const T smooth = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
+        return 1.0f - smooth + smooth * loss_of(table, cos, alpha);
+    }
+    // wo: z > 0. specular, base: largest components of the colours. The lobes are chosen by the light that they send
+    // back.
+    Seen seen(const Vec3T<T>& wo, T specular, T base) const
+    {
+        const T through_o = through(wo.z);
+        const T by_coat = specular * (1.0f - through_o), by_base = base * through_o * mean_through;
+        return {through_o, select(by_coat > 0.0f, by_coat / (by_coat + by_base), T{}), unit_in_double(wo)};
+    }
+    // Of both lobes but a mirror's. wi: z > 0.
+    Value eval(const Seen& o, const Vec3T<T>& wi) const
+    {
+        const T pdf_base = pdf_cosine_hemisphere(wi.z);
+        const Value smooth{o.through * through(wi.z) * pdf_base, T{}, (1.0f - o.choice) * pdf_base};
+        const auto is_rough = alpha > 0.0f;
+        if (bits(is_rough) == 0) return smooth;
+        const auto facets = eval_facets(GgxT<D>{to_double(alpha)}, o.wo, unit_in_double(wi));
+        const D c = to_double(to_float(facets.cos_h));
+        const T reflected = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
+        return {smooth.base, select(is_rough, reflected * to_float(facets.f_cos), T{}),
+                select(is_rough, smooth.pdf + o.choice * to_float(facets.pdf), smooth.pdf)};
+    }
+};
+
+}  // namespace lancer
