@@ -1,5 +1,5 @@
-// bench_limit: how much of a render is the tracing of its rays. The rays of a real render are traced again by nothing
-// but Embree, and a bare path tracer draws the same scene where it can.
+// bench_limit: how much of a render is the tracing of its rays. The rays of a real render are traced again by lancer's
+// accelerator, as they were, and by nothing but Embree; and a bare path tracer draws the same scene where it can.
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +26,18 @@ Counted split(const Recording& recording)
         to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(b.count));
     }
     return c;
+}
+
+// With the batches of the render. hits, occluded: room for the answers.
+void trace_again(const Recording& recording, const Accelerator& accel, std::span<Hit> hits, std::span<uint8_t> occluded)
+{
+    for (const Recording::Batch& b : recording.batches) {
+        const std::span<const Ray> rays = std::span(recording.rays).subspan(b.first, b.count);
+        if (b.occlusion)
+            accel.any(rays, occluded.first(b.count));
+        else
+            accel.closest(rays, hits.first(b.count), b.coherence);
+    }
 }
 
 double mean_luminance(const Film& film)
@@ -69,7 +81,8 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     if (stage.scene.triangle_count() == 0) return;  // nothing that bare Embree has
 
     const BareEmbree bare(g, {});
-    const Counted rays = split(record(stage, stage.renderer.integrator(), tiles, spp));
+    const Recording recording = record(stage, stage.renderer.integrator(), tiles, spp);
+    const Counted rays = split(recording);
     const std::optional<BareLoop> loop = BareLoop::make(description, stage, bare);
 
     const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
@@ -77,6 +90,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     std::vector<uint8_t> occluded(rays.any.size());
     std::vector<Contestant> contestants{
         {"render", samples, [&] { stage.draw(spp); }},
+        {"accelerator", samples, [&] { trace_again(recording, stage.renderer.accelerator(), hits, occluded); }},
         {"rays",
          samples,
          {},
@@ -128,10 +142,10 @@ int main(int argc, char** argv)
     using namespace lancer::bench;
     return run_program(
         argc, argv, "bench_limit",
-        "Traces the rays of real renders again with nothing but Embree, and draws the scenes with a bare path tracer "
-        "where it can.\nThe share of a row is its CPU time over that of the render; the nearer to 1, the less is left "
-        "to "
-        "gain.",
+        "Traces the rays of real renders again, by lancer's accelerator and by nothing but Embree, and draws the "
+        "scenes "
+        "with a bare path tracer where it can.\nThe share of a row is its CPU time over that of the render; the nearer "
+        "to 1, the less is left to gain.",
         [](const Options& options, Report& report) {
             lancer::with_threads(options.threads, [&] {
                 for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);

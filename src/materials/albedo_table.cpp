@@ -44,7 +44,8 @@ void AlbedoTable::fill(const F& reflectance)
         const float alpha = node(least_row, row);
         for (uint32_t i = 0; i < cosines; ++i) {
             const Ggx ggx{alpha};
-            loss_[row][i] = static_cast<float>(mean_loss(ggx, static_cast<double>(node(least_cos, i)), reflectance));
+            loss_[row * cosines + i] =
+                static_cast<float>(mean_loss(ggx, static_cast<double>(node(least_cos, i)), reflectance));
         }
         mean_missing_[row] = static_cast<float>(cosine_mean([&](double cos) {
             const double smooth = reflectance(cos), lost = loss(static_cast<float>(cos), alpha);

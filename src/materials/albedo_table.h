@@ -19,18 +19,35 @@ public:
     // Of a dielectric; eta: index beyond the surface over index before it, finite, > 0. Takes some milliseconds.
     explicit AlbedoTable(float eta);
 
-    // L, where F(cos) (1 - L) is the directional albedo and F the reflectance of the smooth surface; in [0, 1] for a
-    // perfect reflector, and then 1 - albedo. cos and alpha in (0, 1].
-    float loss(float cos, float alpha) const
+    // What it says of one alpha; of none where it is not taken from a table. The table must live as long.
+    class Row {
+    public:
+        Row() = default;
+        explicit operator bool() const { return losses_ != nullptr; }
+        // L, where F(cos) (1 - L) is the directional albedo and F the reflectance of the smooth surface; in [0, 1] for
+        // a perfect reflector, and then 1 - albedo. cos in (0, 1]. Only of a row that is one.
+        float loss(float cos) const
+        {
+            const Cell c = cell(cos, least_cos, cosines);
+            const auto at = [&](const float* l) { return l[0] + c.part * (l[1] - l[0]); };
+            const float low = at(losses_ + c.index), high = at(losses_ + cosines + c.index);
+            return low + part_ * (high - low);
+        }
+
+    private:
+        friend AlbedoTable;
+        Row(const float* losses, float part) : losses_(losses), part_(part) {}
+
+        const float* losses_ = nullptr;  // of two alphas, the second's behind the first's
+        float part_ = 0;                 // how far alpha is on the way from the first to the second
+    };
+    // alpha: in (0, 1].
+    Row row(float alpha) const
     {
-        const Cell c = cell(cos, least_cos, cosines), a = cell(alpha, least_row, rows);
-        const auto at = [&](uint32_t row) {
-            const auto& l = loss_[row];
-            return l[c.index] + c.part * (l[c.index + 1] - l[c.index]);
-        };
-        const float low = at(a.index);
-        return low + a.part * (at(a.index + 1) - low);
+        const Cell a = cell(alpha, least_row, rows);
+        return {&loss_[a.index * cosines], a.part};
     }
+    float loss(float cos, float alpha) const { return row(alpha).loss(cos); }
     // 1 - the albedo under even light (its mean weighted by the cosine), exactly that of what loss() interpolates.
     float mean_missing(float alpha) const
     {
@@ -65,7 +82,7 @@ private:
         return {index, rest * (1.0f / (uint32_t{1} << bits_below_node))};
     }
 
-    std::array<std::array<float, cosines>, rows> loss_{};
+    std::array<float, rows * cosines> loss_{};  // row by row
     std::array<float, rows> mean_missing_{};
 };
 

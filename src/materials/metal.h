@@ -47,7 +47,7 @@ public:
         : color_(color), alpha_(alpha), conductor_(conductor)
     {
         if (!compensation || alpha == 0) return;
-        compensation_ = compensation;
+        compensation_ = compensation->row(alpha);
         mean_missing_ = compensation->mean_missing(alpha);
         // The light that leaves after two reflections or more, of what does not leave after the first.
         const Color f = conductor ? color * conductor->mean : mean_schlick(color);
@@ -86,7 +86,7 @@ private:
     {
         return conductor_ ? color_ * conductor_->reflectance(cos) : fresnel_schlick(color_, cos);
     }
-    float missing(float cos) const { return compensation_ ? compensation_->loss(cos, alpha_) : 0; }
+    float missing(float cos) const { return compensation_ ? compensation_.loss(cos) : 0; }
     float probability_of_multiple(float missing_o) const
     {
         const float multiple = missing_o * max_component(multiple_);
@@ -107,7 +107,7 @@ private:
     Color color_;
     float alpha_;
     const Conductor* conductor_;
-    const AlbedoTable* compensation_ = nullptr;
+    AlbedoTable::Row compensation_;  // if any
     float mean_missing_ = 1, mean_ = 0;
     Color multiple_{};
 };

@@ -18,11 +18,11 @@ namespace lancer {
 
 class PlasticBsdf {
 public:
-    using Coat = PlasticCoat<float, const AlbedoTable*>;
+    using Coat = PlasticCoat<float, AlbedoTable::Row>;
 
     // table: of eta; not used where alpha is 0. mean_through: 1 - E'.
     PlasticBsdf(Color base, Color specular, float eta, float alpha, const AlbedoTable* table, float mean_through)
-        : specular_(specular), coat_{eta, alpha, mean_through, alpha == 0 ? nullptr : table}
+        : specular_(specular), coat_{eta, alpha, mean_through, alpha == 0 ? AlbedoTable::Row() : table->row(alpha)}
     {
         base_ = base / mean_through;
     }

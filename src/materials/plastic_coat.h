@@ -8,21 +8,21 @@
 
 namespace lancer {
 
-// AlbedoTable::loss() of each lane; 0 where there is no table.
-inline float loss_of(const AlbedoTable* table, float cos, float alpha) { return table ? table->loss(cos, alpha) : 0; }
-inline Float4 loss_of(const std::array<const AlbedoTable*, 4>& tables, Float4 cos, Float4 alpha)
+// What facets lose, in each lane; 0 where there is none.
+inline float loss_of(const AlbedoTable::Row& row, float cos) { return row ? row.loss(cos) : 0; }
+inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
 {
     Float4 loss{};
-    for (size_t i = 0; i < tables.size(); ++i) loss[i] = loss_of(tables[i], cos[i], alpha[i]);
+    for (size_t i = 0; i < rows.size(); ++i) loss[i] = loss_of(rows[i], cos[i]);
     return loss;
 }
 
-// T: float or several of them. Table: const AlbedoTable* or as many of them, null where alpha is 0.
-template <class T, class Table>
+// T: float or several of them. Facets: of the coat, AlbedoTable::Row or as many of them, none where alpha is 0.
+template <class T, class Facets>
 struct PlasticCoat {
     using D = decltype(to_double(T{}));
     T eta, alpha, mean_through;  // mean_through: 1 - the albedo under even light
-    Table table;
+    Facets facets;
 
     // What does not depend on where the light comes from.
     struct Seen {
@@ -40,7 +40,7 @@ struct PlasticCoat {
     {
         const D c = to_double(smaller(T{} + 1.0f, cos));
         const T smooth = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
-        return 1.0f - smooth + smooth * loss_of(table, cos, alpha);
+        return 1.0f - smooth + smooth * loss_of(facets, cos);
     }
     // wo: z > 0. specular, base: largest components of the colours. The lobes are chosen by the light that they send
     // back.
@@ -57,11 +57,11 @@ struct PlasticCoat {
         const Value smooth{o.through * through(wi.z) * pdf_base, T{}, (1.0f - o.choice) * pdf_base};
         const auto is_rough = alpha > 0.0f;
         if (bits(is_rough) == 0) return smooth;
-        const auto facets = eval_facets(GgxT<D>{to_double(alpha)}, o.wo, unit_in_double(wi));
-        const D c = to_double(to_float(facets.cos_h));
+        const auto f = eval_facets(GgxT<D>{to_double(alpha)}, o.wo, unit_in_double(wi));
+        const D c = to_double(to_float(f.cos_h));
         const T reflected = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
-        return {smooth.base, select(is_rough, reflected * to_float(facets.f_cos), T{}),
-                select(is_rough, smooth.pdf + o.choice * to_float(facets.pdf), smooth.pdf)};
+        return {smooth.base, select(is_rough, reflected * to_float(f.f_cos), T{}),
+                select(is_rough, smooth.pdf + o.choice * to_float(f.pdf), smooth.pdf)};
     }
 };
 

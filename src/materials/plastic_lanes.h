@@ -29,7 +29,7 @@ public:
         // No arithmetic trips over what is not set.
         base_ = specular_ = {zero, zero, zero};
         eta_ = mean_through_ = one, alpha_ = zero;
-        tables_ = {};
+        facets_ = {};
         from_ = to_ = UInt8{};
     }
     void set(uint32_t lane, const PlasticBsdf& bsdf)
@@ -42,7 +42,7 @@ public:
         set_lane(base_, k, {base.r, base.g, base.b});
         set_lane(specular_, k, {specular.r, specular.g, specular.b});
         eta_[k] = coat.eta, alpha_[k] = coat.alpha, mean_through_[k] = coat.mean_through;
-        tables_[k / 4][k % 4] = coat.table;
+        facets_[k / 4][k % 4] = coat.facets;
     }
     uint32_t lanes() const { return lanes_; }  // that are plastic
 
@@ -81,8 +81,8 @@ public:
     }
 
 private:
-    using Tables = std::array<const AlbedoTable*, 4>;
-    using Coat = PlasticCoat<Float4, Tables>;
+    using Facets = std::array<AlbedoTable::Row, 4>;
+    using Coat = PlasticCoat<Float4, Facets>;
 
     // f(k, four) for as many fours as there are places; four: takes those of eight.
     template <class F>
@@ -94,7 +94,7 @@ private:
     template <class Four>
     Coat coat(const Four& four, size_t k) const
     {
-        return {four(eta_), four(alpha_), four(mean_through_), tables_[k]};
+        return {four(eta_), four(alpha_), four(mean_through_), facets_[k]};
     }
     uint32_t by_lane(Mask8 m) const { return bits(permuted(m, to_)) & lanes_; }
     BsdfValueLanes eval_lobes(const Vec3x8& wi) const
@@ -124,7 +124,7 @@ private:
     // Of each place.
     Vec3x8 base_, specular_;  // the base as it is under the coat
     Float8 eta_, alpha_, mean_through_;
-    std::array<Tables, 2> tables_;
+    std::array<Facets, 2> facets_;
     Vec3x8 wo_;
     std::array<Coat::Seen, 2> seen_;
 };
