@@ -48,7 +48,7 @@ private:
     void write_stats();
     void say_settings() const;
     void say_left_out() const;
-    void say_plan(const Renderer& renderer, const Film& film, const PathPlan& plan) const;
+    void say_plan(const Renderer& renderer, const PathPlan& plan) const;
     void say_summary() const;
     void say_dropped() const;
 
@@ -106,7 +106,7 @@ void Run::describe(const Renderer& renderer)
                       .command_line = options_.command_line,
                       .load_average = load_average()};
     const Scene& scene = renderer.scene();
-    const Profile kernel = renderer.profile(layout_of(options_.aovs));
+    const Profile kernel = renderer.profile();
     stats_.scene = {.file = options_.picture.scene.file,
                     .content_hash = prepared_.description.content_hash,
                     .triangles = scene.triangle_count(),
@@ -239,7 +239,7 @@ void Run::render(const Renderer& renderer)
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose) say_plan(renderer, film, renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) say_plan(renderer, renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (stats_.samples + stats_.counters.dropped == 0) return;
@@ -276,10 +276,10 @@ void Run::say_left_out() const
     for (const LeftOut& l : stats_.scene.left_out) print_note("  " + to_string(l));
 }
 
-void Run::say_plan(const Renderer& renderer, const Film& film, const PathPlan& plan) const
+void Run::say_plan(const Renderer& renderer, const PathPlan& plan) const
 {
     const auto open = static_cast<size_t>(std::count(plan.open.begin(), plan.open.end(), 1));
-    if (open && film.aovs.empty())
+    if (open)
         print_note(format_text("left out: camera rays of %zu of %zu squares of %u pixels, which see only sky", open,
                                plan.open.size(), plan.open_cell));
     if (!std::holds_alternative<Path>(renderer.integrator())) return;

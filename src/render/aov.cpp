@@ -122,21 +122,22 @@ AovLayout layout_of(const std::vector<Aov>& which)
 void AovListener::vertex(const State& s, const Surface& surface) const
 {
     if (s.depth != 0) return;
+    const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     if (wants(AovSum::albedo) || wants(AovSum::flat)) {
         const ShadingPoint point = scene_.shading_point(surface);
-        if (wants(AovSum::albedo)) add(sum_of(s, AovSum::albedo), albedo_at(scene_, surface.material, point));
-        if (wants(AovSum::flat)) add(sum_of(s, AovSum::flat), base_color_at(scene_, surface.material, point));
+        if (wants(AovSum::albedo)) add(sum_of(id, AovSum::albedo), albedo_at(scene_, surface.material, point));
+        if (wants(AovSum::flat)) add(sum_of(id, AovSum::flat), base_color_at(scene_, surface.material, point));
     }
-    if (wants(AovSum::normal)) add(sum_of(s, AovSum::normal), surface.ns);
-    if (wants(AovSum::position)) add(sum_of(s, AovSum::position), surface.p);
+    if (wants(AovSum::normal)) add(sum_of(id, AovSum::normal), surface.ns);
+    if (wants(AovSum::position)) add(sum_of(id, AovSum::position), surface.p);
     if (wants(AovSum::uv)) {
-        double* const uv = sum_of(s, AovSum::uv);
+        double* const uv = sum_of(id, AovSum::uv);
         uv[0] += double{surface.uv.x}, uv[1] += double{surface.uv.y};
     }
-    if (wants(AovSum::depth)) *sum_of(s, AovSum::depth) += double{surface.t};
-    if (wants(AovSum::hits)) ++*sum_of(s, AovSum::hits);
-    if (wants(AovSum::material) && w_.slots[s.slot].sample == 0) *sum_of(s, AovSum::material) = surface.material + 1.0;
+    if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{surface.t};
+    if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
+    if (wants(AovSum::material) && id.sample == 0) *sum_of(id, AovSum::material) = surface.material + 1.0;
 }
 
 void AovListener::begin_block(uint32_t first) const

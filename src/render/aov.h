@@ -36,7 +36,11 @@ public:
     }
     void ray(const State& s, const Hit&) const
     {
-        if (s.depth == 0 && film_.aov_layout.has(AovSum::samples)) ++*sum_of(s, AovSum::samples);
+        if (s.depth == 0) open_sky(w_.slots[s.slot]);
+    }
+    void open_sky(const SampleId& id) const
+    {
+        if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
     }
     void vertex(const State& s, const Surface& surface) const;
     void begin_block(uint32_t first) const;
@@ -44,9 +48,8 @@ public:
 
 private:
     // Of the sample's pixel; the film must have it.
-    double* sum_of(const State& s, AovSum sum) const
+    double* sum_of(const SampleId& id, AovSum sum) const
     {
-        const SampleId& id = w_.slots[s.slot];
         const size_t pixel = size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0);
         return &w_.aov_block[pixel * film_.aov_layout.size() + film_.aov_layout.offset(sum)];
     }

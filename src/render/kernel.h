@@ -61,7 +61,6 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
     // What every camera ray sees that meets nothing, where the plan knows such pixels.
-    constexpr bool hears_nothing = std::is_same_v<Listener, NoListener>;
     const Color sky = view.plan.open.empty() ? Color{} : counted(seen_of_open_sky(view, integrator, w), settings);
     constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
     w.slots.clear();
@@ -71,9 +70,11 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
             for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
                 for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x) {
-                    if (hears_nothing && view.plan.is_open(x, y)) {
-                        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.open_samples)
+                    if (view.plan.is_open(x, y)) {
+                        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.open_samples) {
                             count({x, y, i}, sky);
+                            listener.open_sky({x, y, i});
+                        }
                         continue;
                     }
                     for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) {
@@ -153,16 +154,22 @@ void render_tile(const V& view, const Accelerator& accel, const Camera& camera, 
     }
 }
 
+// render(listener) with the one that fills what the film has besides light.
+template <class Render>
+void for_listener(const Scene& scene, Film& film, const Tile& tile, Workspace& w, const Render& render)
+{
+    if (film.aovs.empty()) return render(NoListener{});
+    render(AovListener(scene, film, tile, w));
+}
+
 template <class Integrator>
 void Kernels<Integrator>::render(const View& view, const Accelerator& accel, const Camera& camera,
                                  const KernelSettings& settings, const Integrator& integrator, Film& film, Tile tile,
                                  SampleRange samples, Workspace& w, Counters& counters)
 {
-    const auto render = [&](const auto& listener) {
+    for_listener(view.scene, film, tile, w, [&](const auto& listener) {
         render_tile(view, accel, camera, settings, integrator, film, tile, samples, w, counters, listener);
-    };
-    if (film.aovs.empty()) return render(NoListener{});
-    render(AovListener(view.scene, film, tile, w));
+    });
 }
 
 template <class Integrator>

@@ -7,7 +7,7 @@
 namespace lancer {
 
 enum class Profile {
-    wide,  // eight paths at a time, see scene/wide_scene.h; of the integrator `path`, without sums for AOVs
+    wide,  // eight paths at a time, see scene/wide_scene.h; of the integrator `path`
     all,   // everything there is
 };
 inline constexpr std::array<std::string_view, 2> profile_names{"wide", "all"};

@@ -54,11 +54,7 @@ public:
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }
     const Accelerator& accelerator() const { return *accel_; }
-    // What draws films with these sums.
-    Profile profile(const AovLayout& aovs = {}) const
-    {
-        return profile_with(aovs, profile_of(scene_, settings_.integrator, settings_.kernel.profile));
-    }
+    Profile profile() const { return profile_of(scene_, settings_.integrator, settings_.kernel.profile); }
     // Never automatic.
     AccelKind accelerator_kind() const { return settings_.accel; }
 

@@ -33,8 +33,6 @@ Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::opt
     return Profile::wide;
 }
 
-Profile profile_with(const AovLayout& aovs, Profile without) { return aovs.empty() ? without : Profile::all; }
-
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings)
 {
@@ -46,13 +44,8 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                     return [&, plain = wide_scene_for(scene, concrete)](const PathPlan& plan, const Camera& camera,
                                                                         Film& film, Tile tile, SampleRange samples,
                                                                         Workspace& w, Counters& counters) {
-                        const View view{scene, plan};
-                        if (profile_with(film.aov_layout, Profile::wide) == Profile::wide)
-                            render_eight(plain->shading)(view, accel, camera, settings, concrete, *plain, film, tile,
-                                                         samples, w, counters);
-                        else
-                            Kernels<Path>::render(view, accel, camera, settings, concrete, film, tile, samples, w,
-                                                  counters);
+                        render_eight(plain->shading)(View{scene, plan}, accel, camera, settings, concrete, *plain, film,
+                                                     tile, samples, w, counters);
                     };
             return [&](const PathPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters) {

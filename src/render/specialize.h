@@ -14,9 +14,6 @@ using TileKernel = std::function<void(const PathPlan&, const Camera&, Film&, Til
 // The version of the kernel that draws a complete scene: the plainest that covers it, or the one that is asked for.
 Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted = {});
 
-// The same where the film has sums for AOVs: who looks at what is hit first wants to see it one by one.
-Profile profile_with(const AovLayout& aovs, Profile without);
-
 // All references must outlive the kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings);

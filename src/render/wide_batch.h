@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "core/frame.h"
 #include "core/warp.h"
@@ -37,6 +38,7 @@ public:
           settings_(settings),
           path_(integrator.path),
           scene_(integrator.scene),
+          pixel_spread_(camera.pixel_spread()),
           w_(w),
           now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
@@ -57,7 +59,8 @@ public:
         for (uint32_t first = 0; first < w.slots.size(); first += float_lanes) send_from(camera, width, first);
         counters.camera_rays += w.slots.size();
     }
-    void trace()
+    template <class Listener>
+    void trace(const Listener& listener)
     {
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             if (depth_ > 0) counters_.bounce_rays += now_.size();
@@ -70,6 +73,8 @@ public:
                 const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
                 accel_.closest(now_.rays().subspan(first, n), hits,
                                depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
+                if constexpr (!std::is_same_v<Listener, NoListener>)
+                    if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
                 fetch_shading(view_.scene, hits);
                 for (size_t i = first; i < first + n; i += float_lanes) shade(i);
             }
@@ -105,6 +110,8 @@ private:
     };
 
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
+    template <class Listener>
+    void tell_of_camera_rays(const Listener& listener, size_t first, std::span<const Hit> hits) const;
     void shade(size_t first);
     // What is known of triangles besides Vertices.
     struct Placed {
@@ -186,6 +193,7 @@ private:
     const KernelSettings& settings_;
     const Path& path_;
     const WideScene& scene_;
+    const float pixel_spread_;
     Workspace& w_;
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
@@ -204,7 +212,7 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
 {
     const size_t n = std::min<size_t>(float_lanes, w_.slots.size() - first);
     Lanes path{};
-    if constexpr (looks_up) path.spread = all_lanes(camera.pixel_spread());
+    if constexpr (looks_up) path.spread = all_lanes(pixel_spread_);
     const Float8 one = all_lanes(1.0f);
     if constexpr (any) path.eta_scale = one, path.so_far = UInt8{} + was_specular;
     path.throughput = {one, one, one};
@@ -228,6 +236,22 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
     }
     now_.push((1u << n) - 1, std::span(rays).first(n), path);
     give_keys(now_, (1u << n) - 1, path, 0, Dim::hole);
+}
+
+// What listeners hear of a sample before it is shaded. Ray i is that of slot i.
+template <Shading shading>
+template <class Listener>
+inline void WideBatch<shading>::tell_of_camera_rays(const Listener& listener, size_t first,
+                                                    std::span<const Hit> hits) const
+{
+    State s;
+    s.cone = {0, pixel_spread_};
+    for (size_t i = 0; i < hits.size(); ++i) {
+        s.slot = static_cast<uint32_t>(first + i);
+        s.ray = now_.rays()[first + i];
+        listener.ray(s, hits[i]);
+        if (hits[i]) listener.vertex(s, view_.surface_at(s.ray, hits[i], s.cone));
+    }
 }
 
 template <Shading shading>
@@ -287,13 +311,13 @@ inline void WideBatch<shading>::give_keys(PackedStates<Of>& sent, uint32_t lanes
     for_bits(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, path.sample[i]); });
 }
 
-// See render/batch.h.
-template <Shading shading>
+// See render/batch.h. The listener hears of what camera rays meet alone.
+template <Shading shading, class Listener>
 inline void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                         const KernelSettings& settings, const WidePath<shading>& integrator, Workspace& w,
-                        Counters& counters, const NoListener&)
+                        Counters& counters, const Listener& listener)
 {
-    WideBatch<shading>(view, accel, camera, width, settings, integrator, w, counters).trace();
+    WideBatch<shading>(view, accel, camera, width, settings, integrator, w, counters).trace(listener);
 }
 
 }  // namespace lancer

@@ -90,6 +90,7 @@ struct Workspace {
 // one hears nothing, at no cost.
 struct NoListener {
     void ray(const State&, const Hit&) const {}
+    void open_sky(const SampleId&) const {}  // in place of ray(): nothing would be hit
     void vertex(const State&, const Surface&) const {}
     void added(const State&, Color) const {}
     void shadow(const Ray&, Color, bool) const {}

@@ -269,21 +269,36 @@ TEST_P(AovsSamePixels, WhicheverAreAsked)
     });
 }
 
-// What the light tells needs nobody who looks at what is hit first: the kernel is the one without AOVs.
-TEST(Aovs, OfTheLightAloneLeaveTheKernel)
+// Whoever looks at what is hit first has nothing traced that would not be without them.
+TEST(Aovs, TraceNoRaysOfTheirOwn)
 {
-    SceneDescription d = half_a_wall();
-    const Renderer renderer(build_scene(d), {});
-    ASSERT_EQ(renderer.profile(), Profile::wide);
-    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::samples})), Profile::wide);
-    EXPECT_EQ(renderer.profile(layout_of({Aov::variance, Aov::depth})), Profile::all);
+    const SceneDescription d = half_a_wall();
     RenderRequest r;
-    const auto rays = [&](const std::vector<Aov>& which) {
+    const auto counted = [&](const std::vector<Aov>& which) {
         r.aovs = which;
-        return render(d, r).counters.camera_rays;
+        const Counters c = render(d, r).counters;
+        return std::array{c.camera_rays, c.open_samples, c.bounce_rays, c.shadow_rays};
     };
-    EXPECT_EQ(rays({Aov::variance, Aov::samples}), rays({}));
-    EXPECT_LT(rays({}), rays({Aov::mask})) << "the open sky is traced for those who look at it";
+    ASSERT_GT(counted({})[1], 0u) << "no square of open sky";
+    EXPECT_EQ(counted(all_aovs()), counted({}));
+    const Film film = render(d, r).film;
+    for (size_t i = 0; i < film.pixels.size(); ++i)
+        EXPECT_EQ(film.whole_aov(i, film.aov_layout.offset(AovSum::samples)), film.whole(i).n);
+}
+
+// The loop over eight paths at a time tells of the same surfaces as the loop for all.
+TEST(Aovs, OfEightAtATimeAreThoseOfTheLoopForAll)
+{
+    uint32_t wide = 0;
+    for (const NamedScene& scene : all_test_scenes()) {
+        RenderRequest r;
+        r.aovs = all_aovs();
+        wide += Renderer(build_scene(scene.description), r.settings).profile() == Profile::wide;
+        const auto chosen = planes_of(scene.description, r);
+        r.settings.kernel.profile = Profile::all;
+        EXPECT_TRUE(same(chosen, planes_of(scene.description, r))) << scene.name;
+    }
+    EXPECT_GE(wide, 3u);
 }
 
 }  // namespace
