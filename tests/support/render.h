@@ -25,6 +25,7 @@ struct RenderRequest {
     std::vector<Aov> aovs{};
     RenderSettings settings{};
     RasterSource images = test_picture;
+    bool traces_open_sky = false;  // also the camera rays that are left out where they meet nothing; one thread
 };
 
 struct Rendered {
@@ -41,9 +42,20 @@ inline Rendered render(const SceneDescription& d, const RenderRequest& r)
         const Renderer renderer(build_scene(d, r.images), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
         const std::vector<Tile> tiles = make_tiles(out.film.crop, r.tile);
+        const auto pass = [&](SampleRange samples) {
+            if (!r.traces_open_sky) return renderer.pass(camera, out.film, tiles, samples).counters;
+            PathPlan plan = renderer.plan(camera, r.width, r.height);
+            plan.open.clear();
+            const TileKernel kernel =
+                make_tile_kernel(renderer.scene(), renderer.accelerator(), r.settings.integrator, r.settings.kernel);
+            Workspace w;
+            Counters counters;
+            for (const Tile& tile : tiles) kernel(plan, camera, out.film, tile, samples, w, counters);
+            return counters;
+        };
         uint32_t begin = 0;
         for (const uint32_t n : r.spp) {
-            out.counters += renderer.pass(camera, out.film, tiles, {begin, begin + n}).counters;
+            out.counters += pass({begin, begin + n});
             begin += n;
         }
     });
