@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
 #include "core/frame.h"
@@ -11,7 +12,7 @@
 #include "materials/material.h"
 #include "materials/plastic_lanes.h"
 #include "render/workspace.h"
-#include "scene/light_tree.h"
+#include "scene/light_choice.h"
 #include "scene/triangle_place.h"
 #include "scene/wide_light.h"
 
@@ -136,9 +137,17 @@ private:
         return offset_origin(lane(v.others.p, i), lane(v.others.p_error, i), n, -n);
     }
     uint32_t asks_for_light(const Vertices& v) const;
+    // Which lights lanes sample.
+    struct Lamps {
+        std::array<uint32_t, float_lanes> ids{};
+        Vec2x8 u;                             // for a point on them
+        std::optional<Float8> probability{};  // of the choice, if not that by power
+        const Float8* choice() const { return probability ? &*probability : nullptr; }
+    };
+    Lamps choose_lamps(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u) const;
     LightSampleLanes sample_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
     LightSampleLanes sample_even_sky(const Vertices& v, const Vec2x8& u) const;
-    LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
+    LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const Lamps& lamps);
     void sample_direct(const Vertices& v);
     void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;
     void scatter(Vertices& v);

@@ -101,65 +101,75 @@ inline LightSampleLanes WideBatch<shading>::sample_even_sky(const Vertices& v, c
     return s;
 }
 
-// View::sample_light() where lights are of several kinds. Where they are few, lanes that choose lights of the same kind
-// sample them together; the others go one after the other.
+// Where lights are few, a part of the first number of the point chooses; else one of their own.
 template <Shading shading>
-inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking,
-                                                             const AddressLanes& address, const Vec2x8& u)
+inline typename WideBatch<shading>::Lamps WideBatch<shading>::choose_lamps(const Vertices& v, uint32_t asking,
+                                                                           const AddressLanes& address,
+                                                                           const Vec2x8& u) const
+{
+    const LightTable& lights = view_.scene.lights;
+    if (lights.pick.stretches()) {
+        const Discrete::StretchedLanes chosen = lights.pick.stretch(u.x);
+        return {.ids = chosen.index, .u = {chosen.u, u.y}};
+    }
+    const Float8 number = address.get1(v.path.sample);
+    std::array<double, float_lanes> numbers;
+    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
+    const auto choices = choose_lights(lights, v.origin, v.ns, numbers, asking);
+    Lamps lamps{.u = u, .probability = Float8{}};
+    for (uint32_t i = 0; i < float_lanes; ++i)
+        lamps.ids[i] = choices[i].light, (*lamps.probability)[i] = choices[i].probability;
+    return lamps;
+}
+
+// View::sample_light() where lights are of several kinds. Lanes that choose lights of the same kind sample them
+// together; the others go one after the other.
+template <Shading shading>
+inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking, const Lamps& lamps)
 {
     using Lamp = WideScene::Lamp;
     const Scene& scene = view_.scene;
-    const Discrete& pick = scene.lights.pick;
-    const bool stretches = pick.stretches();
+    const Float8* const choice = lamps.choice();
     LightSampleLanes s{};
-    Discrete::StretchedLanes chosen{};
     uint32_t through = 0, one_by_one = asking;
     if constexpr (any) through = v.others.transmits;
-    Float8 number{};
-    if (!stretches) {
-        number = address.get1(v.path.sample);
-    } else {
-        chosen = pick.stretch(u.x);
-        const Vec2x8 stretched{chosen.u, u.y};
-        const auto choosing = [&](Lamp lamp) {
-            uint32_t lanes = 0;
-            for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.lamps[chosen.index[i]] == lamp} << i;
-            return lanes & asking;
-        };
-        const auto take = [&](uint32_t lanes, const LightSampleLanes& from) {
-            one_by_one &= ~lanes;
-            s = select(lanes_of(lanes), from, s);
-        };
-        if (const uint32_t lanes = samples_sky_ ? choosing(Lamp::even_sky) : 0; lanes != 0)
-            take(lanes, sample_even_sky(v, stretched));
-        // What lies behind a surface that lets light through is for the others.
-        const auto take_lamps = [&](uint32_t lanes, LightSampleLanes from) {
-            from.found &= ~(dot(from.wi, v.n) <= Float8{});
-            take(lanes, from);
-        };
-        if (const uint32_t lanes = scene_.balls.empty() ? 0 : choosing(Lamp::ball) & ~through; lanes != 0) {
-            const LightSampleLanes balls = sample_balls(scene_, chosen.index, v.origin, stretched);
-            take_lamps(lanes & bits(balls.found), balls);
-        }
-        if (const uint32_t lanes = scene_.lights.empty() ? 0 : choosing(Lamp::triangle) & ~through; lanes != 0)
-            take_lamps(lanes, sample_triangles(scene_, chosen.index, v.origin, stretched));
+    if (choice) one_by_one &= bits(*choice > Float8{});
+    const auto choosing = [&](Lamp lamp) {
+        uint32_t lanes = 0;
+        for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.lamps[lamps.ids[i]] == lamp} << i;
+        return lanes & one_by_one;
+    };
+    const auto take = [&](uint32_t lanes, const LightSampleLanes& from) {
+        one_by_one &= ~lanes;
+        s = select(lanes_of(lanes), from, s);
+    };
+    if (const uint32_t lanes = samples_sky_ ? choosing(Lamp::even_sky) : 0; lanes != 0)
+        take(lanes, sample_even_sky(v, lamps.u));
+    // What lies behind a surface that lets light through is for the others.
+    const auto take_lamps = [&](uint32_t lanes, LightSampleLanes from) {
+        from.found &= ~(dot(from.wi, v.n) <= Float8{});
+        take(lanes, from);
+    };
+    if (const uint32_t lanes = scene_.balls.empty() ? 0 : choosing(Lamp::ball) & ~through; lanes != 0) {
+        const LightSampleLanes balls = sample_balls(scene_, lamps.ids, v.origin, lamps.u, choice);
+        take_lamps(lanes & bits(balls.found), balls);
     }
+    if (const uint32_t lanes = scene_.lights.empty() ? 0 : choosing(Lamp::triangle) & ~through; lanes != 0)
+        take_lamps(lanes, sample_triangles(scene_, lamps.ids, v.origin, lamps.u, choice));
     if (one_by_one == 0) return s;
     uint32_t found = bits(s.found), infinite = bits(s.infinite), delta = 0;
     Surface from{};
     for_bits(one_by_one, [&](uint32_t i) {
-        const uint32_t bit = 1u << i;
+        const uint32_t bit = 1u << i, id = lamps.ids[i];
         from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
         if constexpr (any) from.p = lane(v.others.p, i), from.p_error = lane(v.others.p_error, i);
         const bool both_sides = (through & bit) != 0;
-        const auto light = stretches
-                               ? sample_chosen_light(scene, from, chosen.index[i], {chosen.u[i], u.y[i]}, both_sides)
-                               : lancer::sample_light(scene, from, number[i], {u.x[i], u.y[i]}, both_sides);
+        const auto light = sample_given_light(scene, from, id, {lamps.u.x[i], lamps.u.y[i]}, both_sides);
         if (!light) return;
         const Color& radiance = light->radiance;
         set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);
         set_lane(s.n, i, light->n), set_lane(s.radiance, i, {radiance.r, radiance.g, radiance.b});
-        s.pdf[i] = light->pdf;
+        s.pdf[i] = light->pdf * (choice ? (*choice)[i] : scene.lights.pick.probability(id));
         found |= bit;
         if (light->infinite) infinite |= bit;
         if (light->delta) delta |= bit;
@@ -173,28 +183,12 @@ template <Shading shading>
 inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint32_t asking,
                                                          const AddressLanes& address, const Vec2x8& u)
 {
-    bool one_by_one = looks_up && !scene_.has_triangles_only;
-    if constexpr (any) one_by_one |= (asking & v.others.transmits) != 0;
+    const Lamps lamps = choose_lamps(v, asking, address, u);
+    bool of_kinds = looks_up && !scene_.has_triangles_only;
+    if constexpr (any) of_kinds |= (asking & v.others.transmits) != 0;
     if constexpr (looks_up)
-        if (one_by_one) return sample_any_light(v, asking, address, u);
-    const Discrete& pick = view_.scene.lights.pick;
-    if (pick.stretches()) {
-        const Discrete::StretchedLanes chosen = pick.stretch(u.x);
-        return sample_triangles(scene_, chosen.index, v.origin, {chosen.u, u.y});
-    }
-    const Float8 number = address.get1(v.path.sample);
-    std::array<uint32_t, float_lanes> ids{};
-    if (!view_.scene.lights.tree) {
-        for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = pick.sample(lengthened(number[i], Vec2{u.x[i], u.y[i]}));
-        return sample_triangles(scene_, ids, v.origin, u);
-    }
-    std::array<double, float_lanes> numbers;
-    for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
-    std::array<LightTree::Choice, float_lanes> choices{};
-    view_.scene.lights.tree->choose(v.origin, v.ns, numbers, v.hit, choices);
-    Float8 probability{};
-    for (uint32_t i = 0; i < float_lanes; ++i) ids[i] = choices[i].light, probability[i] = choices[i].probability;
-    return sample_triangles(scene_, ids, v.origin, u, &probability);
+        if (of_kinds) return sample_any_light(v, asking, lamps);
+    return sample_triangles(scene_, lamps.ids, v.origin, lamps.u, lamps.choice());
 }
 
 // Lanes in which light is sampled. See samples_light(); where nothing goes back along the path, none is.

@@ -4,7 +4,7 @@
 #include "core/warp.h"
 #include "scene/environment.h"
 #include "scene/holes.h"
-#include "scene/light_tree.h"
+#include "scene/light_choice.h"
 #include "scene/scene.h"
 #include "scene/sphere_light.h"
 #include "scene/surface.h"
@@ -149,38 +149,12 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
     return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, any);
 }
 
-LightTree::Choice choose_light(const LightTable& table, const Surface& from, double u)
-{
-    if (!table.tree) {
-        const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(u);
-        return {id, table.pick.probability(id)};
-    }
-    for (const uint32_t id : table.far) {
-        const float probability = table.pick.probability(id);
-        const auto p = static_cast<double>(probability);
-        if (u < p) return {id, probability};
-        u -= p;
-    }
-    if (!(table.tree_share > 0)) return {};
-    LightTree::Choice c = table.tree->choose(from.origin, from.ns, std::min(u / table.tree_share, 1 - 0x1p-53));
-    c.probability *= static_cast<float>(table.tree_share);
-    return c;
-}
-
-// With which it would have been chosen from there.
-float probability_of(const LightTable& table, uint32_t id, Vec3 from, Vec3 normal)
-{
-    if (!table.tree) return table.pick.probability(id);
-    if (!(table.tree_share > 0)) return 0;
-    return table.tree->probability(id, from, normal) * static_cast<float>(table.tree_share);
-}
-
 }  // namespace
 
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
     if (scene.lights.pick.empty()) return {};
-    const auto [id, probability] = choose_light(scene.lights, from, lengthened(pick, u));
+    const auto [id, probability] = choose_light(scene.lights, from.origin, from.ns, lengthened(pick, u));
     if (!(probability > 0)) return {};
     auto s = sample_given_light(scene, from, id, u, through);
     if (s) s->pdf *= probability;

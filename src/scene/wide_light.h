@@ -54,9 +54,9 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
     return s;
 }
 
-// A point on a sphere as seen from `origin`; found where that is outside of it.
+// A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
 inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                     const Vec3x8& origin, const Vec2x8& u)
+                                     const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
 {
     std::array<const WideScene::Row*, float_lanes> radiance;
     LightSampleLanes s;
@@ -79,8 +79,8 @@ inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<ui
     s.found = lanes_of(~(bits(inside[0]) | bits(inside[1]) << double_lanes) & 255);
     s.wi = joined(low.wi, high.wi), s.point = joined(low.point, high.point), s.n = joined(low.n, high.n);
     s.p_error = sphere_point_error(rounding, s.point);
-    const auto [color, probability] = turned(radiance);
-    s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * probability;
+    const auto [color, by_power] = turned(radiance);
+    s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * (choice ? *choice : by_power);
     return s;
 }
 

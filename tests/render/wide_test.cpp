@@ -209,6 +209,21 @@ SceneDescription balls_of_light()
                                            make_emitter("plain", {30, 20, 10}))));
     return d;
 }
+// One that hardly shines beside the others, and is chosen by a number of its own.
+SceneDescription a_dim_ball_more()
+{
+    SceneDescription d = balls_of_light();
+    d.lights.push_back(light_of(LightType::sphere, {0.01f, 0.02f, 0.01f}, {0.5, 1.5, 1}, 0.1));
+    return d;
+}
+// So many that a tree chooses, but whether it is the sky.
+SceneDescription many_balls()
+{
+    SceneDescription d = balls_of_light();
+    for (int i = 0; i < 80; ++i)
+        d.lights.push_back(light_of(LightType::sphere, {1, 0.5f, 0.2f}, {0.05 * i - 2, 1.6, 1}, 0.02));
+    return d;
+}
 SceneDescription inside_a_ball()
 {
     SceneDescription d = balls_of_light();
@@ -256,6 +271,8 @@ std::vector<Case> cases()
             {"materials, tree", materials_under_lamps(50)},
             {"materials, lights", materials_and_many_lights()},
             {"balls", balls_of_light()},
+            {"a dim ball more", a_dim_ball_more()},
+            {"many balls", many_balls()},
             {"inside a ball", inside_a_ball()},
             {"points", points_of_light()},
             {"smooth materials", smooth_materials()},
@@ -268,6 +285,10 @@ TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
     EXPECT_FALSE(build_scene(cases()[2].scene).lights.tree);
     EXPECT_FALSE(build_scene(all_lights()).lights.tree);
     EXPECT_TRUE(build_scene(balls_of_light()).lights.pick.stretches());
+    EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.pick.stretches());
+    EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.tree);
+    EXPECT_TRUE(build_scene(many_balls()).lights.tree);
+    EXPECT_FALSE(build_scene(many_balls()).lights.far.empty());
     const std::vector<WideScene::Lamp> lamps = WideScene::of(build_scene(balls_of_light()))->lamps;
     for (const auto lamp :
          {WideScene::Lamp::triangle, WideScene::Lamp::ball, WideScene::Lamp::even_sky, WideScene::Lamp::other})
