@@ -143,9 +143,8 @@ int main(int argc, char** argv)
     return run_program(
         argc, argv, "bench_limit",
         "Traces the rays of real renders again, by lancer's accelerator and by nothing but Embree, and draws the "
-        "scenes "
-        "with a bare path tracer where it can.\nThe share of a row is its CPU time over that of the render; the nearer "
-        "to 1, the less is left to gain.",
+        "scenes with a bare path tracer where it can.\nThe share of a row is its CPU time over that of the render; the "
+        "nearer to 1, the less is left to gain.",
         [](const Options& options, Report& report) {
             lancer::with_threads(options.threads, [&] {
                 for (const BenchScene& scene : choose_scenes(options)) measure_scene(scene, options, report);

@@ -36,17 +36,18 @@ public:
     }
     void ray(const State& s, const Hit&) const
     {
-        if (s.depth == 0) open_sky(w_.slots[s.slot]);
+        if (s.depth == 0) count(w_.slots[s.slot]);
     }
-    void open_sky(const SampleId& id) const
-    {
-        if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
-    }
+    void open_sky(const SampleId& id) const { count(id); }
     void vertex(const State& s, const Surface& surface) const;
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
 
 private:
+    void count(const SampleId& id) const
+    {
+        if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
+    }
     // Of the sample's pixel; the film must have it.
     double* sum_of(const SampleId& id, AovSum sum) const
     {

@@ -74,9 +74,9 @@ public:
                 const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
                 accel_.closest(now_.rays().subspan(first, n), hits,
                                depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
+                fetch_shading(view_.scene, hits);
                 if constexpr (!std::is_same_v<Listener, NoListener>)
                     if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
-                fetch_shading(view_.scene, hits);
                 for (size_t i = first; i < first + n; i += float_lanes) shade(i);
             }
             add_unoccluded();

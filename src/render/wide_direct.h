@@ -115,10 +115,14 @@ inline typename WideBatch<shading>::Lamps WideBatch<shading>::choose_lamps(const
     const Float8 number = address.get1(v.path.sample);
     std::array<double, float_lanes> numbers;
     for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = lengthened(number[i], Vec2{u.x[i], u.y[i]});
-    const auto choices = choose_lights(lights, v.origin, v.ns, numbers, asking);
-    Lamps lamps{.u = u, .probability = Float8{}};
-    for (uint32_t i = 0; i < float_lanes; ++i)
-        lamps.ids[i] = choices[i].light, (*lamps.probability)[i] = choices[i].probability;
+    Lamps lamps{.u = u};
+    if (!lights.tree) {
+        for (uint32_t i = 0; i < float_lanes; ++i) lamps.ids[i] = lights.pick.sample(numbers[i]);
+        return lamps;
+    }
+    const auto choices = choose_by_tree(lights, v.origin, v.ns, numbers, asking);
+    Float8& probability = lamps.probability.emplace();
+    for (uint32_t i = 0; i < float_lanes; ++i) lamps.ids[i] = choices[i].light, probability[i] = choices[i].probability;
     return lamps;
 }
 

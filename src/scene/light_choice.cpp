@@ -6,12 +6,6 @@
 namespace lancer {
 namespace {
 
-LightTree::Choice by_power(const LightTable& table, double u)
-{
-    const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(u);
-    return {id, table.pick.probability(id)};
-}
-
 // One that is infinitely far away; else of u what is left for the tree, in [0, 1).
 std::optional<LightTree::Choice> far_away(const LightTable& table, double& u)
 {
@@ -30,22 +24,21 @@ std::optional<LightTree::Choice> far_away(const LightTable& table, double& u)
 
 LightTree::Choice choose_light(const LightTable& table, Vec3 place, Vec3 normal, double u)
 {
-    if (!table.tree) return by_power(table, u);
+    if (!table.tree) {
+        const uint32_t id = table.pick.size() == 1 ? 0 : table.pick.sample(u);
+        return {id, table.pick.probability(id)};
+    }
     if (const auto far = far_away(table, u)) return *far;
     LightTree::Choice c = table.tree->choose(place, normal, u);
     c.probability *= static_cast<float>(table.tree_share);
     return c;
 }
 
-std::array<LightTree::Choice, float_lanes> choose_lights(const LightTable& table, const Vec3x8& places,
-                                                         const Vec3x8& normals,
-                                                         const std::array<double, float_lanes>& u, uint32_t lanes)
+std::array<LightTree::Choice, float_lanes> choose_by_tree(const LightTable& table, const Vec3x8& places,
+                                                          const Vec3x8& normals,
+                                                          const std::array<double, float_lanes>& u, uint32_t lanes)
 {
     std::array<LightTree::Choice, float_lanes> choices{};
-    if (!table.tree) {
-        for_bits(lanes, [&](uint32_t i) { choices[i] = by_power(table, u[i]); });
-        return choices;
-    }
     std::array<double, float_lanes> rest = u;
     uint32_t near = lanes;
     for_bits(lanes, [&](uint32_t i) {

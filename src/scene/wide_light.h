@@ -26,10 +26,10 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
             chosen(yes.delta, no.delta)};
 }
 
-// A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability, if
-// not by power alone.
+// A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
+// if by power alone.
 inline LightSampleLanes sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                         const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
+                                         const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
 {
     using L = WideScene::Light;
     const auto rows = [&](WideScene::Row L::*which) {
@@ -56,7 +56,7 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
 
 // A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
 inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                     const Vec3x8& origin, const Vec2x8& u, const Float8* choice = nullptr)
+                                     const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
 {
     std::array<const WideScene::Row*, float_lanes> radiance;
     LightSampleLanes s;
