@@ -92,13 +92,16 @@ TEST(LeftOut, PixelsOfOpenSkyHaveTheirBitsUntraced)
                 r.spp = {3, 2};
                 r.settings.integrator = integrator;
                 r.settings.kernel.stop = stop;
+                const Rendered light = render(d, r);
                 r.aovs = all_aovs();
                 const Rendered some = render(d, r);
                 r.traces_open_sky = true;
                 const Rendered all = render(d, r);
+                EXPECT_TRUE(same_bits(light.film, all.film)) << name;
                 EXPECT_TRUE(same_bits(some.film, all.film)) << name;
                 EXPECT_EQ(some.film.aovs, all.film.aovs) << name;
                 EXPECT_EQ(some.film.open_aovs, all.film.open_aovs) << name;
+                EXPECT_EQ(light.counters.open_samples, some.counters.open_samples) << name;
                 EXPECT_EQ(some.counters.camera_rays + some.counters.open_samples, all.counters.camera_rays) << name;
                 EXPECT_EQ(all.counters.open_samples, 0u) << name;
                 untraced += some.counters.open_samples;
