@@ -133,8 +133,6 @@ double ImageTexture::picture_v(double v) const
     return v * static_cast<double>(use_.scale.y) + static_cast<double>(use_.offset.y);
 }
 
-Color ImageTexture::adjusted(Color c) const { return c * use_.gain + Color{use_.bias, use_.bias, use_.bias}; }
-
 Color ImageTexture::eval(Vec2d uv, Footprint footprint) const
 {
     const Detail d = detail(footprint.width);
@@ -169,9 +167,9 @@ Vec2 ImageTexture::slope(Vec2d uv, float width) const
     return {s.x * use_.gain * sign_of(use_.scale.x), s.y * use_.gain * sign_of(use_.scale.y)};
 }
 
-Color ShadingPoint::eval(uint32_t texture) const
+void ShadingPoint::look_up(uint32_t texture, Color& color) const
 {
-    return std::visit([&](const auto& t) { return t.eval(uv, footprint()); }, textures[texture]);
+    std::visit([&](const auto& t) { color = t.eval(uv, footprint()); }, textures[texture]);
 }
 
 }  // namespace lancer

@@ -59,7 +59,7 @@ private:
     Detail detail(float width) const;
     double picture_u(double u) const;
     double picture_v(double v) const;
-    Color adjusted(Color c) const;
+    Color adjusted(Color c) const { return c * use_.gain + Color{use_.bias, use_.bias, use_.bias}; }
 
     ImageUse use_;
     std::shared_ptr<const MipPyramid> pyramid_;
@@ -116,8 +116,15 @@ struct ShadingPoint {
     // Of a boundary: index behind the geometric normal over index in front of it. said: by the material itself.
     float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }
 
-    // Out of line: it would stand in the kernel once for each parameter of each material, and most have no texture.
-    Color eval(uint32_t texture) const;
+    // Out of line: it would stand in the kernel once for each parameter of each material, and most have no texture. Not
+    // returned: what comes in registers by twos was written by ones, and would have to wait for that.
+    void look_up(uint32_t texture, Color& color) const;
+    Color eval(uint32_t texture) const
+    {
+        Color color;
+        look_up(texture, color);
+        return color;
+    }
     Footprint footprint() const { return {uv_width, uv_along}; }
     // The same place, to be looked up in full resolution.
     ShadingPoint finest() const
