@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <type_traits>
 
 #include "core/half.h"
 
@@ -133,11 +134,11 @@ double ImageTexture::picture_v(double v) const
     return v * static_cast<double>(use_.scale.y) + static_cast<double>(use_.offset.y);
 }
 
-Color ImageTexture::eval(Vec2d uv, Footprint footprint) const
+void ImageTexture::look_up(Vec2d uv, Footprint footprint, Color& color) const
 {
     const Detail d = detail(footprint.width);
     const double u = wrapped(picture_u(uv.x), use_.wrap), v = wrapped(picture_v(uv.y), use_.wrap);
-    return adjusted(with_texels(*pyramid_, use_.wrap, [&](const auto& texels) {
+    color = adjusted(with_texels(*pyramid_, use_.wrap, [&](const auto& texels) {
         const Color fine = texels.bilinear(d.level, u, v);
         return d.next == 0 ? fine : mix(fine, texels.bilinear(d.level + 1, u, v), d.next);
     }));
@@ -169,7 +170,13 @@ Vec2 ImageTexture::slope(Vec2d uv, float width) const
 
 void ShadingPoint::look_up(uint32_t texture, Color& color) const
 {
-    std::visit([&](const auto& t) { color = t.eval(uv, footprint()); }, textures[texture]);
+    const auto look = [&]<class T>(const T& t) {
+        if constexpr (std::is_same_v<T, ImageTexture>)
+            t.look_up(uv, footprint(), color);
+        else
+            color = t.eval(uv, footprint());
+    };
+    std::visit(look, textures[texture]);
 }
 
 }  // namespace lancer

@@ -33,7 +33,14 @@ public:
     ImageTexture(const Raster& raster, const ImageUse& use);
     // uv: of the surface. Averaged over the square of the footprint's width, 0 for the finest level, also where it is
     // longer. A uv that is not finite gives some colour of the picture.
-    Color eval(Vec2d uv, Footprint footprint) const;
+    Color eval(Vec2d uv, Footprint footprint) const
+    {
+        Color color;
+        look_up(uv, footprint, color);
+        return color;
+    }
+    // The same, not returned: see ShadingPoint::look_up().
+    void look_up(Vec2d uv, Footprint footprint, Color& color) const;
     // Of the first channel, per texel of the finest level, towards +u and +v of the surface: a difference over one
     // texel of the level that the footprint asks for.
     Vec2 slope(Vec2d uv, float width) const;
