@@ -86,9 +86,10 @@ T length(Vec3T<T> a)
 {
     return std::sqrt(dot(a, a));
 }
-// The zero vector gives NaN; callers that can meet it check first.
+// The zero vector gives NaN; callers that can meet it check first. Always inlined: not all calls were, and what is
+// handed over and returned in memory is waited for.
 template <class T>
-Vec3T<T> normalize(Vec3T<T> a)
+[[gnu::always_inline]] inline Vec3T<T> normalize(Vec3T<T> a)
 {
     return a * (1 / length(a));
 }
