@@ -28,10 +28,11 @@ Between between(double x, uint32_t n, Wrap wrap)
 {
     const double place = x * n - 0.5, cell = std::floor(place);
     const auto i = static_cast<int64_t>(cell);  // -1 to n - 1
-    const bool repeats = wrap == Wrap::repeat;
-    const size_t last = n - 1;
-    return {.first = i < 0 ? (repeats ? last : 0) : static_cast<size_t>(i),
-            .second = i + 1 < int64_t{n} ? static_cast<size_t>(i + 1) : (repeats ? 0 : last),
+    // Of all bits or none: branches on them would be foretold wrongly.
+    const int64_t last = int64_t{n} - 1, before = i >> 63, behind = (last - i - 1) >> 63;
+    const int64_t behind_last = wrap == Wrap::repeat ? 0 : last, before_first = last - behind_last;
+    return {.first = static_cast<size_t>((i & ~before) | (before_first & before)),
+            .second = static_cast<size_t>(((i + 1) & ~behind) | (behind_last & behind)),
             .t = static_cast<float>(place - cell)};
 }
 

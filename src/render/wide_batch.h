@@ -54,6 +54,7 @@ public:
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
+        if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
         w.hits.reserve(most);
         w.occluded.reserve(most);
         now_.clear();
@@ -127,7 +128,9 @@ private:
     static Placed place_nowhere(Vertices& v);
     void look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
     void bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v);
-    static void take_other(uint32_t i, const AnyBsdf& bsdf, Vertices& v);
+    void take_fixed(uint32_t lanes, uint32_t front, Vertices& v);
+    template <class B>
+    void take_own(uint32_t i, const B& bsdf, Vertices& v);
     template <class At>
     void take_each(uint32_t lanes, Vertices& v, const At& at);
     // Where a ray starts that leaves on the other side.

@@ -63,20 +63,22 @@ inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits,
 {
     // Triangles that are drawn as they are; of these, those that are not tilted; and of these, those of which nothing
     // is to be looked up.
-    uint32_t drawn = 0, straight = 0, fixed = 0;
+    WideScene::Facts of_drawn;
     for_bits(v.hit, [&](uint32_t i) {
         const Hit& hit = hits[i];
-        if (hit.kind != Kind::triangle || hit.instance != Hit::no_instance) return;
-        drawn |= 1u << i;
-        straight |= uint32_t{!scene_.tilts[v.material[i]]} << i;
-        if (scene_.fixed[v.material[i]].is && view_.scene.shading[hit.geometry].colors.empty()) fixed |= 1u << i;
+        if (hit.kind == Kind::triangle && hit.instance == Hit::no_instance)
+            of_drawn.add(i, scene_.of_drawn[v.material[i]]);
     });
+    const uint32_t drawn = of_drawn.lanes(WideScene::is_drawn), straight = of_drawn.lanes(WideScene::is_straight);
+    uint32_t fixed = of_drawn.lanes(WideScene::is_fixed);
+    if (scene_.has_colors)
+        for_bits(fixed, [&](uint32_t i) {
+            if (!view_.scene.shading[hits[i].geometry].colors.empty()) fixed &= ~(1u << i);
+        });
     const Placed placed = drawn != 0 ? place_drawn(drawn, hits, wo, v) : place_nowhere(v);
     if constexpr (any) {
-        v.others.lanes = v.others.only_delta = v.others.transmits = 0;
-        v.others.plastic.clear();
         bend_back(straight, wo, v);
-        for_bits(fixed, [&](uint32_t i) { take_other(i, scene_.fixed[v.material[i]].bsdf[placed.front >> i & 1], v); });
+        take_fixed(fixed, placed.front, v);
     }
     if (v.hit == fixed) return;
     take_each(straight & ~fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
@@ -109,24 +111,42 @@ inline void WideBatch<shading>::bend_back(uint32_t lanes, const Vec3x8& wo, Vert
     });
 }
 
+// The first that are taken. Of which kind each is cannot be foretold: what all have in common is done for all eight.
 template <Shading shading>
-inline void WideBatch<shading>::take_other(uint32_t i, const AnyBsdf& bsdf, Vertices& v)
+inline void WideBatch<shading>::take_fixed(uint32_t lanes, uint32_t front, Vertices& v)
 {
-    if (std::holds_alternative<LambertBsdf>(bsdf)) return;
-    const uint32_t bit = 1u << i;
-    v.others.bsdf[i] = &bsdf;
-    v.others.lanes |= bit;
-    if (const auto* plastic = std::get_if<PlasticBsdf>(&bsdf)) {
-        v.others.plastic.set(i, *plastic);
-        if (plastic->only_delta()) v.others.only_delta |= bit;
-        return;
+    Others& others = v.others;
+    others.lanes = others.only_delta = others.transmits = 0;
+    others.plastic.clear();
+    if (lanes == 0) return;
+    WideScene::Facts facts;
+    for (uint32_t i = 0; i < float_lanes; ++i) {
+        const WideScene::Fixed& fixed = scene_.fixed[v.material[i]];
+        const uint32_t side = front >> i & 1;
+        others.bsdf[i] = &fixed.bsdf[side];
+        facts.add(i, fixed.facts[side]);
     }
-    std::visit(
-        [&](const auto& b) {
-            if (b.only_delta()) v.others.only_delta |= bit;
-            if (b.transmits()) v.others.transmits |= bit;
-        },
-        bsdf);
+    others.lanes = lanes & facts.lanes(WideScene::is_other);
+    others.only_delta = lanes & facts.lanes(WideScene::is_only_delta);
+    others.transmits = lanes & facts.lanes(WideScene::is_open);
+    for_bits(lanes & facts.lanes(WideScene::is_plastic),
+             [&](uint32_t i) { others.plastic.set(i, *std::get_if<PlasticBsdf>(others.bsdf[i])); });
+}
+
+// One that is not Lambert's.
+template <Shading shading>
+template <class B>
+inline void WideBatch<shading>::take_own(uint32_t i, const B& bsdf, Vertices& v)
+{
+    Others& others = v.others;
+    own_[i] = bsdf;
+    others.bsdf[i] = &own_[i];
+    WideScene::Facts facts;
+    facts.add(i, facts_of(bsdf));
+    others.lanes |= facts.lanes(WideScene::is_other);
+    others.only_delta |= facts.lanes(WideScene::is_only_delta);
+    others.transmits |= facts.lanes(WideScene::is_open);
+    if constexpr (std::is_same_v<B, PlasticBsdf>) others.plastic.set(i, bsdf);
 }
 
 // The materials of places: at(i, number, take) gives that of lane i to take(bsdf); number() chooses of a mix.
@@ -145,7 +165,7 @@ inline void WideBatch<shading>::take_each(uint32_t lanes, Vertices& v, const At&
                 if constexpr (std::is_same_v<B, LambertBsdf>)
                     albedo = bsdf.albedo;
                 else if constexpr (any)
-                    take_other(i, own_[i] = bsdf, v);
+                    take_own(i, bsdf, v);
             });
         set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b});
     });

@@ -164,7 +164,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     spoil(lanes & ~traceable, v.path.slot);
     next_.push(lanes & traceable, origin, wi, no_end, v.path);
     give_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::hole);
-    if (keeps_normals_) for_bits(lanes & traceable, [&](uint32_t i) { w_.wide.normals_next.push_back(lane(v.ns, i)); });
+    if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
 }
 
 // With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.

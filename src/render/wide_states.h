@@ -62,6 +62,31 @@ private:
     std::array<std::vector<uint32_t>, registers> numbers_;
 };
 
+// Vectors that go with them.
+class PackedVectors {
+public:
+    void clear() { count_ = 0; }
+    // As of PackedStates.
+    void reserve(size_t most)
+    {
+        for (auto& n : numbers_)
+            if (n.size() < most + float_lanes) n.resize(most + float_lanes);
+    }
+    void push(uint32_t wanted, const Vec3x8& v)
+    {
+        const Packing packing(wanted);
+        packing.store(&numbers_[0][count_], v.x);
+        packing.store(&numbers_[1][count_], v.y);
+        packing.store(&numbers_[2][count_], v.z);
+        count_ += static_cast<size_t>(std::popcount(wanted));
+    }
+    Vec3 operator[](size_t i) const { return {numbers_[0][i], numbers_[1][i], numbers_[2][i]}; }
+
+private:
+    size_t count_ = 0;
+    std::array<std::vector<float>, 3> numbers_;
+};
+
 struct PathLanes {
     Vec3x8 throughput, worth;  // as in State
     Float8 pdf;
@@ -95,7 +120,7 @@ struct WideWorkspace {
     std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
-    std::vector<Vec3> normals_now, normals_next;
+    PackedVectors normals_now, normals_next;
 };
 
 }  // namespace lancer

@@ -47,8 +47,15 @@ public:
         if (marks_.empty()) return corners_.empty() || corners_[triangle][0] == none ? nullptr : &corners_[triangle];
         const Mark& m = marks_[triangle / 64];
         if (!m.has(triangle)) return nullptr;
-        const uint64_t below = m.which & ((uint64_t{1} << triangle % 64) - 1);
-        return &corners_[m.before + static_cast<uint32_t>(std::popcount(below))];
+        return &corners_[m.number(triangle)];
+    }
+    // What find() gives, or that of another triangle where there is none: found without a branch, to be asked for early.
+    // Only of a table that is not empty.
+    const Corners* guess(uint32_t triangle) const
+    {
+        if (marks_.empty()) return &corners_[triangle];
+        const Mark& m = marks_[triangle / 64];
+        return &corners_[m.has(triangle) * m.number(triangle)];
     }
     // In the order of their triangles, to be renumbered or turned round; `none` stays what it is.
     std::vector<Corners>& all() { return corners_; }
@@ -60,6 +67,11 @@ private:
         uint64_t which = 0;
         uint32_t before = 0;
         bool has(uint32_t triangle) const { return which >> triangle % 64 & 1; }
+        uint32_t number(uint32_t triangle) const
+        {
+            const uint64_t below = which & ((uint64_t{1} << triangle % 64) - 1);
+            return before + static_cast<uint32_t>(std::popcount(below));
+        }
     };
     std::vector<Corners> corners_;
     std::vector<Mark> marks_;  // empty: nearly all triangles have corners, and there is an entry for each; or none has

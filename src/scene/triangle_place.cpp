@@ -124,7 +124,7 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
         if (!s.face_material.empty()) prefetch(&s.face_material[triangle]);
         if (!s.emitter_rank.empty()) prefetch(&s.emitter_rank[triangle]);
         if (!s.normals.empty()) prefetch(&s.normal_triangles[triangle]);
-        if (const auto* corners = s.uv_triangles.find(triangle)) prefetch(corners);
+        if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(triangle));
     });
     for_meshes([](const MeshShading& s, uint32_t triangle) {
         const auto fetch = [](const auto& list, const auto& corners) {
@@ -132,7 +132,7 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
         };
         if (!s.normals.empty() && s.normal_triangles[triangle][0] != MeshData::no_normal)
             fetch(s.normals, s.normal_triangles[triangle]);
-        if (const auto* corners = s.uv_triangles.find(triangle)) fetch(s.uvs, *corners);
+        if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
     });
 }
 

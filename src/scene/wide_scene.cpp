@@ -70,9 +70,11 @@ WideScene::Fixed fixed_of(const Scene& scene, size_t material)
     const bool is_mix = !scene.mix_of.empty() && scene.mix_of[material] != Scene::none;
     if (traits.reads_uv || traits.tilts() || is_mix) return {};
     WideScene::Fixed fixed{.is = true};
-    for (const bool front : {false, true})
+    for (const bool front : {false, true}) {
         fixed.bsdf[front] =
             std::visit([&](const auto& m) { return AnyBsdf(m.at({.front = front})); }, scene.materials[material]);
+        fixed.facts[front] = std::visit([](const auto& bsdf) { return facts_of(bsdf); }, fixed.bsdf[front]);
+    }
     return fixed;
 }
 
@@ -90,9 +92,11 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
         d.shines.push_back(!scene.emission[i].is_dark());
-        d.tilts.push_back(scene.traits[i].tilts());
-        if (d.shading != Shading::plain) d.fixed.push_back(fixed_of(scene, i));
+        if (d.shading == Shading::plain) continue;
+        d.fixed.push_back(fixed_of(scene, i));
+        d.of_drawn.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) | (d.fixed[i].is ? is_fixed : 0));
     }
+    for (const MeshShading& s : scene.shading) d.has_colors |= !s.colors.empty();
     for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));
     d.lights = rows_of<Light>(d.lamps, Lamp::triangle, [&](uint32_t id) { return table_of(scene, id); });
     d.balls = rows_of<Ball>(d.lamps, Lamp::ball, [&](uint32_t id) { return ball_of(scene, id); });

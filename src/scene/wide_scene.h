@@ -20,6 +20,18 @@ enum class Shading {
 };
 
 struct WideScene {
+    // What is said of one place, gathered for eight without a branch: said << i is ORed for place i, after which byte k
+    // has the places of which the k-th fact is true.
+    struct Facts {
+        uint32_t said = 0;
+        void add(uint32_t i, uint32_t facts) { said |= facts << i; }
+        uint32_t lanes(uint32_t fact) const { return said / fact & 255; }
+    };
+    // Of triangles.
+    static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8, is_fixed = 1u << 16;  // no map tilts it; Fixed::is
+    // Of BSDFs.
+    static constexpr uint32_t is_other = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16, is_open = 1u << 24;
+
     struct alignas(16) Row {
         float x = 0, y = 0, z = 0, w = 0;
     };
@@ -61,13 +73,15 @@ struct WideScene {
     struct Fixed {
         bool is = false;  // if not, it asks for the place
         std::array<AnyBsdf, 2> bsdf{};
+        std::array<uint32_t, 2> facts{};  // facts_of() these
     };
 
     Shading shading = Shading::plain;  // the least that it takes
     std::vector<Row> albedo;           // of each material, before anything is looked up
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
-    std::vector<uint8_t> tilts;        // of each material, whether a map tilts it
+    std::vector<uint32_t> of_drawn;    // of each material, facts of triangles of it that are drawn as they are
     std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do
+    bool has_colors = false;           // of vertices
     std::vector<Lamp> lamps;           // parallel to Scene::lights
     std::vector<Light> lights;         // so, too, if some are triangles
     std::vector<Ball> balls;           // so, too, if some are balls
@@ -76,6 +90,16 @@ struct WideScene {
     // Nothing if the scene is not so plain.
     static std::optional<WideScene> of(const Scene& scene);
 };
+
+// What there is to know of a BSDF besides what it is asked: whether it is not Lambert's, whether it is plastic, has only
+// delta lobes, lets light through.
+template <Bsdf B>
+uint32_t facts_of(const B& bsdf)
+{
+    if constexpr (std::is_same_v<B, LambertBsdf>) return 0;
+    return WideScene::is_other | (std::is_same_v<B, PlasticBsdf> ? WideScene::is_plastic : 0) |
+           (bsdf.only_delta() ? WideScene::is_only_delta : 0) | (bsdf.transmits() ? WideScene::is_open : 0);
+}
 
 inline RowLanes turned(const std::array<const WideScene::Row*, float_lanes>& rows)
 {
