@@ -10,9 +10,17 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/lanes.h"
+
 namespace lancer {
 
 class AlbedoTable {
+    // Nodes are numbers of few leading bits, four to each power of two: the scale on which losses change is that of
+    // cos / alpha, near grazing, and that of cos elsewhere. Below the first node its values hold.
+    static constexpr uint32_t bits_below_node = 21;
+    static constexpr float least_cos = 0x1p-12f, least_row = 0x1p-14f;
+    static constexpr uint32_t cosines = 49, rows = 57;
+
 public:
     // Of a perfect reflector; built on first use, for everyone.
     static const AlbedoTable& white();
@@ -23,9 +31,9 @@ public:
     class Row {
     public:
         Row() = default;
-        explicit operator bool() const { return losses_ != nullptr; }
+        explicit operator bool() const { return losses_ != none.data(); }
         // L, where F(cos) (1 - L) is the directional albedo and F the reflectance of the smooth surface; in [0, 1] for
-        // a perfect reflector, and then 1 - albedo. cos in (0, 1]. Only of a row that is one.
+        // a perfect reflector, and then 1 - albedo. cos in (0, 1]. 0 of a row that is none.
         float loss(float cos) const
         {
             const Cell c = cell(cos, least_cos, cosines);
@@ -33,13 +41,36 @@ public:
             const float low = at(losses_ + c.index), high = at(losses_ + cosines + c.index);
             return low + part_ * (high - low);
         }
+        // Of four rows, each at its own cosine.
+        static Float4 losses(const std::array<Row, 4>& rows, Float4 cos)
+        {
+            const Float4 x = max(min(cos, _mm_set1_ps(1)), _mm_set1_ps(least_cos));
+            const auto of_all = [](uint32_t n) { return _mm_set1_epi32(static_cast<int>(n)); };
+            const __m128i offset = _mm_sub_epi32(_mm_castps_si128(x), of_all(std::bit_cast<uint32_t>(least_cos)));
+            const __m128i index = _mm_min_epu32(_mm_srli_epi32(offset, bits_below_node), of_all(cosines - 2));
+            const __m128i rest = _mm_sub_epi32(offset, _mm_slli_epi32(index, bits_below_node));
+            const Float4 part = _mm_cvtepi32_ps(rest) * (1.0f / (uint32_t{1} << bits_below_node));
+            alignas(16) std::array<uint32_t, 4> first;
+            _mm_store_si128(reinterpret_cast<__m128i*>(first.data()), index);
+            const auto ends = [&](size_t i) {
+                const float* low = rows[i].losses_ + first[i];
+                const __m128 two = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(low)));
+                return _mm_loadh_pi(two, reinterpret_cast<const __m64*>(low + cosines));
+            };
+            __m128 a = ends(0), b = ends(1), c = ends(2), d = ends(3);
+            _MM_TRANSPOSE4_PS(a, b, c, d);
+            const Float4 low = a + part * (b - a), high = c + part * (d - c);
+            return low + Float4{rows[0].part_, rows[1].part_, rows[2].part_, rows[3].part_} * (high - low);
+        }
 
     private:
         friend AlbedoTable;
         Row(const float* losses, float part) : losses_(losses), part_(part) {}
 
-        const float* losses_ = nullptr;  // of two alphas, the second's behind the first's
-        float part_ = 0;                 // how far alpha is on the way from the first to the second
+        static constexpr std::array<float, 2 * cosines> none{};
+
+        const float* losses_ = none.data();  // of two alphas, the second's behind the first's
+        float part_ = 0;                     // how far alpha is on the way from the first to the second
     };
     // alpha: in (0, 1].
     Row row(float alpha) const
@@ -60,11 +91,6 @@ private:
     template <class F>
     void fill(const F& reflectance);
 
-    // Nodes are numbers of few leading bits, four to each power of two: the scale on which losses change is that of
-    // cos / alpha, near grazing, and that of cos elsewhere. Below the first node its values hold.
-    static constexpr uint32_t bits_below_node = 21;
-    static constexpr float least_cos = 0x1p-12f, least_row = 0x1p-14f;
-    static constexpr uint32_t cosines = 49, rows = 57;
     static constexpr float node(float least, uint32_t i)
     {
         return std::bit_cast<float>(std::bit_cast<uint32_t>(least) + (i << bits_below_node));

@@ -8,13 +8,11 @@
 
 namespace lancer {
 
-// What facets lose, in each lane; 0 where there is none.
-inline float loss_of(const AlbedoTable::Row& row, float cos) { return row ? row.loss(cos) : 0; }
+// What facets lose, in each lane.
+inline float loss_of(const AlbedoTable::Row& row, float cos) { return row.loss(cos); }
 inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
 {
-    Float4 loss{};
-    for (size_t i = 0; i < rows.size(); ++i) loss[i] = loss_of(rows[i], cos[i]);
-    return loss;
+    return AlbedoTable::Row::losses(rows, cos);
 }
 
 // T: float or several of them. Facets: of the coat, AlbedoTable::Row or as many of them, none where alpha is 0.

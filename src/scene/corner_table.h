@@ -49,8 +49,8 @@ public:
         if (!m.has(triangle)) return nullptr;
         return &corners_[m.number(triangle)];
     }
-    // What find() gives, or that of another triangle where there is none: found without a branch, to be asked for early.
-    // Only of a table that is not empty.
+    // What find() gives, or that of another triangle where there is none: found without a branch, to be asked for
+    // early. Only of a table that is not empty.
     const Corners* guess(uint32_t triangle) const
     {
         if (marks_.empty()) return &corners_[triangle];
