@@ -3,6 +3,7 @@
 // split_builder.h and collapse.h.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/prefetch.h"
@@ -19,17 +20,24 @@ public:
     // Throws Error (failed) where there are too many triangles for one tree.
     explicit Bvh8(const TriangleSet& triangles);
 
+    // Says where the last triangle was found that counts: a Bvh8Place.
     template <class Found>
-    void closest(const Ray& ray, float& t_max, const Found& found) const
+    Bvh8Place closest(const Ray& ray, float& t_max, const Found& found) const
     {
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
-        Bvh8NearStack stack;
+        std::array<Bvh8Entry, bvh8_stack_size> entries;
+        Bvh8NearStack stack(entries.data());
         uint32_t nearest_yet = UINT32_MAX;
         float reach = t_max * beyond;
         Float8 reach8 = all_lanes(reach);
-        Bvh8Child next;
-        do {
+        Bvh8Child last;
+        Bvh8Child next = begin(ray, [&](const Bvh8Node& n, uint32_t but) {
+            Float8 near;
+            const uint32_t met = node_ray.meets(n, reach8, near);
+            stack.push_all(n, met & but, near);
+        });
+        for (; !next.is_none(); next = stack.pop(reach)) {
             while (!next.is_leaf()) {
                 const Bvh8Node& n = node(next);
                 Float8 near;
@@ -37,13 +45,15 @@ public:
                 if (met) {
                     next = stack.push(n, met, near);
                     if (met & (met - 1)) fetch(stack.following());
-                } else if (!stack.pop(reach, next))
-                    return;
+                } else if ((next = stack.pop(reach)).is_none())
+                    return place_of(last);
             }
             if (!closest_in(leaf(next), leaf_ray, t_max, nearest_yet, found)) continue;
+            last = next;
             reach = t_max * beyond;
             reach8 = all_lanes(reach);
-        } while (stack.pop(reach, next));
+        }
+        return place_of(last);
     }
 
     template <class Found>
@@ -51,34 +61,69 @@ public:
     {
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
-        Bvh8AnyStack stack;
+        std::array<uint32_t, bvh8_stack_size> entries;
+        Bvh8AnyStack stack(entries.data());
         const Float8 reach = all_lanes(ray.t_max * beyond);
-        Bvh8Child next;
-        do {
+        Float8 near;
+        for (Bvh8Child next; !next.is_none(); next = stack.pop()) {
             while (!next.is_leaf()) {
                 const Bvh8Node& n = node(next);
-                Float8 near;
                 const uint32_t met = node_ray.meets(n, reach, near);
                 if (met) {
                     next = stack.push(n, met);
                     if (met & (met - 1)) fetch(stack.following());
-                } else if (!stack.pop(next))
+                } else if ((next = stack.pop()).is_none())
                     return false;
             }
             if (any_in(leaf(next), leaf_ray, ray.t_max, found)) return true;
-        } while (stack.pop(next));
+        }
         return false;
     }
 
-    uint64_t bytes() const { return tree_.bytes; }
+    uint64_t bytes() const { return tree_.bytes + tree_.place_of_leaf.size() * sizeof(Bvh8Place); }
     double sah_cost() const { return tree_.sah_cost; }
     // Nodes from the root to the deepest one; at most max_split_depth + 1.
     int depth() const { return tree_.depth; }
 
 private:
+    friend class Bvh8Turns;
+
     // A box begins a few roundings nearer or farther than what is in it.
     static constexpr float beyond = 1 + gamma(10);
 
+    // Where a search begins: at the root, or in the leaf where the ray starts; then all nodes that this hangs on, of
+    // which each leaves what else of it is met, are passed from the root on. They can be known before the first is
+    // looked at, so that none waits for another. pass(node, lanes but that of the next one)
+    template <class Pass>
+    [[gnu::always_inline]] Bvh8Child begin(const Ray& ray, const Pass& pass) const
+    {
+        const Bvh8Place at(ray.start);
+        if (at.is_none()) return {};
+        const auto pass_one = [&](Bvh8Place p) [[gnu::always_inline]] { pass(node(p.node()), ~(1u << p.child())); };
+        const auto& way = node(at.node()).way;
+        size_t length = 0;
+        while (length < way.size() && !way[length].is_none()) ++length;
+        if (length == way.size()) [[unlikely]]
+            pass_above(way.back(), pass);
+        while (length-- > 0) pass_one(way[length]);
+        pass_one(at);
+        return Bvh8Child(node(at.node()).children[at.child()]);
+    }
+    // The same of all that a place hangs on.
+    template <class Pass>
+    [[gnu::noinline]] void pass_above(Bvh8Place place, const Pass& pass) const
+    {
+        const auto& way = node(place.node()).way;
+        size_t length = 0;
+        while (length < way.size() && !way[length].is_none()) ++length;
+        if (length == way.size()) pass_above(way.back(), pass);
+        while (length-- > 0) pass(node(way[length].node()), ~(1u << way[length].child()));
+    }
+    // Of a leaf; none of the root.
+    Bvh8Place place_of(Bvh8Child c) const
+    {
+        return c.is_leaf() ? tree_.place_of_leaf[c.leaf_offset() / Bvh8Layout::grain] : Bvh8Place::none();
+    }
     const Bvh8Node& node(Bvh8Child c) const
     {
         return *reinterpret_cast<const Bvh8Node*>(tree_.memory.get() + c.node_offset() * Bvh8Child::unit);
@@ -88,6 +133,7 @@ private:
         return {reinterpret_cast<const Bvh8Leaf*>(tree_.memory.get() + c.leaf_offset() * Bvh8Child::unit), c.blocks()};
     }
 
+    void fetch_place_of(Bvh8Child c) const { prefetch(&tree_.place_of_leaf[c.leaf_offset() / Bvh8Layout::grain]); }
     // What is visited next but one is asked for early.
     void fetch(Bvh8Child c) const
     {

@@ -78,9 +78,13 @@ public:
         if (units > Bvh8Child::max_offset) throw Error(ErrorKind::failed, {}, "too many triangles for one tree");
         out_.bytes = units * Bvh8Child::unit;
         out_.memory = RawArray<std::byte>(out_.bytes);
+        out_.place_of_leaf.resize(units / Bvh8Layout::grain + 1);
         for (size_t i = 0; i < top; ++i) {
             size_t next = list[i].first_child;
-            write(plan(list[i].node), list[i], list[i].sums, [&](uint32_t) { return list[next++].offset; });
+            write(plan(list[i].node), list[i], list[i].sums, [&](uint32_t, Bvh8Place place) {
+                list[next].way = way_through(place, list[i].way);
+                return list[next++].offset;
+            });
         }
         each_other([&](Part& p) { write_all(p, p.sums); });
         for (const Part& p : list) {
@@ -97,6 +101,7 @@ private:
         int depth;
         size_t first_child = 0;  // in the list, of nodes of the top
         uint64_t units = 0, offset = 0;
+        std::array<Bvh8Place, 8> way{};
         Sums sums{};
     };
 
@@ -141,12 +146,13 @@ private:
         return units;
     }
 
-    // Writes a node and its leaves; inner(child) tells where each other child lies, asked in order.
+    // Writes a node and its leaves; inner(child, its place) tells where each other child lies, asked in order.
     template <class Inner>
     void write(const Plan& p, const Part& part, Sums& sums, const Inner& inner)
     {
         auto& n = *new (at(part.offset)) Bvh8Node;
         make_empty(n);
+        n.way = part.way;
         sums.cost += area(part.node);
         sums.depth = std::max(sums.depth, part.depth);
         uint64_t next = part.offset + node_units;
@@ -157,11 +163,13 @@ private:
                 n.planes[2 * axis][k] = box.lower[static_cast<int>(axis)];
                 n.planes[2 * axis + 1][k] = box.upper[static_cast<int>(axis)];
             }
+            const Bvh8Place place(part.offset, k);
             if (!c.is_leaf) {
-                n.children[k] = Bvh8Child::node(inner(c.node)).bits();
+                n.children[k] = Bvh8Child::node(inner(c.node, place)).bits();
                 continue;
             }
             n.children[k] = Bvh8Child::leaf(next, c.numbers.blocks()).bits();
+            out_.place_of_leaf[next / Bvh8Layout::grain] = place;
             for (uint32_t i = 0; i < c.numbers.blocks(); ++i, next += leaf_units) write_leaf(c.numbers, i, next);
             sums.cost += area(c.node) * c.numbers.count;
         }
@@ -171,9 +179,10 @@ private:
     {
         const Plan p = plan(part.node);
         uint64_t end = part.offset + p.units;
-        write(p, part, sums, [&](uint32_t child) {
+        write(p, part, sums, [&](uint32_t child, Bvh8Place place) {
             const uint64_t offset = end;
-            end = write_all({.node = child, .depth = part.depth + 1, .offset = offset}, sums);
+            end = write_all(
+                {.node = child, .depth = part.depth + 1, .offset = offset, .way = way_through(place, part.way)}, sums);
             return offset;
         });
         return end;
@@ -191,6 +200,13 @@ private:
                         is_there ? tree_.triangles[numbers.of[i]][corner][static_cast<int>(axis)] : NAN;
         }
     }
+    using Way = decltype(Bvh8Node::way);
+    static Way way_through(Bvh8Place place, const Way& way)
+    {
+        Way longer{place};
+        std::copy(way.begin(), way.end() - 1, longer.begin() + 1);
+        return longer;
+    }
     std::byte* at(uint64_t offset) { return out_.memory.get() + offset * Bvh8Child::unit; }
 
     const SplitTree& tree_;
@@ -203,7 +219,8 @@ private:
 Bvh8Layout lay_out(const SplitTree& tree)
 {
     if (!tree.empty()) return Layout(tree).build();
-    Bvh8Layout out{RawArray<std::byte>(sizeof(Bvh8Node)), sizeof(Bvh8Node)};
+    Bvh8Layout out;
+    out.memory = RawArray<std::byte>(out.bytes = sizeof(Bvh8Node));
     make_empty(*new (out.memory.get()) Bvh8Node);
     return out;
 }

@@ -2,6 +2,8 @@
 // behind it, what lies below its other children after that.
 #pragma once
 
+#include <vector>
+
 #include "core/raw_array.h"
 #include "geometry/bvh8_leaf.h"
 #include "geometry/bvh8_node.h"
@@ -11,6 +13,10 @@ namespace lancer {
 
 struct Bvh8Layout {
     RawArray<std::byte> memory;
+    // Of each leaf where it hangs: at its offset in `grain`s, of which no two leaves share one.
+    std::vector<Bvh8Place> place_of_leaf;
+    static constexpr uint64_t grain = sizeof(Bvh8Node) / Bvh8Child::unit;
+    static_assert(sizeof(Bvh8Leaf) >= sizeof(Bvh8Node));
     uint64_t bytes = 0;
     double sah_cost = 0;  // as of TriangleTree
     int depth = 0;        // nodes from the root to the deepest one

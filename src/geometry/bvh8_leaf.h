@@ -19,7 +19,8 @@ struct alignas(32) Bvh8Leaf {
 // What of a ray all leaves share.
 class LeafRay {
 public:
-    explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(ray)
+    LeafRay() = default;
+    explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(&ray)
     {
         const Float4 org = (*order_)(org_and_t_min(ray)), dir = (*order_)(dir_and_t_max(ray));
         _mm_store_ps(org_.data(), org);
@@ -30,7 +31,8 @@ public:
 
     // Bit i: triangle i is met in [t_min, t_max], at distance t[i].
     // known: the number of a triangle met at t_max, which may be left out; or none of the leaf's.
-    uint32_t meets(const Bvh8Leaf& leaf, float t_max, uint32_t known, std::array<float, 8>& t) const
+    [[gnu::always_inline]] uint32_t meets(const Bvh8Leaf& leaf, float t_max, uint32_t known,
+                                          std::array<float, 8>& t) const
     {
         const auto corner = [&](size_t k) {
             const auto along = [&](size_t axis) { return coordinate(leaf, k, axis) - all_lanes(org_[axis]); };
@@ -59,8 +61,8 @@ private:
     // Of the lanes those that meet their planes in [t_min, t_max]. In float by differences of the corners, which are
     // almost exact; where its own bound of the error is too wide for that, or the place too close to where the ray
     // starts (the plane of a needle errs by more than rays start off it), in double.
-    uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, float t_max, uint32_t known,
-                    std::array<float, 8>& t) const
+    [[gnu::always_inline]] uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, float t_max,
+                                           uint32_t known, std::array<float, 8>& t) const
     {
         const auto side = [&](size_t to, size_t axis) {
             return coordinate(leaf, to, axis) - coordinate(leaf, 0, axis);
@@ -77,9 +79,9 @@ private:
         const Float8 error =
             gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * all_lanes(std::abs(dir_[2])));
         const Float8 low = distance - error, high = distance + error, reach = all_lanes(t_max);
-        lanes &= ~(bits(high < all_lanes(ray_.t_min)) | bits(low > reach));
+        lanes &= ~(bits(high < all_lanes(ray_->t_min)) | bits(low > reach));
         _mm256_storeu_ps(t.data(), distance);
-        uint32_t met = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_.t_min)) & (high < reach));
+        uint32_t met = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_->t_min)) & (high < reach));
         if (uint32_t unsure = lanes & ~met) {
             unsure &= ~bits_eq(leaf.numbers, known);  // of a triangle with parts in several leaves
             met |= decide(leaf, unsure, t_max, t);
@@ -97,7 +99,7 @@ private:
     const AxisOrder* order_;
     alignas(16) std::array<float, 4> org_, dir_, slope_;  // along those; slope: dir as dir along the third is 1
     float sz_;                                            // 1 / dir along the third
-    const Ray& ray_;
+    const Ray* ray_;
 };
 
 }  // namespace lancer

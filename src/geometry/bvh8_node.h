@@ -24,7 +24,11 @@ public:
         return Bvh8Child(leaf_bit | static_cast<uint32_t>(offset << 2) | (blocks - 1));
     }
 
+    // Where nothing is left to visit.
+    static Bvh8Child none() { return Bvh8Child(~leaf_bit); }
+
     bool is_leaf() const { return (bits_ & leaf_bit) != 0; }
+    bool is_none() const { return bits_ == ~leaf_bit; }
     uint64_t node_offset() const { return bits_; }
     uint64_t leaf_offset() const { return (bits_ & ~leaf_bit) >> 2; }
     uint32_t blocks() const { return (bits_ & 3) + 1; }
@@ -35,13 +39,47 @@ private:
     uint32_t bits_ = 0;
 };
 
+// One of the eight of a node.
+class Bvh8Place {
+public:
+    Bvh8Place() = default;
+    explicit Bvh8Place(uint32_t bits) : bits_(bits) {}
+    Bvh8Place(uint64_t node_offset, size_t child) : bits_(static_cast<uint32_t>(node_offset << 3 | child)) {}
+
+    static Bvh8Place none() { return {}; }
+    bool is_none() const { return bits_ == UINT32_MAX; }
+    Bvh8Child node() const { return Bvh8Child::node(bits_ >> 3); }
+    uint32_t child() const { return bits_ & 7; }
+    uint32_t bits() const { return bits_; }
+
+private:
+    uint32_t bits_ = UINT32_MAX;  // offsets are less than 2^29, and no node is the last that there could be
+};
+
 // The children come in the order of any_hit_order.h; those that there are not, last, have empty boxes.
 struct alignas(32) Bvh8Node {
     std::array<std::array<float, 8>, 6> planes;  // lower and upper x, then y, then z
     std::array<uint32_t, 8> children;            // bits of Bvh8Child
+    // Where it hangs, then where that hangs, and so on; then none. Of a deeper node only the first ones, and the last
+    // of them tells the rest.
+    std::array<Bvh8Place, 8> way;
 };
 
-// What of a ray all nodes share.
+// Bit i: child i is met in [t_min, t_max]; near: where it begins, at least +0. Ray: one of those below.
+template <class Ray>
+[[gnu::always_inline]] inline uint32_t meets_children(const Ray& ray, const Bvh8Node& node, Float8 t_max, Float8& near)
+{
+    const auto at = [&](size_t plane, size_t k, Float8 inverse) {
+        return (load8(node.planes[plane].data()) - ray.org(k)) * inverse;
+    };
+    const auto first = [&](size_t k) { return at(ray.near_plane(k), k, ray.inverse(k)); };
+    const auto last = [&](size_t k) { return at(ray.near_plane(k) ^ 1, k, ray.far_inverse(k)); };
+    const Float8 x0 = first(0), x1 = last(0), y0 = first(1), y1 = last(1), z0 = first(2), z1 = last(2);
+    near = max(max(x0, y0), max(z0, ray.t_min()));
+    return bits_le(near, min(min(x1, y1), min(z1, t_max)));
+}
+
+// What of a ray all nodes share, in registers.
 class NodeRay {
 public:
     explicit NodeRay(const Ray& ray)
@@ -58,23 +96,49 @@ public:
         t_min_ = all_lanes(ray.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
     }
 
-    // Bit i: child i is met in [t_min, t_max]; near: where it begins, at least +0.
-    uint32_t meets(const Bvh8Node& node, Float8 t_max, Float8& near) const
+    Float8 org(size_t k) const { return org_[k]; }
+    Float8 inverse(size_t k) const { return inverse_[k]; }
+    Float8 far_inverse(size_t k) const { return far_inverse_[k]; }
+    size_t near_plane(size_t k) const { return near_[k]; }
+    Float8 t_min() const { return t_min_; }
+    [[gnu::always_inline]] uint32_t meets(const Bvh8Node& node, Float8 t_max, Float8& near) const
     {
-        const auto at = [&](size_t plane, size_t k, Float8 inverse) {
-            return (load8(node.planes[plane].data()) - org_[k]) * inverse;
-        };
-        const Float8 x0 = at(near_[0], 0, inverse_[0]), x1 = at(near_[0] ^ 1, 0, far_inverse_[0]);
-        const Float8 y0 = at(near_[1], 1, inverse_[1]), y1 = at(near_[1] ^ 1, 1, far_inverse_[1]);
-        const Float8 z0 = at(near_[2], 2, inverse_[2]), z1 = at(near_[2] ^ 1, 2, far_inverse_[2]);
-        near = max(max(x0, y0), max(z0, t_min_));
-        return bits_le(near, min(min(x1, y1), min(z1, t_max)));
+        return meets_children(*this, node, t_max, near);
     }
 
 private:
     std::array<Float8, 3> org_, inverse_, far_inverse_;
     std::array<size_t, 3> near_;  // which planes are the near ones
     Float8 t_min_;
+};
+
+// The same in one line of memory.
+class alignas(64) NodeRayInMemory {
+public:
+    NodeRayInMemory() = default;
+    explicit NodeRayInMemory(const Ray& ray)
+    {
+        const Float4 org = org_and_t_min(ray), inverse = 1.0f / dir_and_t_max(ray);
+        const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
+        _mm_store_ps(org_and_t_min_.data(), org + Float4{});
+        _mm_store_ps(inverse_.data(), inverse);
+        _mm_store_ps(far_inverse_.data(), inverse * SlabRay::widening);
+        for (uint32_t k = 0; k < 3; ++k) near_[k] = 2 * k + (back >> k & 1);
+    }
+
+    Float8 org(size_t k) const { return all_lanes(org_and_t_min_[k]); }
+    Float8 inverse(size_t k) const { return all_lanes(inverse_[k]); }
+    Float8 far_inverse(size_t k) const { return all_lanes(far_inverse_[k]); }
+    size_t near_plane(size_t k) const { return near_[k]; }
+    Float8 t_min() const { return all_lanes(org_and_t_min_[3]); }
+    [[gnu::always_inline]] uint32_t meets(const Bvh8Node& node, Float8 t_max, Float8& near) const
+    {
+        return meets_children(*this, node, t_max, near);
+    }
+
+private:
+    alignas(16) std::array<float, 4> org_and_t_min_, inverse_, far_inverse_;
+    std::array<uint32_t, 3> near_;
 };
 
 }  // namespace lancer

@@ -9,6 +9,7 @@
 
 #include "geometry/accel.h"
 #include "geometry/binary_builder.h"
+#include "geometry/bvh8_turns.h"
 #include "geometry/object_boxes.h"
 #include "geometry/octet_tree.h"
 #include "geometry/refine_all.h"
@@ -41,12 +42,14 @@ public:
         if (!is_traceable(ray)) return false;
         return stops_at_plane(ray) || (plain_ && stops_in(*plain_, ray, ray, Hit::no_instance)) || stops_at_object(ray);
     }
-    void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence) const override
+    void closest(std::span<const Ray> rays, std::span<Hit> hits, [[maybe_unused]] Coherence coherence) const override
     {
         if constexpr (OctetTree<Tree>)
             find_by_octets(rays, hits);
+        else if constexpr (takes_turns)  // rays that go much the same way find in the caches what they visit
+            coherence == Coherence::coherent ? find_alone(rays, hits) : find_in_turns(rays, hits);
         else
-            for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
+            find_alone(rays, hits);
         refine_all(g_, rays, hits);
     }
     void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
@@ -66,6 +69,7 @@ public:
     }
 
 private:
+    static constexpr bool takes_turns = std::is_same_v<Tree, Bvh8>;
     struct Space {
         TriangleSet triangles;
         Tree tree;
@@ -78,9 +82,41 @@ private:
         Hit best;
         if (!is_traceable(ray)) return best;
         find_plane(ray, best);
-        if (plain_) find_in(*plain_, ray, ray, Hit::no_instance, best);
+        if (plain_) best.place = find_in(*plain_, ray, ray, Hit::no_instance, best);
         find_object(ray, best);
         return best;
+    }
+    void find_alone(std::span<const Ray> rays, std::span<Hit> hits) const
+    {
+        for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
+    }
+    void find_in_turns(std::span<const Ray> rays, std::span<Hit> hits) const
+    {
+        std::array<float, Bvh8Turns::most> t_max;
+        std::array<uint32_t, Bvh8Turns::most> places;
+        for (size_t first = 0; first < rays.size(); first += Bvh8Turns::most) {
+            const size_t n = std::min(Bvh8Turns::most, rays.size() - first);
+            const auto some = rays.subspan(first, n);
+            const auto best = hits.subspan(first, n);
+            for (size_t i = 0; i < n; ++i) {
+                best[i] = {};
+                places[i] = Ray::nowhere;
+                t_max[i] = -1;
+                if (!is_traceable(some[i])) continue;
+                find_plane(some[i], best[i]);
+                t_max[i] = reach(some[i], best[i]);
+            }
+            if (plain_)
+                Bvh8Turns(plain_->tree)
+                    .closest(some, std::span(t_max).first(n), places, [&](uint32_t i, uint32_t number, float t) {
+                        return asking(*plain_, some[i], Hit::no_instance, best[i])(number, t);
+                    });
+            for (size_t i = 0; i < n; ++i) {
+                if (t_max[i] < 0) continue;
+                best[i].place = places[i];
+                find_object(some[i], best[i]);
+            }
+        }
     }
     void find_by_octets(std::span<const Ray> rays, std::span<Hit> hits) const
     {
@@ -152,17 +188,24 @@ private:
     {
         if (hit && is_nearer(hit, best)) best = hit;
     }
-    // local: the ray in the space of the triangles.
-    void find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
+    // Says Hit::place, where the tree tells one. local: the ray in the space of the triangles.
+    uint32_t find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
         float t_max = reach(ray, best);
-        s.tree.closest(local, t_max, [&](uint32_t number, float t) {
+        if constexpr (takes_turns) return s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
+        s.tree.closest(local, t_max, asking(s, ray, instance, best));
+        return Ray::nowhere;
+    }
+    // What a tree asks of the triangles that it finds.
+    auto asking(const Space& s, const Ray& ray, uint32_t instance, Hit& best) const
+    {
+        return [&, instance](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
             if (!is_nearer(hit, best) || lets_pass(ray, hit)) return false;
             best = hit;
             return true;
-        });
+        };
     }
     void find_object(const Ray& ray, Hit& best) const
     {
@@ -235,6 +278,7 @@ private:
         Ray local = ray;
         local.org = to_float(m.point(to_double(ray.org)));
         local.dir = to_float(m.vector(to_double(ray.dir)));
+        local.start = Ray::nowhere;
         return local;
     }
 

@@ -16,6 +16,7 @@ inline State passed(const State& s, const Surface& surface, const MediumStack& b
 {
     State n = s;
     n.ray.org = ray_origin(surface, s.ray.dir);
+    n.ray.start = surface.start;
     n.cone.width += s.cone.spread * surface.t;
     n.specular = true;
     n.light_sampled = false;

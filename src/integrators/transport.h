@@ -158,7 +158,7 @@ bool send_on(const V& view, const State& s, State& n, const Surface& surface, co
     if (!b || is_black(b->weight)) return false;
     const Vec3 wi = normalize(frame.to_world(b->wi));
     if (!sides_agree(surface, wi, b->wi)) return false;
-    n.ray = {.org = ray_origin(surface, wi), .dir = wi};
+    n.ray = {.org = ray_origin(surface, wi), .dir = wi, .start = surface.start};
     view.give_key(n.ray, sampler, n.depth + 1, Dim::hole);
     n.throughput *= b->weight;
     if (is_black(n.throughput)) return false;

@@ -108,6 +108,7 @@ private:
         Float8 cos_o;          // between the shading normal and the way back
         Float8 width;          // of the cone, where textures are looked up
         std::array<uint32_t, float_lanes> material;
+        std::array<uint32_t, float_lanes> start;  // of rays that leave them, as in Ray
         [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
     };
 
@@ -287,6 +288,7 @@ inline void WideBatch<shading>::shade(size_t first)
         const Hit& hit = hits[which[i]];
         v.material[i] =
             looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
+        v.start[i] = hit.place;
         shining |= static_cast<uint32_t>(scene_.shines[v.material[i]]) << i;
     }
     for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });

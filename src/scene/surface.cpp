@@ -215,6 +215,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             }
         }
     }
+    s.start = hit.place;
     s.front = true;  // so far everything is said of the front
     const MaterialTraits& traits = scene.traits[s.material];
     if (tangents && traits.tilts()) {

@@ -30,6 +30,7 @@ struct Surface {
     float eta = 0;                // index beyond over index before, where the media on the ray's way tell; else 0
     Vec3 ns_front{};              // shading normal on the front side, as the shape and its maps say: not turned or bent
     Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
+    uint32_t start = Ray::nowhere;  // of rays that start there, as in Ray
 };
 
 // How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).

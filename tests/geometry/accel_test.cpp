@@ -69,7 +69,7 @@ TEST_P(AccelLaws, AnAnswerDoesNotDependOnTheBatch)
     const auto accel = GetParam()(g);
     Random random(300);
     uint64_t other = 0, total = 0;
-    for (const size_t n : {1, 3, 8, 9, 64})
+    for (const size_t n : {1, 3, 8, 9, 64, 300})
         for (const Coherence coherence : {Coherence::coherent, Coherence::incoherent})
             for (size_t batch = 0; batch < 2000 / n + 20; ++batch) {
                 std::vector<Ray> rays(n);

@@ -74,14 +74,17 @@ TEST(Bvh8, IsTheSameForAnyNumberOfThreads)
         const Bvh8Layout other = build(threads);
         ASSERT_EQ(one.bytes, other.bytes);
         EXPECT_EQ(std::memcmp(one.memory.get(), other.memory.get(), one.bytes), 0) << threads;
+        EXPECT_TRUE(std::equal(one.place_of_leaf.begin(), one.place_of_leaf.end(), other.place_of_leaf.begin(),
+                               other.place_of_leaf.end(),
+                               [](Bvh8Place a, Bvh8Place b) { return a.bits() == b.bits(); }));
         EXPECT_EQ(one.sah_cost, other.sah_cost);
         EXPECT_EQ(one.depth, other.depth);
     }
 }
 
-TEST(Bvh8, DepthIsBounded)
+// Each twice as far as the one before: the heuristic takes off a few at a time.
+Mesh long_chain()
 {
-    // Each some times as far as the one before: the heuristic takes off a few at a time.
     Mesh mesh;
     for (uint32_t i = 0; i < 180; ++i) {
         const float x = std::ldexp(1.0f, static_cast<int>(i) - 120);
@@ -89,7 +92,59 @@ TEST(Bvh8, DepthIsBounded)
         mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
     mesh.positions.emplace_back();
-    const Geometry chain = of_mesh(std::move(mesh));
+    return mesh;
+}
+
+// Rays from triangles that were hit, alone and many in turns, find what they find from the root.
+TEST(Bvh8, SearchesThatBeginOnATriangleFindTheSame)
+{
+    for (Mesh mesh : {tangle(8, 3000), to_mesh(*make_uv_sphere(100, 200)), long_chain()}) {
+        const bool is_chain = mesh.triangles.size() == 180;
+        const Geometry g = of_mesh(std::move(mesh));
+        const auto accel = make_accelerator(AccelKind::bvh8, g, "avx2");
+        Random random(11);
+        std::vector<Ray> rays;
+        std::set<uint32_t> places;
+        const auto send = [&](const Ray& from, Vec3 dir) {
+            const Hit hit = accel->closest(from);
+            if (!hit) return;
+            EXPECT_NE(hit.place, Ray::nowhere);
+            places.insert(hit.place);
+            rays.push_back({.org = from.org + from.dir * hit.t, .dir = dir, .start = hit.place});
+        };
+        for (int i = 0; i < 3000; ++i)
+            send({.org = to_float(random.point(-1.5, 1.5)), .dir = random.unit_vector()}, random.unit_vector());
+        // The boxes of all that is farther lie around each other: more of them are left than a turn has room for.
+        for (int i = -130; i < 10; ++i) {
+            const float thin = std::ldexp(1.0f, i - 2);
+            const Ray ray{.org = {std::ldexp(0.75f, i), thin, thin}, .dir = {1, 0, 0}};
+            send(ray, ray.dir);
+            if (rays.empty()) continue;
+            Ray far = rays.back();  // for what hangs high above
+            far.t_min = std::ldexp(1.0f, i + 90);
+            rays.push_back(far);
+        }
+        EXPECT_GT(places.size(), is_chain ? 10u : 100u);
+        ASSERT_GT(rays.size(), is_chain ? 100u : 500u);
+        std::vector<Hit> found(rays.size());
+        accel->closest(rays, found, Coherence::incoherent);
+        int hits = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            Ray from_root = rays[i];
+            from_root.start = Ray::nowhere;
+            const Hit alone = accel->closest(rays[i]), wanted = accel->closest(from_root);
+            EXPECT_TRUE(same_bits(alone, wanted)) << i;
+            EXPECT_TRUE(same_bits(found[i], wanted)) << i;
+            EXPECT_TRUE(!wanted || found[i].place != Ray::nowhere);
+            hits += bool{wanted};
+        }
+        EXPECT_GT(hits, 100);
+    }
+}
+
+TEST(Bvh8, DepthIsBounded)
+{
+    const Geometry chain = of_mesh(long_chain());
     const SplitTree binary = build_split_tree(all_of(chain));
     const auto depth = [&](const auto& self, uint32_t node) -> int {
         const SplitNode& n = binary.nodes[node];
@@ -174,7 +229,8 @@ TEST(Bvh8, NoneOneAndWhatIsNoTriangle)
             const Bvh8 tree(all_of(g));
             if (bad.x != huge) {
                 EXPECT_EQ(closest(tree, ray).number, 0u);
-                EXPECT_EQ(tree.bytes(), sizeof(Bvh8Node) + sizeof(Bvh8Leaf)) << "it holds what no ray can meet";
+                EXPECT_EQ(tree.bytes(), sizeof(Bvh8Node) + sizeof(Bvh8Leaf) + 3 * sizeof(Bvh8Place))
+                    << "it holds what no ray can meet";
             }
             EXPECT_EQ(any(tree, ray), true);
         }

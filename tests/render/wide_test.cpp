@@ -53,6 +53,17 @@ TEST(Wide, HasTheBitsOfTheLoopForAll)
     }
 }
 
+// Where both ask an accelerator that begins on the triangle where a ray starts.
+TEST(Wide, HasThemWithATreeOfOurOwn)
+{
+    for (const WideCase& c : wide_cases()) {
+        RenderRequest r;
+        r.spp = {4};
+        r.settings.accel = AccelKind::bvh8;
+        expect_same(c, r, "bvh8");
+    }
+}
+
 TEST(Wide, HasThemWithAnyTechnique)
 {
     for (const WideCase& c : wide_cases())
