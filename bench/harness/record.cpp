@@ -12,7 +12,8 @@ constexpr size_t most_rays = 8'000'000;  // of 40 bytes
 
 class Recorder final : public Accelerator {
 public:
-    explicit Recorder(const Accelerator& accel) : accel_(accel) {}
+    // counters: those of the kernel that asks.
+    Recorder(const Accelerator& accel, const Counters& counters) : accel_(accel), counters_(counters) {}
 
     Hit closest(const Ray& ray) const override
     {
@@ -25,9 +26,14 @@ public:
         return accel_.any(ray);
     }
     // The kernel traces camera rays as coherent ones and all others as incoherent: a batch of camera rays begins anew.
+    // Rays of one depth may come in several calls; between two depths it counts bounces.
     void closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const override
     {
-        depth_ = coherence == Coherence::coherent ? 0 : depth_ + 1;
+        if (coherence == Coherence::coherent)
+            depth_ = 0;
+        else if (depth_ == 0 || counters_.bounce_rays != counted_)
+            ++depth_;
+        counted_ = counters_.bounce_rays;
         note(rays, false, coherence);
         accel_.closest(rays, hits, coherence);
     }
@@ -52,8 +58,10 @@ private:
     }
 
     const Accelerator& accel_;
+    const Counters& counters_;
     mutable Recording recording_;
     mutable uint32_t depth_ = 0;
+    mutable uint64_t counted_ = 0;  // bounces, when the last depth began
 };
 
 // Strides that are coprime with the number of tiles come by all of them, far from each other.
@@ -84,12 +92,12 @@ std::vector<Ray> rays_of(const Recording& from, size_t count, bool occlusion, ui
 Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<const Tile> tiles, uint32_t spp,
                  const std::function<bool(const Recording&)>& enough)
 {
-    Recorder recorder(stage.renderer.accelerator());
+    Counters counters;
+    Recorder recorder(stage.renderer.accelerator(), counters);
     const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.render.kernel);
     Film film = stage.film();
     const PathPlan& plan = stage.renderer.plan(stage.camera, film.width, film.height);
     Workspace workspace;
-    Counters counters;
     for (const Tile& tile : tiles) {
         kernel(plan, stage.camera, film, tile, {0, spp}, workspace, counters);
         if (enough && enough(recorder.recording())) break;
