@@ -61,8 +61,7 @@ public:
     {
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
-        std::array<uint32_t, bvh8_stack_size> entries;
-        Bvh8AnyStack stack(entries.data());
+        Bvh8AnyStack stack;
         const Float8 reach = all_lanes(ray.t_max * beyond);
         Float8 near;
         for (Bvh8Child next; !next.is_none(); next = stack.pop()) {
@@ -99,25 +98,27 @@ private:
     {
         const Bvh8Place at(ray.start);
         if (at.is_none()) return {};
-        const auto pass_one = [&](Bvh8Place p) [[gnu::always_inline]] { pass(node(p.node()), ~(1u << p.child())); };
-        const auto& way = node(at.node()).way;
-        size_t length = 0;
-        while (length < way.size() && !way[length].is_none()) ++length;
-        if (length == way.size()) [[unlikely]]
-            pass_above(way.back(), pass);
-        while (length-- > 0) pass_one(way[length]);
-        pass_one(at);
-        return Bvh8Child(node(at.node()).children[at.child()]);
+        const Bvh8Node& on = node(at.node());
+        const size_t length = on.way_length();
+        if (length == on.way.size()) [[unlikely]]
+            pass_above(on.way.back(), pass);
+        for (size_t i = length; i-- > 0;) pass_one(on.way[i], pass);
+        pass_one(at, pass);
+        return Bvh8Child(on.children[at.child()]);
+    }
+    template <class Pass>
+    [[gnu::always_inline]] void pass_one(Bvh8Place p, const Pass& pass) const
+    {
+        pass(node(p.node()), ~(1u << p.child()));
     }
     // The same of all that a place hangs on.
     template <class Pass>
     [[gnu::noinline]] void pass_above(Bvh8Place place, const Pass& pass) const
     {
-        const auto& way = node(place.node()).way;
-        size_t length = 0;
-        while (length < way.size() && !way[length].is_none()) ++length;
-        if (length == way.size()) pass_above(way.back(), pass);
-        while (length-- > 0) pass(node(way[length].node()), ~(1u << way[length].child()));
+        const Bvh8Node& on = node(place.node());
+        const size_t length = on.way_length();
+        if (length == on.way.size()) pass_above(on.way.back(), pass);
+        for (size_t i = length; i-- > 0;) pass_one(on.way[i], pass);
     }
     // Of a leaf; none of the root.
     Bvh8Place place_of(Bvh8Child c) const

@@ -101,7 +101,7 @@ private:
         int depth;
         size_t first_child = 0;  // in the list, of nodes of the top
         uint64_t units = 0, offset = 0;
-        std::array<Bvh8Place, 8> way{};
+        Bvh8Node::Way way{};
         Sums sums{};
     };
 
@@ -200,10 +200,9 @@ private:
                         is_there ? tree_.triangles[numbers.of[i]][corner][static_cast<int>(axis)] : NAN;
         }
     }
-    using Way = decltype(Bvh8Node::way);
-    static Way way_through(Bvh8Place place, const Way& way)
+    static Bvh8Node::Way way_through(Bvh8Place place, const Bvh8Node::Way& way)
     {
-        Way longer{place};
+        Bvh8Node::Way longer{place};
         std::copy(way.begin(), way.end() - 1, longer.begin() + 1);
         return longer;
     }

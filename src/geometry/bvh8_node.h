@@ -62,7 +62,15 @@ struct alignas(32) Bvh8Node {
     std::array<uint32_t, 8> children;            // bits of Bvh8Child
     // Where it hangs, then where that hangs, and so on; then none. Of a deeper node only the first ones, and the last
     // of them tells the rest.
-    std::array<Bvh8Place, 8> way;
+    using Way = std::array<Bvh8Place, 8>;
+    Way way;
+
+    size_t way_length() const
+    {
+        size_t n = 0;
+        while (n < way.size() && !way[n].is_none()) ++n;
+        return n;
+    }
 };
 
 // Bit i: child i is met in [t_min, t_max]; near: where it begins, at least +0. Ray: one of those below.

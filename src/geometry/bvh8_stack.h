@@ -108,30 +108,23 @@ private:
     Bvh8Entry* top_;
 };
 
-// For any hit: the children in the order in which the node has them. Likewise in memory of someone else.
+// For any hit: the children in the order in which the node has them.
 class Bvh8AnyStack {
 public:
-    Bvh8AnyStack() = default;
-    explicit Bvh8AnyStack(uint32_t* memory) : top_(memory) { *top_++ = Bvh8Child::none().bits(); }
+    Bvh8AnyStack() { *top_++ = Bvh8Child::none().bits(); }
 
     // The first of the children in `met`, of which there is at least one; the others stay, the first of them on top.
     Bvh8Child push(const Bvh8Node& node, uint32_t met)
     {
-        push_all(node, met & (met - 1));
-        return Bvh8Child(node.children[static_cast<size_t>(std::countr_zero(met))]);
-    }
-    // The children in `met`, of which there may be none, the first on top.
-    void push_all(const Bvh8Node& node, uint32_t met)
-    {
-        const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(backwards[met])));
+        const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(backwards[met & (met - 1)])));
         const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.children.data()));
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(top_), _mm256_permutevar8x32_epi32(all, order));
-        top_ += std::popcount(met);
+        top_ += std::popcount(met) - 1;
+        return Bvh8Child(node.children[static_cast<size_t>(std::countr_zero(met))]);
     }
     Bvh8Child following() const { return Bvh8Child(top_[-1]); }
     // The next child, or none.
     Bvh8Child pop() { return Bvh8Child(*--top_); }
-    size_t room(const uint32_t* end) const { return static_cast<size_t>(end - top_); }
 
 private:
     // Of each set of lanes their numbers, a byte each, the highest first.
@@ -143,7 +136,8 @@ private:
         return table;
     }();
 
-    uint32_t* top_;
+    std::array<uint32_t, bvh8_stack_size> entries_;
+    uint32_t* top_ = entries_.data();
 };
 
 }  // namespace lancer
