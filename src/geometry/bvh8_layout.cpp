@@ -111,7 +111,7 @@ private:
     {
         Collapse::Children all = collapse_.children(node);
         const auto first = all.nodes.begin(), last = first + all.count;
-        const auto merit = [&](uint32_t child) { return collapse_.any_hit(child).merit(); };
+        const auto merit = [&](uint32_t child) { return collapse_.merit(child); };
         std::sort(first, last, [&](uint32_t a, uint32_t b) { return std::pair(merit(b), a) < std::pair(merit(a), b); });
         Plan p;
         for (auto i = first; i != last; ++i) {
@@ -190,14 +190,16 @@ private:
     void write_leaf(const Numbers& numbers, uint32_t block, uint64_t offset)
     {
         auto& leaf = *new (at(offset)) Bvh8Leaf;
+        constexpr Vec3 nowhere{NAN, NAN, NAN};
         for (size_t lane = 0; lane < Collapse::width; ++lane) {
             const size_t i = block * Collapse::width + lane;
             const bool is_there = i < numbers.count;
             leaf.numbers[lane] = is_there ? numbers.of[i] : UINT32_MAX;
+            const Corners triangle =
+                is_there ? tree_.triangles.corners(numbers.of[i]) : Corners{nowhere, nowhere, nowhere};
             for (size_t corner = 0; corner < 3; ++corner)
                 for (size_t axis = 0; axis < 3; ++axis)
-                    leaf.corners[corner][axis][lane] =
-                        is_there ? tree_.triangles[numbers.of[i]][corner][static_cast<int>(axis)] : NAN;
+                    leaf.corners[corner][axis][lane] = triangle[corner][static_cast<int>(axis)];
         }
     }
     static Bvh8Node::Way way_through(Bvh8Place place, const Bvh8Node::Way& way)

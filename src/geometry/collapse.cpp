@@ -1,6 +1,7 @@
 #include "geometry/collapse.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "core/parallel.h"
 
@@ -19,37 +20,43 @@ uint32_t places_of_first(uint32_t below, int places) { return below >> 3 * (plac
 
 }  // namespace
 
-Collapse::Collapse(const SplitTree& tree) : tree_(tree), choices_(tree.slots), any_hits_(tree.slots)
+Collapse::Collapse(const SplitTree& tree) : tree_(tree), decisions_(tree.slots), merits_(tree.slots)
 {
-    parallel_for(tree.subtrees.size(), [&](size_t i) { choose_below(tree.subtrees[i]); });
-    for (size_t i = tree.top.size(); i-- > 0;) choose(tree.top[i]);
+    std::vector<Choice> roots(tree.subtrees.size());
+    parallel_for(roots.size(), [&](size_t i) { roots[i] = choose_below(tree.subtrees[i]); });
+    std::unordered_map<uint32_t, Choice> chosen;
+    for (size_t i = 0; i < roots.size(); ++i) chosen.emplace(tree.subtrees[i], roots[i]);
+    for (size_t i = tree.top.size(); i-- > 0;) {
+        const uint32_t node = tree.top[i], child = tree.nodes[node].child;
+        chosen.emplace(node, choose(node, chosen.at(child), chosen.at(child + 1)));
+    }
 }
 
-void Collapse::choose_below(uint32_t node)
+Collapse::Choice Collapse::choose_below(uint32_t node)
 {
     const SplitNode& n = tree_.nodes[node];
-    if (!n.is_leaf()) {
-        choose_below(n.child);
-        choose_below(n.child + 1);
-    }
-    choose(node);
+    if (n.is_leaf()) return choose_leaf(node);
+    const Choice first = choose_below(n.child);
+    return choose(node, first, choose_below(n.child + 1));
 }
 
-// Its children have chosen.
-void Collapse::choose(uint32_t node)
+Collapse::Choice Collapse::choose_leaf(uint32_t node)
 {
     const SplitNode& n = tree_.nodes[node];
-    const float area = n.box.half_area();
-    Choice& c = choices_[node];
-    if (n.is_leaf()) {
-        c.below = 0;
-        c.cost.fill(area * block_cost);
-        c.triangles = 1;
-        c.leaf = 1;
-        any_hits_[node] = any_hit_of(tree_.triangles[n.triangle], area, block_cost);
-        return;
-    }
-    const Choice &a = choices_[n.child], &b = choices_[n.child + 1];
+    Choice c;
+    c.area = n.box.half_area();
+    c.cost.fill(c.area * block_cost);
+    c.triangles = 1;
+    c.any_hit = any_hit_of(tree_.triangles.corners(n.triangle), c.area, block_cost);
+    decisions_[node] = {.leaf = 1, .below = 0};
+    merits_[node] = c.any_hit.merit();
+    return c;
+}
+
+Collapse::Choice Collapse::choose(uint32_t node, const Choice& a, const Choice& b)
+{
+    Choice c;
+    c.area = tree_.nodes[node].box.half_area();
     // What both children cost on `places` places, and how many of them the first one gets.
     std::array<float, width + 1> divided{};
     std::array<uint32_t, width + 1> first{};
@@ -66,22 +73,23 @@ void Collapse::choose(uint32_t node)
     uint32_t below = 0;
     const auto set_first = [&](size_t places) { below |= first[places] << 3 * (places - 2); };
 
-    c.triangles = static_cast<uint8_t>(std::min(many, uint32_t{a.triangles} + b.triangles));
-    const float as_node = divided[width] + area * node_cost;
-    const float leaf_cost = block_cost * static_cast<float>(blocks(c.triangles)), as_leaf = area * leaf_cost;
-    c.leaf = c.triangles <= width * max_blocks && !(as_node < as_leaf);
-    c.cost[0] = c.leaf ? as_leaf : as_node;
-    const float per_area = 1 / area;
-    const auto share = [&](uint32_t child) { return std::min(1.0f, tree_.nodes[child].box.half_area() * per_area); };
-    any_hits_[node] =
-        any_hit_of(any_hits_[n.child], share(n.child), any_hits_[n.child + 1], share(n.child + 1), level_cost);
-    if (c.leaf) any_hits_[node].work = leaf_cost;
+    c.triangles = std::min(many, a.triangles + b.triangles);
+    const float as_node = divided[width] + c.area * node_cost;
+    const float leaf_cost = block_cost * static_cast<float>(blocks(c.triangles)), as_leaf = c.area * leaf_cost;
+    const bool is_leaf = c.triangles <= width * max_blocks && !(as_node < as_leaf);
+    c.cost[0] = is_leaf ? as_leaf : as_node;
+    const float per_area = 1 / c.area;
+    const auto share = [&](const Choice& child) { return std::min(1.0f, child.area * per_area); };
+    c.any_hit = any_hit_of(a.any_hit, share(a), b.any_hit, share(b), level_cost);
+    if (is_leaf) c.any_hit.work = leaf_cost;
     set_first(width);
     for (size_t places = 2; places < width; ++places) {
         c.cost[places - 1] = std::min(divided[places], c.cost[places - 2]);
         if (divided[places] < c.cost[places - 2]) set_first(places);
     }
-    c.below = below & all_places;
+    decisions_[node] = {.leaf = is_leaf, .below = below & all_places};
+    merits_[node] = c.any_hit.merit();
+    return c;
 }
 
 Collapse::Children Collapse::children(uint32_t node) const
@@ -91,7 +99,7 @@ Collapse::Children Collapse::children(uint32_t node) const
         to.nodes[to.count++] = node;
         return to;
     }
-    const uint32_t child = tree_.nodes[node].child, first = places_of_first(choices_[node].below, width);
+    const uint32_t child = tree_.nodes[node].child, first = places_of_first(decisions_[node].below, width);
     add_children(child, static_cast<int>(first), to);
     add_children(child + 1, width - static_cast<int>(first), to);
     return to;
@@ -101,7 +109,7 @@ void Collapse::add_children(uint32_t node, int places, Children& to) const
 {
     uint32_t first = 0;
     while (places > 1 && first == 0) {
-        first = places_of_first(choices_[node].below, places);
+        first = places_of_first(decisions_[node].below, places);
         if (first == 0) --places;
     }
     if (places == 1) {

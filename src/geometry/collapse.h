@@ -17,8 +17,9 @@ public:
     explicit Collapse(const SplitTree& tree);
 
     // Whether all triangles below the node are one leaf.
-    bool is_leaf(uint32_t node) const { return choices_[node].leaf; }
-    const AnyHit& any_hit(uint32_t node) const { return any_hits_[node]; }
+    bool is_leaf(uint32_t node) const { return decisions_[node].leaf; }
+    // AnyHit::merit() of what is below the node.
+    float merit(uint32_t node) const { return merits_[node]; }
     struct Children {
         std::array<uint32_t, width> nodes;
         size_t count = 0;
@@ -28,21 +29,26 @@ public:
 
 private:
     // What is best for a node that may take up to n places among the children of another, n = 1 .. width - 1.
-    struct Choice {
-        std::array<float, width - 1> cost;  // areas weighed, of everything below
-        uint32_t triangles : 8;             // below, as references; the most it can hold stands for more
+    struct Decision {
         uint32_t leaf : 1;
         uint32_t below : 21;  // three bits for n = 2 .. width: places of its first child; 0: as for n - 1
     };
-    static_assert(sizeof(Choice) == 32);
+    // What the node above needs to know to decide.
+    struct Choice {
+        std::array<float, width - 1> cost;  // areas weighed, of everything below, with n places
+        float area;                         // half of the box's surface
+        uint32_t triangles;                 // below, as references; at most `many`, which stands for more
+        AnyHit any_hit;
+    };
 
-    void choose_below(uint32_t node);
-    void choose(uint32_t node);
+    Choice choose_below(uint32_t node);
+    Choice choose_leaf(uint32_t node);
+    Choice choose(uint32_t node, const Choice& a, const Choice& b);
     void add_children(uint32_t node, int places, Children& to) const;
 
     const SplitTree& tree_;
-    RawArray<Choice> choices_;
-    RawArray<AnyHit> any_hits_;
+    RawArray<Decision> decisions_;
+    RawArray<float> merits_;
 };
 
 }  // namespace lancer

@@ -1,6 +1,7 @@
 #include "geometry/split_bins.h"
 
 #include <cmath>
+#include <optional>
 
 namespace lancer {
 namespace {
@@ -66,30 +67,40 @@ Division ObjectBins::best() const
     return best;
 }
 
-SpaceBins::SpaceBins(const Box4& box, int axis)
-    : axis_(static_cast<size_t>(axis)),
-      origin_(box.lower[axis_]),
-      width_((box.upper[axis_] - origin_) / max_bins),
-      scale_(1 / width_),
-      usable_(width_ > gamma(16) * std::max(std::abs(origin_), std::abs(static_cast<float>(box.upper[axis_]))) &&
-              std::isfinite(width_) && std::isfinite(scale_))
+SpaceBins::SpaceBins(const Box4& box)
+    : origin_(box.lower), width_((box.upper - box.lower) / static_cast<float>(max_bins)), scale_(1.0f / width_)
 {
+    for (size_t k = 0; k < 3; ++k) {
+        const float far = std::max(std::abs(float{box.lower[k]}), std::abs(float{box.upper[k]}));
+        usable_[k] = width_[k] > gamma(16) * far && std::isfinite(width_[k]) && std::isfinite(scale_[k]);
+    }
 }
 
-void SpaceBins::add(const Corners& triangle, const Reference& r)
+void SpaceBins::add(const TriangleSet& triangles, const Reference& r)
 {
-    const int first = bin_of(r.box.lower[axis_]), last = bin_of(r.box.upper[axis_]);
-    const auto at = [](auto& bins, int k) -> auto& { return bins[static_cast<size_t>(k)]; };
-    ++at(enter_, first);
-    ++at(leave_, last);
-    if (first == last) {
-        at(boxes_, first).grow(r.box);
-        return;
+    const auto first = bins_of(r.box.lower), last = bins_of(r.box.upper);
+    std::optional<Corners> triangle;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        if (!usable_[axis]) continue;
+        const auto from = static_cast<size_t>(first[axis]), to = static_cast<size_t>(last[axis]);
+        ++enter_[axis][from];
+        ++leave_[axis][to];
+        if (from == to) {
+            boxes_[axis][from].grow(r.box);
+            continue;
+        }
+        if (!triangle) triangle = triangles.corners(r.number());
+        add_parts(axis, *triangle, r, first[axis], last[axis]);
     }
-    // Which part of the triangle lies in each bin: its corners, and where its edges cross the planes between bins.
+}
+
+// Which part of the triangle lies in each bin: its corners, and where its edges cross the planes between bins.
+void SpaceBins::add_parts(size_t axis, const Corners& triangle, const Reference& r, int first, int last)
+{
     std::array<Box4, max_bins + 2> parts;  // of bins from -1 on
+    const auto part = [&](int bin) -> Box4& { return parts[static_cast<size_t>(bin + 1)]; };
     const auto bin_about = [&](float x) {
-        return static_cast<int>(std::clamp((x - origin_) * scale_, static_cast<float>(first) - 0.5f,
+        return static_cast<int>(std::clamp((x - origin_[axis]) * scale_[axis], static_cast<float>(first) - 0.5f,
                                            static_cast<float>(last) + 1.5f) +
                                 1) -
                1;
@@ -97,35 +108,42 @@ void SpaceBins::add(const Corners& triangle, const Reference& r)
     const std::array corners{in_register(triangle[0]), in_register(triangle[1]), in_register(triangle[2])};
     for (size_t k = 0; k < 3; ++k) {
         Float4 a = corners[k], b = corners[(k + 1) % 3];
-        at(parts, bin_about(a[axis_]) + 1).grow(a);
-        if (a[axis_] > b[axis_]) std::swap(a, b);
-        const Float4 slope = (b - a) / (b[axis_] - a[axis_]);
-        for (int bin = bin_about(a[axis_]) + 1, to = bin_about(b[axis_]); bin <= to; ++bin) {
-            const Float4 crossing = a + slope * (plane(bin) - a[axis_]);
-            at(parts, bin).grow(crossing);
-            at(parts, bin + 1).grow(crossing);
+        part(bin_about(a[axis])).grow(a);
+        if (a[axis] > b[axis]) std::swap(a, b);
+        const Float4 slope = (b - a) / (b[axis] - a[axis]);
+        for (int bin = bin_about(a[axis]) + 1, to = bin_about(b[axis]); bin <= to; ++bin) {
+            const Float4 crossing = a + slope * (plane(axis, bin) - a[axis]);
+            part(bin - 1).grow(crossing);
+            part(bin).grow(crossing);
         }
     }
     for (int bin = first; bin <= last; ++bin) {
-        const Box4 part = overlap(at(parts, bin + 1), r.box);
-        if (!part.empty()) at(boxes_, bin).grow(part);
+        const Box4 inside = overlap(part(bin), r.box);
+        if (!inside.empty()) boxes_[axis][static_cast<size_t>(bin)].grow(inside);
     }
 }
 
 void SpaceBins::add(const SpaceBins& b)
 {
-    for (size_t k = 0; k < max_bins; ++k) {
-        boxes_[k].grow(b.boxes_[k]);
-        enter_[k] += b.enter_[k];
-        leave_[k] += b.leave_[k];
-    }
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (size_t k = 0; k < max_bins; ++k) {
+            boxes_[axis][k].grow(b.boxes_[axis][k]);
+            enter_[axis][k] += b.enter_[axis][k];
+            leave_[axis][k] += b.leave_[axis][k];
+        }
 }
 
-Division SpaceBins::best(size_t count) const
+Division SpaceBins::best(float cost, size_t count, size_t room) const
 {
     Division best;
-    sweep(boxes_, enter_, leave_, static_cast<int>(axis_), best,
-          [&](uint32_t below, uint32_t above) { return below > 0 && above > 0 && below < count && above < count; });
+    best.cost = cost;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        if (!usable_[axis]) continue;
+        Division d;
+        sweep(boxes_[axis], enter_[axis], leave_[axis], static_cast<int>(axis), d,
+              [&](uint32_t below, uint32_t above) { return below > 0 && above > 0 && below < count && above < count; });
+        if (d.cost < best.cost && d.count_below + d.count_above <= count + room) best = d;
+    }
     return best;
 }
 

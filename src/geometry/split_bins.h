@@ -8,6 +8,7 @@
 #include <span>
 
 #include "geometry/split_reference.h"
+#include "geometry/triangle_set.h"
 
 namespace lancer {
 
@@ -78,34 +79,40 @@ private:
     std::array<std::array<uint32_t, max_bins>, 3> counts_{};
 };
 
-// Bins of space along one axis.
+// Bins of space along each axis.
 class SpaceBins {
 public:
-    SpaceBins(const Box4& box, int axis);
+    explicit SpaceBins(const Box4& box);
 
-    // Whether the bins are wider than what float can tell apart.
-    bool usable() const { return usable_; }
-    void add(const Corners& triangle, const Reference& r);
+    void add(const TriangleSet& triangles, const Reference& r);
     void add(const SpaceBins& b);
-    // Of those that leave fewer than `count` references on either side. The counts are upper bounds.
-    Division best(size_t count) const;
+    // Of the divisions that cost less, that leave fewer than all `count` references on either side, and no more than
+    // `room` besides these on both. The counts are upper bounds.
+    Division best(float cost, size_t count, size_t room) const;
 
-    // Of a division along this axis: which sides a reference goes to, and the plane.
-    bool ends_below(const Division& d, const Reference& r) const { return bin_of(r.box.upper[axis_]) < d.bin; }
-    bool starts_above(const Division& d, const Reference& r) const { return bin_of(r.box.lower[axis_]) >= d.bin; }
-    float plane(int bin) const { return origin_ + width_ * static_cast<float>(bin); }
+    // Which sides of a division a reference goes to, and the plane.
+    bool ends_below(const Division& d, const Reference& r) const { return bins_of(r.box.upper)[at(d)] < d.bin; }
+    bool starts_above(const Division& d, const Reference& r) const { return bins_of(r.box.lower)[at(d)] >= d.bin; }
+    float plane(const Division& d) const { return plane(at(d), d.bin); }
 
 private:
-    int bin_of(float x) const
+    static size_t at(const Division& d) { return static_cast<size_t>(d.axis); }
+    // Nothing certain of axes that are not usable.
+    std::array<int, 4> bins_of(Float4 p) const
     {
-        return static_cast<int>(std::clamp((x - origin_) * scale_, 0.0f, static_cast<float>(max_bins - 1)));
+        const Float4 last{max_bins - 1, max_bins - 1, max_bins - 1, max_bins - 1};
+        std::array<int, 4> bins;
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(bins.data()),
+                         _mm_cvttps_epi32(min(max((p - origin_) * scale_, Float4{}), last)));
+        return bins;
     }
+    float plane(size_t axis, int bin) const { return origin_[axis] + width_[axis] * static_cast<float>(bin); }
+    void add_parts(size_t axis, const Corners& triangle, const Reference& r, int first, int last);
 
-    size_t axis_;
-    float origin_, width_, scale_;
-    bool usable_;
-    std::array<Box4, max_bins> boxes_;
-    std::array<uint32_t, max_bins> enter_{}, leave_{};  // how many begin and end in each bin
+    Float4 origin_, width_, scale_;
+    std::array<bool, 3> usable_;  // whether the bins are wider than what float can tell apart
+    std::array<std::array<Box4, max_bins>, 3> boxes_;
+    std::array<std::array<uint32_t, max_bins>, 3> enter_{}, leave_{};  // how many begin and end in each bin
 };
 
 }  // namespace lancer

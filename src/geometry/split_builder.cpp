@@ -14,7 +14,10 @@ namespace {
 constexpr double duplicates = 0.4;  // references that spatial splits may add, for each triangle
 // To try a spatial split: what area the boxes of the object split have in common, of the root's and of the node's own.
 constexpr float least_overlap = 1e-4f, least_own_overlap = 0.1f;
-constexpr float least_gain = 0.99f;       // a spatial split costs no more than this, over the object split
+constexpr float least_gain = 0.99f;  // a spatial split costs no more than this, over the object split
+// Of many references each so many-th tells whether a spatial split is worth a look at all of them: the boxes of some
+// are no larger than those of all, so that what they promise is too much rather than too little.
+constexpr size_t many = 1 << 12, sample = 4;
 constexpr size_t chunk = 1 << 14;         // references that one thread looks at at a time
 constexpr size_t subtree_size = 1 << 12;  // references that one thread goes on with alone
 
@@ -82,7 +85,8 @@ private:
         const Spread s = spread(r);
         tree_.nodes[r.node] = {to_box(s.box), r.slot, 0};
         if (r.size() == 2 || r.depth >= max_free_depth) return halve(r);
-        const ObjectBins bins = gather(r, ObjectBins(s, r.size()), [](auto& b, const Reference& x) { b.add(x); });
+        ObjectBins bins(s, r.size());
+        gather(r, bins, [](auto& b, const Reference& x) { b.add(x); });
         const Division by_object = bins.best();
         if (!by_object) return halve(r);
         if (r.room() > 0 && overlap(by_object.below, by_object.above).half_area() >
@@ -116,31 +120,23 @@ private:
     // By the best spatial split, if it costs less than `cost`.
     std::optional<Halves> divide_space(const Range& r, const Box4& box, float cost)
     {
-        std::optional<SpaceBins> bins;
-        Division best;
-        best.cost = cost;
-        for (int axis = 0; axis < 3; ++axis) {
-            SpaceBins b(box, axis);
-            if (!b.usable()) continue;
-            b = gather(r, b, [&](auto& to, const Reference& x) { to.add(tree_.triangles[x.number()], x); });
-            const Division d = b.best(r.size());
-            if (!(d.cost < best.cost) || d.count_below + d.count_above > r.size() + r.room()) continue;
-            best = d;
-            bins = b;
-        }
-        if (!bins) return {};
+        if (r.size() >= many && !promises_less(r, box, cost)) return {};
+        SpaceBins bins(box);
+        gather(r, bins, [&](auto& to, const Reference& x) { to.add(tree_.triangles, x); });
+        const Division best = bins.best(cost, r.size(), r.room());
+        if (!best) return {};
         // Never more references on a side than the bins have counted: fewer than before, and none without a side.
         std::vector<Reference> above;
         above.reserve(best.count_above);
         size_t end = r.begin;
         for (size_t i = r.begin; i < r.end; ++i) {
             const Reference x = references_[i];
-            if (bins->ends_below(best, x)) {
+            if (bins.ends_below(best, x)) {
                 references_[end++] = x;
-            } else if (bins->starts_above(best, x)) {
+            } else if (bins.starts_above(best, x)) {
                 above.push_back(x);
             } else {
-                const Clipped c = clip(tree_.triangles[x.number()], x.box, best.axis, bins->plane(best.bin));
+                const Clipped c = clip(tree_.triangles.corners(x.number()), x.box, best.axis, bins.plane(best));
                 if (!c.above.empty()) above.emplace_back(c.above, x.number());
                 if (!c.below.empty())
                     references_[end++] = Reference(c.below, x.number());
@@ -153,29 +149,35 @@ private:
         return h;
     }
 
+    bool promises_less(const Range& r, const Box4& box, float cost) const
+    {
+        SpaceBins bins(box);
+        size_t count = 0;
+        for (size_t i = r.begin; i < r.end; i += sample, ++count) bins.add(tree_.triangles, references_[i]);
+        const float share = static_cast<float>(count) / static_cast<float>(r.size());
+        return static_cast<bool>(bins.best(cost * share, count, count));
+    }
+
     Spread spread(const Range& r) const
     {
-        return gather(r, Spread{}, [](Spread& s, const Reference& x) { s.add(x); });
+        Spread s;
+        gather(r, s, [](Spread& to, const Reference& x) { to.add(x); });
+        return s;
     }
-    // What add() makes of `empty` and the references: in parallel, and the same whichever thread does what.
+    // Adds the references to `all`, which is empty: in parallel, and the same whichever thread does what.
     template <class T, class Add>
-    T gather(const Range& r, const T& empty, const Add& add) const
+    void gather(const Range& r, T& all, const Add& add) const
     {
         const auto add_all = [&](T& to, size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) add(to, references_[i]);
         };
-        T all = empty;
-        if (r.size() <= chunk) {
-            add_all(all, r.begin, r.end);
-            return all;
-        }
-        std::vector<T> parts((r.size() + chunk - 1) / chunk, empty);
+        if (r.size() <= chunk) return add_all(all, r.begin, r.end);
+        std::vector<T> parts((r.size() + chunk - 1) / chunk, all);
         parallel_for(parts.size(), [&](size_t i) {
             const size_t begin = r.begin + i * chunk;
             add_all(parts[i], begin, std::min(begin + chunk, r.end));
         });
         for (const T& p : parts) all.add(p);
-        return all;
     }
 
     SplitTree& tree_;
@@ -191,14 +193,13 @@ SplitTree build_split_tree(const TriangleSet& triangles)
     const size_t n = triangles.size();
     const auto capacity = static_cast<size_t>(static_cast<double>(n) * (1 + duplicates)) + 1;
     if (capacity >= size_t{1} << 31) throw Error(ErrorKind::failed, {}, "too many triangles for one tree");
-    SplitTree tree;
-    tree.triangles = RawArray<Corners>(n);
+    SplitTree tree(triangles);
     RawArray<Reference> references(capacity);
     const size_t parts = (n + chunk - 1) / chunk;
     std::vector<size_t> finite(parts);
     parallel_for(parts, [&](size_t i) {
         for (size_t k = i * chunk, end = std::min(n, k + chunk); k < end; ++k) {
-            const Corners& c = tree.triangles[k] = triangles.corners(static_cast<uint32_t>(k));
+            const Corners c = triangles.corners(static_cast<uint32_t>(k));
             if (!is_finite(c[0]) || !is_finite(c[1]) || !is_finite(c[2])) continue;
             references[i * chunk + finite[i]++] =
                 Reference(to_box4(box_of(c[0], c[1], c[2])), static_cast<uint32_t>(k));

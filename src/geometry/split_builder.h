@@ -3,6 +3,7 @@
 // HPG 2009.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/raw_array.h"
@@ -23,12 +24,13 @@ static_assert(sizeof(SplitNode) == 32);
 // A triangle may be in several leaves, each with the part of it that lies in the box. The same tree for any number of
 // threads.
 struct SplitTree {
-    RawArray<Corners> triangles;     // all of the TriangleSet
+    TriangleSet triangles;
     RawArray<SplitNode> nodes;       // the root first, then with gaps
     size_t slots = 0;                // of nodes, the gaps included; 0: no triangle is finite, there is no root
     std::vector<uint32_t> top;       // inner nodes, parents first
     std::vector<uint32_t> subtrees;  // what hangs on them: roots of trees of much the same size
 
+    explicit SplitTree(TriangleSet set) : triangles(std::move(set)) {}
     bool empty() const { return slots == 0; }
 };
 

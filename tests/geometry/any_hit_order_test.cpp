@@ -76,7 +76,7 @@ TEST(AnyHitOrder, TheChildrenOfANodeHaveIt)
     Collapse::Children children = collapse.children(0);
     const std::span<uint32_t> all(children.nodes.data(), children.count);
     ASSERT_GT(all.size(), 3u);
-    const auto merit = [&](uint32_t node) { return collapse.any_hit(node).merit(); };
+    const auto merit = [&](uint32_t node) { return collapse.merit(node); };
     std::sort(all.begin(), all.end(), [&](uint32_t a, uint32_t b) { return merit(a) > merit(b); });
     EXPECT_GT(merit(all.front()), merit(all.back()));
     const Bvh8Layout layout = lay_out(tree);
