@@ -35,7 +35,7 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
     return make_embree(geometry, isa);
 }
 
-AccelKind fastest_accelerator(const Geometry& g)
+AccelKind fastest_accelerator(const Geometry& g, RayUse use)
 {
     size_t triangles = 0;
     for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
@@ -44,8 +44,15 @@ AccelKind fastest_accelerator(const Geometry& g)
     // Beyond so many the cutting takes seconds.
     constexpr size_t most_cut = 500'000;
     constexpr double too_many_boxes = 4;
-    const bool is_cut = triangles <= most_cut && g.instances.empty() && boxes_met_in_vain(g) > too_many_boxes;
-    return is_cut ? AccelKind::bvh8 : AccelKind::embree;
+    // Fewer lie in the caches; where boxes overlap more than those of a scan, Embree's packets have less to do.
+    constexpr size_t least_far = 1'000'000, most_far = 4'000'000;
+    constexpr double hardly_any_boxes = 0.25;
+    const bool may_cut = triangles <= most_cut;
+    const bool is_far = triangles >= least_far && triangles <= most_far && use == RayUse::bounces;
+    if (!g.instances.empty() || !(may_cut || is_far)) return AccelKind::embree;
+    const double boxes = boxes_met_in_vain(g);
+    return (may_cut && boxes > too_many_boxes) || (is_far && boxes < hardly_any_boxes) ? AccelKind::bvh8
+                                                                                       : AccelKind::embree;
 }
 
 std::string_view name_of(AccelKind kind)

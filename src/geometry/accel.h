@@ -64,10 +64,14 @@ inline constexpr std::array accelerators{
     AccelName{"bvh8", AccelKind::bvh8},
 };
 
+// Which rays a renderer will send besides those from the camera.
+enum class RayUse { all, bounces };  // bounces: none that ask whether a light is seen
+
 // By what was measured (docs/benchmarks.md): list8 for at most 64 triangles and nothing else; bvh8, which cuts
 // triangles into parts, where boxes_met_in_vain() says that their boxes are in each other's way, there are at most
-// 500,000 and no instances; else Embree. Depends on the geometry alone. Not from inside a parallel loop.
-AccelKind fastest_accelerator(const Geometry& geometry);
+// 500,000 and no instances; bvh8, too, for the bounces of one to four million fine triangles, which it does not wait
+// for; else Embree. Not from inside a parallel loop.
+AccelKind fastest_accelerator(const Geometry& geometry, RayUse use = RayUse::all);
 // "auto" of automatic; and back, automatic of what is no other's name.
 std::string_view name_of(AccelKind kind);
 AccelKind accelerator_of(std::string_view name);

@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "core/parallel.h"
@@ -9,10 +10,22 @@
 namespace lancer {
 namespace {
 
+// Of a path tracer under nothing but a sky of one colour, as far as is known before all pictures are read.
+RayUse use_of_rays(const Scene& scene, const AnyIntegrator& integrator)
+{
+    const auto* path = std::get_if<Path>(&integrator);
+    const bool may_shine = !scene.point_lights.empty() || !scene.directional_lights.empty() ||
+                           scene.pending_environment || scene.pending_background ||
+                           std::any_of(scene.emission.begin(), scene.emission.end(),
+                                       [](const auto& emission) { return !emission.is_dark(); });
+    return path && !path->direct.always && !may_shine ? RayUse::bounces : RayUse::all;
+}
+
 // The scene stands where it will stay. Settles which accelerator is meant.
 std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& settings)
 {
-    if (settings.accel == AccelKind::automatic) settings.accel = fastest_accelerator(scene.geometry);
+    if (settings.accel == AccelKind::automatic)
+        settings.accel = fastest_accelerator(scene.geometry, use_of_rays(scene, settings.integrator));
     bind_holes(scene);
     return make_accelerator(settings.accel, scene.geometry, settings.isa);
 }

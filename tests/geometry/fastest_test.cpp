@@ -67,6 +67,21 @@ TEST(FastestAccelerator, CutsTrianglesWhoseBoxesAreInTheWay)
     EXPECT_EQ(fastest_accelerator(many), AccelKind::embree);
 }
 
+TEST(FastestAccelerator, DoesNotWaitForTheTrianglesOfALargeScan)
+{
+    const auto bounces = [](const Geometry& g) { return fastest_accelerator(g, RayUse::bounces); };
+    EXPECT_EQ(bounces(of_mesh(flat(999'999))), AccelKind::embree);
+    const Geometry scan = of_mesh(flat(1'000'000));
+    EXPECT_EQ(bounces(scan), AccelKind::bvh8);
+    EXPECT_EQ(fastest_accelerator(scan), AccelKind::embree) << "many rays ask whether a light is seen";
+    EXPECT_EQ(bounces(of_mesh(flat(4'000'001))), AccelKind::embree);
+    Geometry loose = scan;
+    loose.meshes.push_back(slivers(1, {1e6f, 1, 1}));
+    EXPECT_GT(boxes_met_in_vain(loose), 0.25);
+    EXPECT_EQ(bounces(loose), AccelKind::embree);
+    EXPECT_EQ(bounces(of_mesh(flat(64))), AccelKind::list8);
+}
+
 TEST(BoxesMetInVain, AreThoseOfTrianglesThatDoNotFillTheirs)
 {
     EXPECT_EQ(boxes_met_in_vain({}), 0);
