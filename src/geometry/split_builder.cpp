@@ -15,8 +15,9 @@ constexpr double duplicates = 0.4;  // references that spatial splits may add, f
 // To try a spatial split: what area the boxes of the object split have in common, of the root's and of the node's own.
 constexpr float least_overlap = 1e-4f, least_own_overlap = 0.1f;
 constexpr float least_gain = 0.99f;  // a spatial split costs no more than this, over the object split
-// Of many references each so many-th tells whether a spatial split is worth a look at all of them: the boxes of some
-// are no larger than those of all, so that what they promise is too much rather than too little.
+// Of many references each so many-th tells whether a spatial split is worth a look at all of them: as the boxes of some
+// are no larger than those of all, it mostly promises too much rather than too little. Not so each eighth, by which
+// splits that pay are missed.
 constexpr size_t many = 1 << 12, sample = 4;
 constexpr size_t chunk = 1 << 14;         // references that one thread looks at at a time
 constexpr size_t subtree_size = 1 << 12;  // references that one thread goes on with alone
