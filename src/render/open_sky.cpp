@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "core/lanes.h"
 #include "core/parallel.h"
 
 namespace lancer {
@@ -42,6 +43,11 @@ public:
     {
         const double m = margin_;
         sides_ = {Side{1, 0, m}, Side{-1, 0, width + m}, Side{0, 1, m}, Side{0, -1, height + m}, Side{0, 0, 1}};
+        const Camera::Seen x = camera.seen_along({1, 0, 0}), y = camera.seen_along({0, 1, 0}),
+                           z = camera.seen_along({0, 0, 1});
+        position_ = to_double(camera.position());
+        across_ = {x.x, y.x, z.x}, down_ = {x.y, y.y, z.y};
+        away_ = {x.depth, y.depth, z.depth};
     }
     bool is_useful() const { return margin_ < 0.25 * cell_ * std::max(columns_, rows_); }
 
@@ -55,15 +61,19 @@ public:
         if (least > nearest * error) return add_rectangle(seen, blur / least);
         add_clipped({seen.begin(), seen.end()}, error);
     }
-    // All that lies within eight corners, if these are seen so close to each other that to look at each thing within
-    // would not tell more, or if it is seen where all is covered already. False, and nothing done, if not.
-    bool add_as_whole(const std::array<Vec3d, 8>& corners, double error)
+    // All that lies within a box, if that is seen as so small that to look at each thing within would not tell more, or
+    // if it is seen where all is covered already. False, and nothing done, if not.
+    bool add_as_whole(const Bounds& box, double error)
     {
-        std::array<Camera::Seen, 8> seen;
-        double least = INFINITY;
-        for (size_t i = 0; i < 8; ++i) seen[i] = camera_.seen(corners[i]), least = std::min(least, seen[i].depth);
+        const Vec3d way = box.center() - position_, half = (box.upper - box.lower) * 0.5;
+        const double depth = dot(away_, way), deep = dot(abs(away_), half), least = depth - deep, most = depth + deep;
         if (!(least > nearest * error)) return false;
-        const auto cells = cells_around(seen, error / static_cast<double>(camera_.pixel_spread()) / least);
+        const double x = dot(across_, way), wide = dot(abs(across_), half);
+        const double y = dot(down_, way), high = dot(abs(down_), half);
+        const auto lowest = [&](double at) { return at / (at < 0 ? least : most); };
+        const auto highest = [&](double at) { return at / (at < 0 ? most : least); };
+        const auto cells = cells_between(lowest(x - wide), lowest(y - high), highest(x + wide), highest(y + high),
+                                         error / static_cast<double>(camera_.pixel_spread()) / least);
         if (!cells || !is_within(*cells, looked_at)) return false;
         if (is_covered(*cells)) return true;
         if (!is_within(*cells, small)) return false;
@@ -146,6 +156,10 @@ private:
             const double x = p.x / p.depth, y = p.y / p.depth;
             x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
         }
+        return cells_between(x0, y0, x1, y1, blur);
+    }
+    std::optional<Cells> cells_between(double x0, double y0, double x1, double y1, double blur) const
+    {
         const double m = margin_ + blur;
         if (!(std::isfinite(x0 + x1 + y0 + y1))) return {};
         const auto first = [&](double at, uint32_t n) {
@@ -191,19 +205,21 @@ private:
     std::vector<uint8_t> covered_;  // cells by rectangles that were small
     double margin_;                 // pixels
     std::array<Side, 5> sides_;
+    // What Camera::Seen is of a way from the camera's position: dot products.
+    Vec3d position_, across_, down_, away_;
 };
 
-// Of the triangles' corners.
+// Of the triangles' corners. There is one position behind the last.
 Bounds bounds_of(const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles)
 {
-    Vec3 lower{INFINITY, INFINITY, INFINITY}, upper = -lower;
+    Float4 lower = load4(&mesh.positions[triangles[0][0]].x), upper = lower;
     for (const auto& t : triangles)
         for (const uint32_t v : t) {
-            const Vec3 p = mesh.positions[v];
-            lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-            upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+            const Float4 p = load4(&mesh.positions[v].x);
+            lower = min(lower, p), upper = max(upper, p);
         }
-    return {to_double(lower), to_double(upper)};
+    return {{double{lower[0]}, double{lower[1]}, double{lower[2]}},
+            {double{upper[0]}, double{upper[1]}, double{upper[2]}}};
 }
 
 std::array<Vec3d, 8> corners_of(const Bounds& b, const Transform& place)
@@ -235,19 +251,27 @@ void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const 
     }
 }
 
+// A few of them.
+void add_group(Coverage& coverage, const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles,
+               const ErrorAt& error_at)
+{
+    const Bounds box = bounds_of(mesh, triangles);
+    const double error = std::max(error_at(box.lower), error_at(box.upper));
+    if (coverage.add_as_whole(box, error)) return;
+    if (const size_t half = triangles.size() / 2; half > 0) {
+        add_group(coverage, mesh, triangles.first(half), error_at);
+        return add_group(coverage, mesh, triangles.subspan(half), error_at);
+    }
+    const auto& t = triangles[0];
+    coverage.add({to_double(mesh.positions[t[0]]), to_double(mesh.positions[t[1]]), to_double(mesh.positions[t[2]])},
+                 error);
+}
+
 void add_triangles(Coverage& coverage, const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles,
                    const ErrorAt& error_at)
 {
-    for (size_t first = 0; first < triangles.size(); first += together) {
-        const auto group = triangles.subspan(first, std::min(together, triangles.size() - first));
-        const Bounds box = bounds_of(mesh, group);
-        if (coverage.add_as_whole(corners_of(box, {}), std::max(error_at(box.lower), error_at(box.upper)))) continue;
-        for (const auto& t : group) {
-            const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
-                        c = to_double(mesh.positions[t[2]]);
-            coverage.add({a, b, c}, std::max({error_at(a), error_at(b), error_at(c)}));
-        }
-    }
+    for (size_t first = 0; first < triangles.size(); first += together)
+        add_group(coverage, mesh, triangles.subspan(first, std::min(together, triangles.size() - first)), error_at);
 }
 
 // All triangles that are drawn as they are, by all threads. False: nothing is open any more, which in a room is soon

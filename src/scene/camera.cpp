@@ -41,9 +41,9 @@ Ray Camera::ray(Vec2 film, Vec2 lens) const
     return {.org = position_ + on_lens, .dir = normalize(d * focus_ - on_lens)};
 }
 
-Camera::Seen Camera::seen(Vec3d p) const
+Camera::Seen Camera::seen_along(Vec3d d) const
 {
-    const Vec3d d = p - to_double(position_), right = to_double(right_), down = to_double(down_);
+    const Vec3d right = to_double(right_), down = to_double(down_);
     const double depth = dot(d, to_double(forward_));
     return {dot(d, right) / dot(right, right) + static_cast<double>(centre_.x) * depth,
             dot(d, down) / dot(down, down) + static_cast<double>(centre_.y) * depth, depth};

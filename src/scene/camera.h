@@ -35,7 +35,9 @@ public:
     struct Seen {
         double x, y, depth;
     };
-    Seen seen(Vec3d p) const;
+    Seen seen(Vec3d p) const { return seen_along(p - to_double(position_)); }
+    // Of the way there from the camera, in which it is linear.
+    Seen seen_along(Vec3d way) const;
 
     friend bool operator==(const Camera&, const Camera&) = default;
 

@@ -123,6 +123,17 @@ TEST(LeftOut, OpenSkyIsOpen)
             const Vec3d a = somewhere(2), b = a + somewhere(i % 3 ? 0.5 : 20), c = a + somewhere(0.5);
             d.meshes.push_back(triangle_mesh(a, b, c, {}));
         }
+        // Neighbours in the list that are neighbours in space, by and large.
+        if (i % 2 == 0) {
+            MeshData chain;
+            Vec3d at = somewhere(1);
+            for (uint32_t k = 0; k < 40; ++k, at = at + somewhere(k % 16 ? 0.06 : 1)) {
+                for (int corner = 0; corner < 3; ++corner) chain.positions.push_back(at + somewhere(0.03));
+                chain.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+            }
+            chain.materials.emplace_back();
+            d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(std::move(chain))));
+        }
         if (i % 4 == 0)
             d.meshes.push_back(make_mesh(make_quad({-90, -1, -90}, {-90, -1, 90}, {90, -1, 90}, {90, -1, -90})));
         if (i % 5 == 0) d.spheres.push_back(sphere_of(somewhere(2), 0.3));
