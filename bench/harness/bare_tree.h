@@ -24,14 +24,14 @@ struct BareTree {
     Hit closest(const Ray& ray) const
     {
         uint32_t nearest = UINT32_MAX;
-        float t_max = ray.t_max;
-        tree.closest(ray, t_max, [&](uint32_t number, float) {
-            nearest = number;
+        float t_max = ray.t_max, distance = t_max;
+        tree.closest(ray, t_max, [&](uint32_t number, float t) {
+            nearest = number, distance = t;
             return true;
         });
         if (nearest == UINT32_MAX) return {};
         const TriangleSet::Id id = triangles.id(nearest);
-        return {t_max, Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
+        return {distance, Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
     }
     bool any(const Ray& ray) const
     {

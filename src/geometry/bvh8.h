@@ -20,15 +20,16 @@ public:
     // Throws Error (failed) where there are too many triangles for one tree.
     explicit Bvh8(const TriangleSet& triangles);
 
-    // Says where the last triangle was found that counts: a Bvh8Place.
+    // Says where the last triangle was found that counts: a Bvh8Place. found(number, t) is asked about what is nearer
+    // than all that counted before; t is good to one part in 2^17. t_max: no longer than its distance in the end.
     template <class Found>
-    Bvh8Place closest(const Ray& ray, float& t_max, const Found& found) const
+    Bvh8Place closest(const Ray& ray, float t_max, const Found& found) const
     {
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
         std::array<Bvh8Entry, bvh8_stack_size> entries;
         Bvh8NearStack stack(entries.data());
-        uint32_t nearest_yet = UINT32_MAX;
+        Bvh8Nearest nearest{t_max, t_max};
         float reach = t_max * beyond;
         Float8 reach8 = all_lanes(reach);
         Bvh8Child last;
@@ -48,9 +49,9 @@ public:
                 } else if ((next = stack.pop(reach)).is_none())
                     return place_of(last);
             }
-            if (!closest_in(leaf(next), leaf_ray, t_max, nearest_yet, found)) continue;
+            if (!closest_in(leaf(next), leaf_ray, nearest, found)) continue;
             last = next;
-            reach = t_max * beyond;
+            reach = nearest.high * beyond;
             reach8 = all_lanes(reach);
         }
         return place_of(last);
@@ -86,6 +87,7 @@ public:
 
 private:
     friend class Bvh8Turns;
+    friend class Bvh8Packets;
 
     // A box begins a few roundings nearer or farther than what is in it.
     static constexpr float beyond = 1 + gamma(10);
@@ -142,27 +144,33 @@ private:
         constexpr size_t line = 64;
         for (size_t i = 0; i < sizeof(Bvh8Leaf); i += line) prefetch(reinterpret_cast<const char*>(at) + i);
     }
-    // Whether t_max has become less, and then by which triangle.
+    // Whether a nearer triangle was found. Of equally far ones that of the lowest number is the nearest.
     template <class Found>
-    static bool closest_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, float& t_max, uint32_t& nearest_yet,
-                           const Found& found)
+    static bool closest_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, Bvh8Nearest& nearest, const Found& found)
     {
         bool is_nearer = false;
         for (const Bvh8Leaf& block : leaf) {
-            std::array<float, 8> distances;
-            uint32_t met = ray.meets(block, t_max, nearest_yet, distances);
+            Bvh8Met at;
+            uint32_t met = ray.meets(block, nearest, at);
+            if (!met) continue;
+            if (met & (met - 1)) [[unlikely]]
+                ray.measure(block, met, at);
             // Once found() says true, no other lane is nearer.
             for (bool is_found = false; met && !is_found;) {
-                auto nearest = static_cast<size_t>(std::countr_zero(met));
+                auto lane = static_cast<uint32_t>(std::countr_zero(met));
                 for (uint32_t rest = met & (met - 1); rest; rest &= rest - 1) {
-                    const auto i = static_cast<size_t>(std::countr_zero(rest));
-                    if (distances[i] < distances[nearest]) nearest = i;
+                    const auto i = static_cast<uint32_t>(std::countr_zero(rest));
+                    if (at.t[i] < at.t[lane]) lane = i;
                 }
-                met &= ~(uint32_t{1} << nearest);
-                is_found = found(block.numbers[nearest], distances[nearest]);
+                met &= ~(uint32_t{1} << lane);
+                const float t = at.t[lane], error = at.error[lane];
+                const uint32_t number = block.numbers[lane];
+                if (t + error >= nearest.low && number > nearest.number && !nearest.is_none()) continue;
+                is_found = found(number, t);
                 if (!is_found) continue;
-                t_max = distances[nearest];
-                nearest_yet = block.numbers[nearest];
+                // One by one: a struct that is put together and then copied as a whole is waited for.
+                nearest.low = t - error, nearest.high = t + error;
+                nearest.number = number, nearest.block = &block, nearest.lane = lane;
                 is_nearer = true;
             }
         }
@@ -172,10 +180,11 @@ private:
     static bool any_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, float t_max, const Found& found)
     {
         for (const Bvh8Leaf& block : leaf) {
-            std::array<float, 8> t;
-            for (uint32_t met = ray.meets(block, t_max, UINT32_MAX, t); met; met &= met - 1) {
+            Bvh8Nearest end{t_max, t_max};
+            Bvh8Met at;
+            for (uint32_t met = ray.meets(block, end, at); met; met &= met - 1) {
                 const auto i = static_cast<size_t>(std::countr_zero(met));
-                if (found(block.numbers[i], t[i])) return true;
+                if (found(block.numbers[i], at.t[i])) return true;
             }
         }
         return false;

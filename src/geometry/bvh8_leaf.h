@@ -16,11 +16,27 @@ struct alignas(32) Bvh8Leaf {
     std::array<uint32_t, 8> numbers;
 };
 
+// What a search has found yet, and how far that is: between two bounds, in which float cannot tell, or known. At first
+// the end of the ray.
+struct Bvh8Nearest {
+    float low, high;
+    uint32_t number = UINT32_MAX;  // of the triangle; or none
+    const Bvh8Leaf* block = nullptr;
+    uint32_t lane = 0;  // of the block
+
+    bool is_none() const { return number == UINT32_MAX; }
+};
+
+// What of a leaf a ray meets.
+struct Bvh8Met {
+    std::array<float, 8> t, error;  // of a triangle's distance; no error: known
+};
+
 // What of a ray all leaves share.
 class LeafRay {
 public:
     LeafRay() = default;
-    explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(&ray)
+    [[gnu::always_inline]] explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(&ray)
     {
         const Float4 org = (*order_)(org_and_t_min(ray)), dir = (*order_)(dir_and_t_max(ray));
         _mm_store_ps(org_.data(), org);
@@ -29,10 +45,9 @@ public:
         _mm_store_ps(slope_.data(), dir * sz_);
     }
 
-    // Bit i: triangle i is met in [t_min, t_max], at distance t[i].
-    // known: the number of a triangle met at t_max, which may be left out; or none of the leaf's.
-    [[gnu::always_inline]] uint32_t meets(const Bvh8Leaf& leaf, float t_max, uint32_t known,
-                                          std::array<float, 8>& t) const
+    // Bit i: triangle i is met, not before t_min nor behind the nearest one yet, which itself may be left out. What
+    // float cannot tell apart is compared in double, so that the nearest one in the end does not hang on the order.
+    [[gnu::always_inline]] uint32_t meets(const Bvh8Leaf& leaf, Bvh8Nearest& nearest, Bvh8Met& met) const
     {
         const auto corner = [&](size_t k) {
             const auto along = [&](size_t axis) { return coordinate(leaf, k, axis) - all_lanes(org_[axis]); };
@@ -51,18 +66,23 @@ public:
         if (!inside) return 0;
         if (const uint32_t on_edge = inside & (bits_eq(least, zero) | bits_eq(most, zero)))
             inside &= ~on_edge | contain_origin(on_edge, {ax, ay, bx, by, cx, cy});
-        return within(leaf, a, inside, t_max, known, t);
+        return within(leaf, a, inside, nearest, met);
+    }
+    // Makes the distances of these known.
+    void measure(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Met& met) const
+    {
+        for_bits(lanes, [&](uint32_t i) { met.t[i] = distance(leaf, i), met.error[i] = 0; });
     }
 
 private:
     struct Point {
         Float8 x, y, z;  // along the sheared axes
     };
-    // Of the lanes those that meet their planes in [t_min, t_max]. In float by differences of the corners, which are
-    // almost exact; where its own bound of the error is too wide for that, or the place too close to where the ray
-    // starts (the plane of a needle errs by more than rays start off it), in double.
-    [[gnu::always_inline]] uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, float t_max,
-                                           uint32_t known, std::array<float, 8>& t) const
+    // Of the lanes those that meet their planes there. In float by differences of the corners, which are almost exact;
+    // where its own bound of the error is too wide for that, or the place too close to where the ray starts (the plane
+    // of a needle errs by more than rays start off it), in double.
+    [[gnu::always_inline]] uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, Bvh8Nearest& nearest,
+                                           Bvh8Met& met) const
     {
         const auto side = [&](size_t to, size_t axis) {
             return coordinate(leaf, to, axis) - coordinate(leaf, 0, axis);
@@ -78,18 +98,22 @@ private:
         const Float8 of_slope = m[0] * abs(sx) + m[1] * abs(sy) + m[2];
         const Float8 error =
             gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * all_lanes(std::abs(dir_[2])));
-        const Float8 low = distance - error, high = distance + error, reach = all_lanes(t_max);
-        lanes &= ~(bits(high < all_lanes(ray_->t_min)) | bits(low > reach));
-        _mm256_storeu_ps(t.data(), distance);
-        uint32_t met = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_->t_min)) & (high < reach));
-        if (uint32_t unsure = lanes & ~met) {
-            unsure &= ~bits_eq(leaf.numbers, known);  // of a triangle with parts in several leaves
-            met |= decide(leaf, unsure, t_max, t);
+        const Float8 low = distance - error, high = distance + error;
+        lanes &= ~(bits(high < all_lanes(ray_->t_min)) | bits(low > all_lanes(nearest.high)));
+        _mm256_storeu_ps(met.t.data(), distance);
+        _mm256_storeu_ps(met.error.data(), error);
+        uint32_t sure = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_->t_min)) &
+                                     (high < all_lanes(nearest.low)));
+        if (uint32_t unsure = lanes & ~sure) {
+            unsure &= ~bits_eq(leaf.numbers, nearest.number);  // of a triangle with parts in several leaves
+            if (unsure) sure |= decide(leaf, unsure, nearest, met);
         }
-        return met;
+        return sure;
     }
-    // Those of the lanes that meet their planes in [t_min, t_max] in double, with t.
-    uint32_t decide(const Bvh8Leaf& leaf, uint32_t lanes, float t_max, std::array<float, 8>& t) const;
+    // Those of the lanes that meet their planes there in double. Of the nearest one yet the distance is known then.
+    uint32_t decide(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Nearest& nearest, Bvh8Met& met) const;
+    // Of a triangle's plane.
+    float distance(const Bvh8Leaf& leaf, uint32_t lane) const;
 
     Float8 coordinate(const Bvh8Leaf& leaf, size_t corner, size_t axis) const
     {

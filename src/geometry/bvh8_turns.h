@@ -19,7 +19,8 @@ public:
     // Bvh8::closest() of each of at most `most` rays; those with a t_max below 0 are left out. found(i, number, t).
     // places[i]: what it says; where no triangle counts, it stays what it is.
     template <class Found>
-    void closest(std::span<const Ray> rays, std::span<float> t_max, std::span<uint32_t> places, const Found& found)
+    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+                 const Found& found)
     {
         const auto of_ray = [&](uint32_t i) {
             return [&, i](uint32_t number, float t) { return found(i, number, t); };
@@ -41,8 +42,8 @@ public:
             next->clear();
             for (const uint32_t i : now->leaves.all()) {
                 Search& s = searches_[i];
-                if (Bvh8::closest_in(tree_.leaf(s.next), s.leaf_ray, t_max[i], s.nearest_yet, of_ray(i))) {
-                    s.last = s.next, s.reach = t_max[i] * Bvh8::beyond;
+                if (Bvh8::closest_in(tree_.leaf(s.next), s.leaf_ray, s.nearest, of_ray(i))) {
+                    s.last = s.next, s.reach = s.nearest.high * Bvh8::beyond;
                     tree_.fetch_place_of(s.last);
                 }
                 put(i, s.stack.pop(s.reach), *next);
@@ -59,7 +60,7 @@ private:
         LeafRay leaf_ray;
         Bvh8NearStack stack;
         float reach;
-        uint32_t nearest_yet;
+        Bvh8Nearest nearest;
         Bvh8Child next, last;  // last: the leaf of the nearest triangle yet; or the root
     };
     // Which rays have their next step where.
@@ -83,7 +84,7 @@ private:
         s.node_ray = NodeRayInMemory(ray), s.leaf_ray = LeafRay(ray);
         s.stack = Bvh8NearStack(entries_[i].data());
         s.reach = t_max * Bvh8::beyond;
-        s.nearest_yet = UINT32_MAX, s.last = {};
+        s.nearest = {t_max, t_max}, s.last = {};
         return tree_.begin(ray, [&](const Bvh8Node& n, uint32_t but) {
             if (!has_room(i)) [[unlikely]] {
                 is_crowded = true;

@@ -9,6 +9,7 @@
 
 #include "geometry/accel.h"
 #include "geometry/binary_builder.h"
+#include "geometry/bvh8_packets.h"
 #include "geometry/bvh8_turns.h"
 #include "geometry/object_boxes.h"
 #include "geometry/octet_tree.h"
@@ -46,8 +47,9 @@ public:
     {
         if constexpr (OctetTree<Tree>)
             find_by_octets(rays, hits);
-        else if constexpr (takes_turns)  // rays that go much the same way find in the caches what they visit
-            coherence == Coherence::coherent ? find_alone(rays, hits) : find_in_turns(rays, hits);
+        else if constexpr (goes_together)
+            coherence == Coherence::coherent ? find_together<Bvh8Packets>(rays, hits)
+                                             : find_together<Bvh8Turns>(rays, hits);
         else
             find_alone(rays, hits);
         refine_all(g_, rays, hits);
@@ -69,7 +71,9 @@ public:
     }
 
 private:
-    static constexpr bool takes_turns = std::is_same_v<Tree, Bvh8>;
+    static constexpr bool goes_together = std::is_same_v<Tree, Bvh8>;
+    // Whether the tree asks about nearer triangles alone, with distances that are not the last word.
+    static constexpr bool knows_nearest = std::is_same_v<Tree, Bvh8>;
     struct Space {
         TriangleSet triangles;
         Tree tree;
@@ -90,7 +94,9 @@ private:
     {
         for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
     }
-    void find_in_turns(std::span<const Ray> rays, std::span<Hit> hits) const
+    // How: Bvh8Turns or Bvh8Packets.
+    template <class How>
+    void find_together(std::span<const Ray> rays, std::span<Hit> hits) const
     {
         std::array<float, Bvh8Turns::most> t_max;
         std::array<uint32_t, Bvh8Turns::most> places;
@@ -107,13 +113,14 @@ private:
                 t_max[i] = reach(some[i], best[i]);
             }
             if (plain_)
-                Bvh8Turns(plain_->tree)
+                How(plain_->tree)
                     .closest(some, std::span(t_max).first(n), places, [&](uint32_t i, uint32_t number, float t) {
                         return asking(*plain_, some[i], Hit::no_instance, best[i])(number, t);
                     });
             for (size_t i = 0; i < n; ++i) {
                 if (t_max[i] < 0) continue;
                 best[i].place = places[i];
+                settle(some[i], Hit::no_instance, best[i]);
                 find_object(some[i], best[i]);
             }
         }
@@ -192,9 +199,23 @@ private:
     uint32_t find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
         float t_max = reach(ray, best);
-        if constexpr (takes_turns) return s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
+        if constexpr (goes_together) {
+            const uint32_t place = s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
+            settle(ray, instance, best);
+            return place;
+        }
         s.tree.closest(local, t_max, asking(s, ray, instance, best));
         return Ray::nowhere;
+    }
+    // What a search of triangles has found, if anything, gets its distance, which is compared with those of other
+    // things.
+    void settle(const Ray& ray, uint32_t instance, Hit& best) const
+    {
+        if (knows_nearest && !is_plain() && is_of(best, instance)) best.t = refine(g_, ray, best).t;
+    }
+    static bool is_of(const Hit& best, uint32_t instance)
+    {
+        return best.kind == Kind::triangle && best.instance == instance;
     }
     // What a tree asks of the triangles that it finds.
     auto asking(const Space& s, const Ray& ray, uint32_t instance, Hit& best) const
@@ -202,7 +223,8 @@ private:
         return [&, instance](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
-            if (!is_nearer(hit, best) || lets_pass(ray, hit)) return false;
+            if (!(knows_nearest && is_of(best, instance)) && !is_nearer(hit, best)) return false;
+            if (lets_pass(ray, hit)) return false;
             best = hit;
             return true;
         };

@@ -142,6 +142,81 @@ TEST(Bvh8, SearchesThatBeginOnATriangleFindTheSame)
     }
 }
 
+// Triangles that lie all over each other, about as far from each other as float can tell.
+Mesh pile(uint32_t count)
+{
+    Random random(21);
+    Mesh mesh;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3d at = random.point(-1, 1);
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3d p = at + random.point(-0.3, 0.3);
+            mesh.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
+                                      1 + static_cast<float>(random.uniform(-1, 1) * std::ldexp(1.0, -18 - i % 6))});
+        }
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    mesh.positions.push_back({});
+    return mesh;
+}
+
+// What is nearest does not hang on what was found before.
+TEST(Bvh8, TheOrderOfTrianglesDoesNotMatter)
+{
+    const Geometry g = of_mesh(pile(1500));
+    Mesh turned = g.meshes[0];
+    std::reverse(turned.triangles.begin(), turned.triangles.end());
+    const auto last = static_cast<uint32_t>(turned.triangles.size() - 1);
+    const Geometry other = of_mesh(std::move(turned));
+    const auto a = make_accelerator(AccelKind::bvh8, g, "avx2"), b = make_accelerator(AccelKind::bvh8, other, "avx2");
+    Random random(22);
+    int hits = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const Ray ray{.org = to_float(random.point(-1, 1) + Vec3d{0, 0, 3}),
+                      .dir = normalize(to_float(random.point(-0.4, 0.4) - Vec3d{0, 0, 2}))};
+        const Hit x = a->closest(ray), y = b->closest(ray);
+        ASSERT_EQ(bool{x}, bool{y}) << i;
+        if (!x) continue;
+        ++hits;
+        EXPECT_TRUE(x.primitive == last - y.primitive || x.t == y.t) << i << ": " << x.t - y.t;
+    }
+    EXPECT_GT(hits, 10000);
+}
+
+TEST(Bvh8, RaysThatGoTogetherFindTheSame)
+{
+    for (Mesh mesh : {tangle(8, 3000), to_mesh(*make_uv_sphere(100, 200)), long_chain(), pile(1500)}) {
+        const Geometry g = of_mesh(std::move(mesh));
+        const auto accel = make_accelerator(AccelKind::bvh8, g, "avx2");
+        Random random(12);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 1200; ++i) {
+            // From one place or from many, close together or apart, some within a plane, some that end, some that are
+            // none; and not always as many as fit.
+            const Vec3 from = to_float(random.point(-1.5, 1.5)), to = random.unit_vector();
+            const double apart = std::ldexp(1.0, -(i % 12)), beside = i % 3 ? 0 : apart;
+            for (int k = 0; k < (i % 100 ? 8 : 3); ++k) {
+                Ray ray{.org = from + to_float(random.point(-beside, beside)),
+                        .dir = normalize(to + to_float(random.point(-apart, apart)))};
+                if (i % 7 == 0 && k == 2) ray.dir = {0, i % 2 ? 1.0f : -1.0f, 0};
+                if (i % 5 == 0) ray.t_max = static_cast<float>(random.uniform(0, 1));
+                if (i % 11 == 0 && k % 3 == 1) ray.dir = {NAN, 0, 1};
+                rays.push_back(ray);
+            }
+        }
+        std::vector<Hit> found(rays.size());
+        accel->closest(rays, found, Coherence::coherent);
+        int hits = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const Hit alone = accel->closest(rays[i]);
+            EXPECT_TRUE(same_bits(found[i], alone)) << i;
+            EXPECT_TRUE(!alone || found[i].place != Ray::nowhere);  // of several leaves with parts of it, any
+            hits += bool{alone};
+        }
+        EXPECT_GT(hits, 300);
+    }
+}
+
 TEST(Bvh8, DepthIsBounded)
 {
     const Geometry chain = of_mesh(long_chain());
