@@ -33,28 +33,5 @@ TEST(List8, AnswersAnyNumberOfRaysAboutAnyNumberOfTriangles)
     }
 }
 
-// Of triangles in one place the first is met, as by the list: to the last bit of a distance in float they are not where
-// they are in double.
-TEST(List8, OfEquallyFarTrianglesMeetsTheFirst)
-{
-    Mesh mesh = tangle(1, 40);
-    const auto once = mesh.triangles;
-    mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
-    const Geometry g = of_mesh(mesh);
-    const auto list8 = make_accelerator(AccelKind::list8, g, "");
-    Random random(1);
-    size_t met = 0;
-    for (int i = 0; i < 20'000; ++i) {
-        Ray ray;
-        ray.org = to_float(random.point(-2, 2));
-        ray.dir = to_float(random.point(-0.5, 0.5) - to_double(ray.org));
-        const Hit hit = list8->closest(ray);
-        if (!hit) continue;
-        EXPECT_LT(hit.primitive, 40u) << i;
-        ++met;
-    }
-    EXPECT_GT(met, 2000u);
-}
-
 }  // namespace
 }  // namespace lancer
