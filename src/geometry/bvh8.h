@@ -21,7 +21,7 @@ public:
     explicit Bvh8(const TriangleSet& triangles);
 
     // Says where the last triangle was found that counts: a Bvh8Place. found(number, t) is asked about what is nearer
-    // than all that counted before; t is good to one part in 2^17. t_max: no longer than its distance in the end.
+    // than all that counted before; t errs by most_error. t_max: no longer than its distance in the end.
     template <class Found>
     Bvh8Place closest(const Ray& ray, float t_max, const Found& found) const
     {
@@ -165,7 +165,7 @@ private:
                 met &= ~(uint32_t{1} << lane);
                 const float t = at.t[lane], error = at.error[lane];
                 const uint32_t number = block.numbers[lane];
-                if (t + error >= nearest.low && number > nearest.number && !nearest.is_none()) continue;
+                if (t + error >= nearest.low && number > nearest.number) continue;
                 is_found = found(number, t);
                 if (!is_found) continue;
                 // One by one: a struct that is put together and then copied as a whole is waited for.
@@ -179,8 +179,8 @@ private:
     template <class Found>
     static bool any_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, float t_max, const Found& found)
     {
+        Bvh8Nearest end{t_max, t_max};
         for (const Bvh8Leaf& block : leaf) {
-            Bvh8Nearest end{t_max, t_max};
             Bvh8Met at;
             for (uint32_t met = ray.meets(block, end, at); met; met &= met - 1) {
                 const auto i = static_cast<size_t>(std::countr_zero(met));

@@ -19,12 +19,11 @@ struct alignas(32) Bvh8Leaf {
 // What a search has found yet, and how far that is: between two bounds, in which float cannot tell, or known. At first
 // the end of the ray.
 struct Bvh8Nearest {
+    static constexpr float most_error = 0x1p-17f;  // of a distance, as a part of it
     float low, high;
-    uint32_t number = UINT32_MAX;  // of the triangle; or none
+    uint32_t number = UINT32_MAX;  // of the triangle; none: more than any
     const Bvh8Leaf* block = nullptr;
     uint32_t lane = 0;  // of the block
-
-    bool is_none() const { return number == UINT32_MAX; }
 };
 
 // What of a leaf a ray meets.
@@ -102,7 +101,7 @@ private:
         lanes &= ~(bits(high < all_lanes(ray_->t_min)) | bits(low > all_lanes(nearest.high)));
         _mm256_storeu_ps(met.t.data(), distance);
         _mm256_storeu_ps(met.error.data(), error);
-        uint32_t sure = lanes & bits((error < distance * 0x1p-17f) & (low > all_lanes(ray_->t_min)) &
+        uint32_t sure = lanes & bits((error < distance * Bvh8Nearest::most_error) & (low > all_lanes(ray_->t_min)) &
                                      (high < all_lanes(nearest.low)));
         if (uint32_t unsure = lanes & ~sure) {
             unsure &= ~bits_eq(leaf.numbers, nearest.number);  // of a triangle with parts in several leaves

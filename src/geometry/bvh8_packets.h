@@ -20,21 +20,8 @@ public:
     {
         for (uint32_t first = 0; first < rays.size(); first += float_lanes) {
             const size_t n = std::min<size_t>(float_lanes, rays.size() - first);
-            const auto of_ray = [&](uint32_t i) {
-                return [&found, i](uint32_t number, float t) { return found(i, number, t); };
-            };
-            const auto tell = [&](uint32_t i, Bvh8Place place) {
-                if (!place.is_none()) places[i] = place.bits();
-            };
-            const Packet packet(rays.subspan(first, n), t_max.subspan(first, n));
-            if (packet.goes_together)
-                go(
-                    packet, rays.subspan(first, n), t_max.subspan(first, n),
-                    [&](uint32_t i) { return of_ray(first + i); },
-                    [&](uint32_t i, Bvh8Place place) { tell(first + i, place); });
-            else
-                for (uint32_t i = first; i < first + n; ++i)
-                    if (!(t_max[i] < 0)) tell(i, tree_.closest(rays[i], t_max[i], of_ray(i)));
+            go(rays.subspan(first, n), t_max.subspan(first, n), places.subspan(first, n),
+               [&](uint32_t i, uint32_t number, float t) { return found(first + i, number, t); });
         }
     }
 
@@ -104,10 +91,20 @@ private:
         }
     };
 
-    template <class Of, class Tell>
-    void go(const Packet& packet, std::span<const Ray> rays, std::span<const float> t_max, const Of& found_of,
-            const Tell& tell) const
+    // Of at most eight rays.
+    template <class Found>
+    void go(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+            const Found& found) const
     {
+        const auto of_ray = [&](uint32_t i) {
+            return [&found, i](uint32_t number, float t) { return found(i, number, t); };
+        };
+        const Packet packet(rays, t_max);
+        if (!packet.goes_together) {
+            for (uint32_t i = 0; i < rays.size(); ++i)
+                if (!(t_max[i] < 0)) places[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
+            return;
+        }
         std::array<LeafRay, float_lanes> leaf_rays;
         std::array<Bvh8Nearest, float_lanes> nearest;
         std::array<Bvh8Child, float_lanes> last{};  // as in Bvh8Turns
@@ -131,7 +128,7 @@ private:
             if (top > 0) tree_.fetch(Bvh8Child(static_cast<uint32_t>(stack[top - 1])));
             if (at.is_leaf()) {
                 for_bits(here, [&](uint32_t i) {
-                    if (!Bvh8::closest_in(tree_.leaf(at), leaf_rays[i], nearest[i], found_of(i))) return;
+                    if (!Bvh8::closest_in(tree_.leaf(at), leaf_rays[i], nearest[i], of_ray(i))) return;
                     last[i] = at;
                     reach[i] = nearest[i].high * Bvh8::beyond;
                     farthest = most(reach);
@@ -156,7 +153,7 @@ private:
                 stack[to] = next, lanes_of[to] = lanes;
             });
         }
-        for (uint32_t i = 0; i < rays.size(); ++i) tell(i, tree_.place_of(last[i]));
+        for (uint32_t i = 0; i < rays.size(); ++i) places[i] = tree_.place_of(last[i]).bits();
     }
 
     const Bvh8& tree_;

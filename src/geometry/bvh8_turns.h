@@ -17,7 +17,7 @@ public:
     explicit Bvh8Turns(const Bvh8& tree) : tree_(tree) {}
 
     // Bvh8::closest() of each of at most `most` rays; those with a t_max below 0 are left out. found(i, number, t).
-    // places[i]: what it says; where no triangle counts, it stays what it is.
+    // places[i]: what it says. At first: none.
     template <class Found>
     void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
                  const Found& found)
@@ -26,8 +26,7 @@ public:
             return [&, i](uint32_t number, float t) { return found(i, number, t); };
         };
         const auto go_alone = [&](uint32_t i) {
-            const Bvh8Place place = tree_.closest(rays[i], t_max[i], of_ray(i));
-            if (!place.is_none()) places[i] = place.bits();
+            places[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
             searches_[i].last = {};
             return Bvh8Child::none();
         };

@@ -47,7 +47,7 @@ public:
     {
         if constexpr (OctetTree<Tree>)
             find_by_octets(rays, hits);
-        else if constexpr (goes_together)
+        else if constexpr (is_bvh8)
             coherence == Coherence::coherent ? find_together<Bvh8Packets>(rays, hits)
                                              : find_together<Bvh8Turns>(rays, hits);
         else
@@ -71,9 +71,9 @@ public:
     }
 
 private:
-    static constexpr bool goes_together = std::is_same_v<Tree, Bvh8>;
-    // Whether the tree asks about nearer triangles alone, with distances that are not the last word.
-    static constexpr bool knows_nearest = std::is_same_v<Tree, Bvh8>;
+    // Whether the tree takes many rays at once, says where it finds things, and asks about nearer triangles alone, with
+    // distances that are not the last word.
+    static constexpr bool is_bvh8 = std::is_same_v<Tree, Bvh8>;
     struct Space {
         TriangleSet triangles;
         Tree tree;
@@ -120,7 +120,6 @@ private:
             for (size_t i = 0; i < n; ++i) {
                 if (t_max[i] < 0) continue;
                 best[i].place = places[i];
-                settle(some[i], Hit::no_instance, best[i]);
                 find_object(some[i], best[i]);
             }
         }
@@ -199,19 +198,9 @@ private:
     uint32_t find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
         float t_max = reach(ray, best);
-        if constexpr (goes_together) {
-            const uint32_t place = s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
-            settle(ray, instance, best);
-            return place;
-        }
+        if constexpr (is_bvh8) return s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
         s.tree.closest(local, t_max, asking(s, ray, instance, best));
         return Ray::nowhere;
-    }
-    // What a search of triangles has found, if anything, gets its distance, which is compared with those of other
-    // things.
-    void settle(const Ray& ray, uint32_t instance, Hit& best) const
-    {
-        if (knows_nearest && !is_plain() && is_of(best, instance)) best.t = refine(g_, ray, best).t;
     }
     static bool is_of(const Hit& best, uint32_t instance)
     {
@@ -223,7 +212,7 @@ private:
         return [&, instance](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
-            if (!(knows_nearest && is_of(best, instance)) && !is_nearer(hit, best)) return false;
+            if (!(is_bvh8 && is_of(best, instance)) && !is_nearer(hit, best)) return false;
             if (lets_pass(ray, hit)) return false;
             best = hit;
             return true;
@@ -231,13 +220,20 @@ private:
     }
     void find_object(const Ray& ray, Hit& best) const
     {
-        float t_max = reach(ray, best);
-        objects_.closest(ray, t_max, [&](uint32_t object, uint32_t, float) {
+        // A triangle's distance is known before it is compared with that of another thing, but not computed for
+        // nothing.
+        bool is_known = !is_bvh8;
+        const auto farthest = [&] { return reach(ray, best) * (is_known ? 1 : 1 + 2 * Bvh8Nearest::most_error); };
+        objects_.closest(ray, farthest(), [&](uint32_t object, uint32_t, float) {
+            if (!is_known && best.kind == Kind::triangle) best.t = refine(g_, ray, best).t;
+            is_known = true;
             if (is_sphere(object))
                 take(first_stop<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
-            else if (const Ray local = into_mesh(ray, object); is_traceable(local))
+            else if (const Ray local = into_mesh(ray, object); is_traceable(local)) {
                 find_in(*placed_[g_.instances[object].mesh], ray, local, object, best);
-            return reach(ray, best);
+                is_known = !(is_bvh8 && is_of(best, object));
+            }
+            return farthest();
         });
     }
 
