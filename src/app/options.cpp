@@ -62,8 +62,8 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.values("--set", "NAME=true|false,...",
              "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
              "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
-             "(choose among many by place), split (into "
-             "several rays where that pays), roulette (by what the pixel shows), stop (end pixels that "
+             "(choose among many by place), split (into several rays where that pays), common (half of these by random "
+             "numbers that neighbours share, where that pays), roulette (by what the pixel shows), stop (end pixels that "
              "are known well enough), multiscatter (rough metal loses no light), terminator (softer shadow edges on "
              "smoothed meshes)",
              [&](const std::string& t) { set_switches(t, o); });

@@ -15,7 +15,7 @@ inline constexpr uint32_t samples_per_block = 16;
 
 struct Pixel {
     std::array<double, 3> sum{};  // of radiance
-    double sum_sq = 0;            // of squared luminance: feeds the error estimate
+    double sum_sq = 0;            // of squared luminance, and see SquareLight: feeds the error estimate
     uint32_t n = 0;               // samples that count; a non-finite one does not
 
     Color mean() const
@@ -44,6 +44,7 @@ struct Tile {
     uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     uint32_t width() const { return x1 - x0; }
     uint32_t height() const { return y1 - y0; }
+    bool has(uint32_t x, uint32_t y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
     friend bool operator==(const Tile&, const Tile&) = default;
 };
 

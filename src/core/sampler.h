@@ -121,6 +121,8 @@ public:
         : kind_(kind), sample_(sample), key_(key_of(seed, pixel, branch))
     {
     }
+    // key: of key_of().
+    Sampler(SamplerKind kind, uint64_t key, uint32_t sample) : kind_(kind), sample_(sample), key_(key) {}
     // The address as far as it is the same for all samples of a pixel.
     static constexpr uint64_t key_of(uint64_t seed, uint64_t pixel, uint32_t branch)
     {
@@ -142,6 +144,8 @@ public:
     {
         return to_unit(static_cast<uint32_t>(mix_bits(~hash + sample * 0x9e3779b97f4a7c15ull) >> 32));
     }
+    // The same sample's numbers of another key.
+    Sampler of_key(uint64_t key) const { return {kind_, key, sample_}; }
     // The numbers of another sample of the pixel.
     Sampler of_sample(uint32_t sample) const
     {

@@ -115,6 +115,14 @@ bool scatters_nothing(const B& bsdf)
     return false;
 }
 
+// How much of the light that comes to a place goes back along the path, of a surface that sends it everywhere alike.
+template <class B>
+Color known_reflectance(const B& bsdf)
+{
+    if constexpr (requires { bsdf.albedo; }) return bsdf.albedo;
+    return {1, 1, 1};
+}
+
 // Next-event estimation at a vertex.
 template <class V, class B>
 void sample_direct(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
@@ -241,13 +249,21 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
         };
         if (view.plan.parts == 1 || !splits_at(s, bsdf))
             return steps.next_from(s, [&](State& n) { return send(n, sampler); });
-        for (uint32_t i = 0; i < view.plan.split; ++i)
-            steps.next_from(s, [&](State& n) {
-                n.has_split = true;
-                n.sample = s.sample * view.plan.parts + s.part + i;
-                n.throughput /= static_cast<float>(view.plan.split);
-                return send(n, sampler.of_sample(n.sample));
-            });
+        const auto send_parts = [&](Numbers numbers, const Sampler& first) {
+            for (uint32_t i = 0; i < view.plan.split_of_kind(); ++i)
+                steps.next_from(s, [&](State& n) {
+                    n.has_split = true;
+                    n.numbers = numbers;
+                    n.sample = s.sample * view.plan.parts_of_kind() + s.part + i;
+                    n.throughput /= static_cast<float>(view.plan.split);
+                    return send(n, first.of_sample(n.sample));
+                });
+        };
+        if (!view.plan.has_common_numbers()) return send_parts(Numbers::undivided, sampler);
+        steps.split(s.slot, {surface.ns, surface.origin, s.cone.width + s.cone.spread * surface.t, surface.material,
+                             s.throughput * known_reflectance(bsdf)});
+        send_parts(Numbers::own, sampler);
+        send_parts(Numbers::common, sampler.of_key(steps.common_key(s.slot)));
     });
 }
 

@@ -123,6 +123,7 @@ void AovListener::vertex(const State& s, const Surface& surface) const
 {
     if (s.depth != 0) return;
     const SampleId& id = w_.slots[s.slot];
+    if (!tile_.has(id.x, id.y)) return;
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     if (wants(AovSum::albedo) || wants(AovSum::flat)) {
         const ShadingPoint point = scene_.shading_point(surface);

@@ -36,7 +36,8 @@ public:
     }
     void ray(const State& s, const Hit&) const
     {
-        if (s.depth == 0) count(w_.slots[s.slot]);
+        const SampleId& id = w_.slots[s.slot];
+        if (s.depth == 0 && tile_.has(id.x, id.y)) count(id);
     }
     void open_sky(const SampleId& id) const { count(id); }
     void vertex(const State& s, const Surface& surface) const;

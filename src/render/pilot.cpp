@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "render/common_numbers.h"
 #include "render/kernels.h"
 #include "render/stop_rule.h"
 
@@ -17,6 +18,8 @@ constexpr uint32_t most_split = 4;   // beyond, edges of shapes would want for s
 constexpr double dark = 0.1;         // parts of the mean below which errors count as if it were so bright
 constexpr double packed = 0.4;       // time of a camera ray, which goes with its neighbours, by that of a bounce
 constexpr double occlusion = 0.6;    // likewise of a shadow ray
+constexpr uint32_t likeness_steps = 8;  // to which likeness is rounded
+constexpr double most_alike = 0.875;    // a pilot's single samples err more alike than several, better spread, do
 constexpr double stratified = 0.12;  // what is left, about, of variance in the few dimensions of a camera ray; fitted
 
 // What a pixel's samples tell, in sums of doubles.
@@ -42,6 +45,12 @@ Look look_at(std::span<const RadianceSum> samples)
     }
     look.among_paths = (squares - sum * sum / paths) / (paths - 1) - look.among_parts / parts;
     return look;
+}
+
+// To a part of so many: see rounded().
+float in_steps(double x, uint32_t steps)
+{
+    return x > 0 ? static_cast<float>(std::round(x * steps)) / static_cast<float>(steps) : 0.0f;
 }
 
 // To a power of two: what differs in its last bits, as between accelerators that disagree on a ray, gives one plan.
@@ -138,16 +147,10 @@ std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t ro
     return shown;
 }
 
-}  // namespace
-
-PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                   const Camera& camera, uint32_t width, uint32_t height)
+// PathPlan::worth.
+void tell_worth(const Survey& s, PathPlan& plan)
 {
-    PathPlan plan;
-    if (!path.split && !path.roulette_by_pixel) return plan;
-    const Survey s = survey(scene, accel, path, settings, camera, width, height);
-    if (path.split) plan.split = plan.parts = best_split(s);
-    if (!path.roulette_by_pixel || !(s.brightness() > 0)) return plan;
+    if (!(s.brightness() > 0)) return;
     plan.cell = s.cell, plan.columns = s.columns;
     const double floor = dark * s.brightness();
     for (uint32_t row = 0; row < s.rows; ++row)
@@ -158,6 +161,66 @@ PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& pat
             };
             plan.worth.push_back({worth(0), worth(1), worth(2)});
         }
+}
+
+// PathPlan::likeness of a plan that is to have common numbers: how the differences of neighbours are correlated, those
+// counting most that are most alike. At most 8 x 8 cells of the survey are asked, in one square each.
+double likeness_of(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                   const Camera& camera, const Tile& picture, const Survey& s, PathPlan plan)
+{
+    plan.likeness = 1;
+    Path pilot = path;
+    pilot.parts = {};  // as in survey()
+    struct Sums {
+        double together = 0, each = 0;
+    };
+    const uint32_t step = (std::max(s.columns, s.rows) + 7) / 8;
+    std::vector<Sums> sums((s.rows + step - 1) / step);
+    const double floor = dark * s.brightness();
+    const auto corner = [&](uint32_t cell) { return corner_of_square(cell * s.cell + s.cell / 2); };
+    parallel_for(sums.size(), [&](size_t i) {
+        Workspace w;
+        w.is_pilot = true;
+        Counters counters;
+        const uint32_t y0 = corner(step * static_cast<uint32_t>(i));
+        for (uint32_t column = 0; column < s.columns; column += step)
+            for_square(picture, corner(column), y0, [&](uint32_t x, uint32_t y) { w.slots.push_back({x, y, 0}); });
+        Kernels<Path>::trace({scene, plan}, accel, camera, picture.width(), settings, pilot, w, counters);
+        for (size_t slot = 0; slot < w.slots.size(); ++slot) w.found.push_back(found_of(w, slot));
+        for_squares(w.found, [&](std::span<const Found> square) {
+            double light = 0;
+            for (const Found& f : square) light += double{luminance(f.light)} / static_cast<double>(square.size());
+            const double weight = 1 / (light * light + floor * floor);
+            if (!std::isfinite(weight)) return;
+            const auto y = [](Color c) { return double{luminance(c)}; };
+            for (const Found& a : square)
+                for (const Found& b : square) {
+                    const double p = y(incident_difference(a)), q = y(incident_difference(b));
+                    const double wanted = weight * y(a.at.scale) * y(b.at.scale) * double{kinship(a.at, b.at)};
+                    if (&a == &b || !(wanted > 0) || !std::isfinite(p) || !std::isfinite(q)) continue;
+                    sums[i].together += wanted * p * q, sums[i].each += wanted * (p * p + q * q) / 2;
+                }
+        });
+    });
+    Sums all;
+    for (const Sums& row : sums) all.together += row.together, all.each += row.each;
+    return all.each > 0 ? std::min(most_alike, 2 * all.together / all.each) : 0;  // each holds own errors, too
+}
+
+}  // namespace
+
+PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                   const Camera& camera, uint32_t width, uint32_t height)
+{
+    PathPlan plan;
+    if (!path.split && !path.roulette_by_pixel) return plan;
+    const Survey s = survey(scene, accel, path, settings, camera, width, height);
+    if (path.split) plan.split = plan.parts = best_split(s);
+    if (path.roulette_by_pixel) tell_worth(s, plan);
+    // Not where pixels may end before their neighbours, or samples are changed.
+    if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)
+        plan.likeness = in_steps(
+            likeness_of(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan), likeness_steps);
     return plan;
 }
 

@@ -11,6 +11,7 @@
 #include "integrators/path.h"
 #include "materials/material.h"
 #include "materials/plastic_lanes.h"
+#include "render/common_numbers.h"
 #include "render/workspace.h"
 #include "scene/light_choice.h"
 #include "scene/triangle_place.h"
@@ -53,7 +54,7 @@ public:
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
-        w.queue.radiance.assign(w.slots.size(), RadianceSum{});
+        begin_batch(view.plan, settings, width, w);
         if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
         w.hits.reserve(most);
         w.occluded.reserve(most);
@@ -106,7 +107,7 @@ private:
         Vec3x8 albedo;
         Vec3x8 n, ns, origin;  // as in Surface
         Float8 cos_o;          // between the shading normal and the way back
-        Float8 width;          // of the cone, where textures are looked up
+        Float8 width;          // of the cone, where textures are looked up or paths split
         std::array<uint32_t, float_lanes> material;
         std::array<uint32_t, float_lanes> start;  // of rays that leave them, as in Ray
         [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
@@ -126,6 +127,7 @@ private:
     Placed place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
                  Vertices& v);
     Placed place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
+    void widen(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, Vertices& v) const;
     static Placed place_nowhere(Vertices& v);
     void look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
     void bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v);
@@ -157,6 +159,8 @@ private:
     void scatter(Vertices& v);
     void scatter_any(Vertices& v);
     UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
+    void tell_of_split(const Vertices& v, uint32_t lanes) const;
+    KeyLanes common_keys(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;
     // Directions that BSDFs chose.
     struct Scattered {
@@ -175,9 +179,9 @@ private:
     void add_sky(uint32_t missed, size_t first, const Lanes& path);
     void add_unoccluded();
     void end_in_sky();
-    void spoil(uint32_t lanes, UInt8 slots)
+    void spoil(uint32_t lanes, UInt8 sums)
     {
-        for_bits(lanes, [&](uint32_t i) { Steps(w_.queue, slots[i]).spoil(); });
+        for_bits(lanes, [&](uint32_t i) { Steps(w_.queue, sums[i]).spoil(); });
     }
 
     Leg leg() const { return depth_ == 0 ? Leg::view : depth_ == 1 ? Leg::direct : Leg::indirect; }
@@ -234,7 +238,7 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
         const uint32_t number = id.sample / view_.plan.of_path();
         const uint64_t key = Sampler::key_of(w_.seed_of(settings_, number), uint64_t{id.y} * width + id.x, 0);
         const Color worth = view_.plan.worth_at(id.x, id.y);
-        path.slot[i] = first + i, path.sample[i] = settings_.sample_of(number);
+        path.sum[i] = first + i, path.sample[i] = settings_.sample_of(number);
         path.key.low[i] = static_cast<uint32_t>(key), path.key.high[i] = static_cast<uint32_t>(key >> 32);
         path.worth.x[i] = worth.r, path.worth.y[i] = worth.g, path.worth.z[i] = worth.b;
     }
@@ -298,7 +302,7 @@ inline void WideBatch<shading>::shade(size_t first)
     if constexpr (looks_up)
         look_up(first, hits, wo, v);
     else
-        place(hits, which, wo, v);
+        place(hits, which, wo, v), widen(hits, which, v);
     v.cos_o = dot(wo, v.ns);
     if constexpr (any) {
         v.others.wo = FrameT<Float8>(v.ns).to_local(wo);

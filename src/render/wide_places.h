@@ -45,6 +45,15 @@ inline typename WideBatch<shading>::Placed WideBatch<shading>::place_drawn(uint3
     return place(hits, which, wo, v);
 }
 
+// The cone of a camera ray, for where nothing else asks for it.
+template <Shading shading>
+inline void WideBatch<shading>::widen(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
+                                      Vertices& v) const
+{
+    if (depth_ > 0 || !view_.plan.has_common_numbers()) return;
+    for (uint32_t i = 0; i < float_lanes; ++i) v.width[i] = pixel_spread_ * hits[which[i]].t;
+}
+
 template <Shading shading>
 inline typename WideBatch<shading>::Placed WideBatch<shading>::place_nowhere(Vertices& v)
 {

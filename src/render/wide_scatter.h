@@ -12,10 +12,33 @@ template <Shading shading>
 inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
 {
     const PathPlan& plan = view_.plan;
-    UInt8 sample = path.sample * plan.parts;
+    UInt8 sample = path.sample * plan.parts_of_kind();
     if (plan.of_path() > 1)
-        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.slot[i]].sample % plan.of_path(); });
+        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.sum[i]].sample % plan.of_path(); });
     return sample;
+}
+
+// Of lanes whose paths split, before they are told so: Steps::split().
+template <Shading shading>
+inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes) const
+{
+    Vec3x8 scale = times(v.path.throughput, v.albedo);
+    if constexpr (any) scale = select(lanes_of(v.others.lanes), v.path.throughput, scale);
+    for_bits(lanes, [&](uint32_t i) {
+        const Vec3 s = lane(scale, i);
+        w_.queue.split_at[v.path.sum[i]] = {lane(v.ns, i), lane(v.origin, i), v.width[i], v.material[i], {s.x, s.y, s.z}};
+    });
+}
+
+template <Shading shading>
+inline KeyLanes WideBatch<shading>::common_keys(const Lanes& path, uint32_t lanes) const
+{
+    KeyLanes keys{};
+    for_bits(lanes, [&](uint32_t i) {
+        const uint64_t key = w_.queue.common_keys[path.sum[i]];
+        keys.low[i] = static_cast<uint32_t>(key), keys.high[i] = static_cast<uint32_t>(key >> 32);
+    });
+    return keys;
 }
 
 template <Shading shading>
@@ -23,7 +46,9 @@ inline void WideBatch<shading>::scatter(Vertices& v)
 {
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
+    const bool has_common = splits && plan.has_common_numbers();
     const Float8 zero{};
+    if (has_common) tell_of_split(v, v.hit & ~bits(is_black(v.albedo)));
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((bits(reflects) & v.hit) == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
@@ -40,19 +65,29 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
-    const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-    std::optional<AddressLanes> roulette;  // mostly not asked for
-    if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-    for (uint32_t part = 0; part < (splits ? plan.split : 1); ++part, next.sample += 1u) {
-        const Vec2x8 u = address.get2(next.sample);
-        const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
-        const Vec3x8 wi = normalize(frame.to_world(local));
-        Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
-        if (roulette) goes &= roulette->get2_x(next.sample) < q;
-        next.pdf = local.z * (1 / pi);
-        if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-        send(bits(goes) & v.hit, v.origin, wi, v);
-    }
+    const auto send_parts = [&](uint32_t parts) {
+        const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
+        std::optional<AddressLanes> roulette;  // mostly not asked for
+        if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+        for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
+            const Vec2x8 u = address.get2(next.sample);
+            const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
+            const Vec3x8 wi = normalize(frame.to_world(local));
+            Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
+            if (roulette) goes &= roulette->get2_x(next.sample) < q;
+            next.pdf = local.z * (1 / pi);
+            if constexpr (looks_up) next.spread = opened(spread, next.pdf);
+            send(bits(goes) & v.hit, v.origin, wi, v);
+        }
+    };
+    if (!has_common) return send_parts(splits ? plan.split : 1);
+    const auto slots = static_cast<uint32_t>(w_.slots.size());
+    const KeyLanes common = common_keys(next, v.hit);
+    const UInt8 first = next.sample;
+    next.sum += slots;
+    send_parts(plan.split_of_kind());
+    next.sum += slots, next.sample = first, next.key = common;
+    send_parts(plan.split_of_kind());
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
@@ -116,8 +151,14 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
     const Others& others = v.others;
     const Float8 zero{}, one = all_lanes(1.0f);
     const uint32_t sends = v.hit & (others.lanes | bits((v.cos_o > zero) & ~is_black(v.albedo)));
-    if (sends == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
+    const bool has_common = view_.plan.has_common_numbers();
+    if (has_common)
+        tell_of_split(v, v.hit & (others.lanes | ~bits(is_black(v.albedo))) & ~others.only_delta &
+                             ~bits(is_set(next.so_far, has_split)));
+    if (sends == 0) return;
+    KeyLanes common{};
+    if (has_common) common = common_keys(next, sends & ~bits(is_set(next.so_far, has_split)));
     const uint32_t splits = split_any(sends, others, next);
     const Vec3x8 throughput = next.throughput;
     const Float8 eta_scale = next.eta_scale, spread = next.spread;
@@ -131,28 +172,40 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
         kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
     const UInt8 straight = kept | leg(Leg::view) | was_specular;
     const FrameT<Float8> frame(v.ns);
-    const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-    const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-    for (uint32_t part = 0; part < (splits != 0 ? view_.plan.split : 1); ++part, next.sample += 1u) {
-        const Scattered s = sample_any(v, part == 0 ? sends : splits, address);
-        const Vec3x8 wi = normalize(frame.to_world(s.wi));
-        const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
-        next.throughput = times(throughput, s.weight);
-        uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
-        if (goes == 0) continue;
-        next.pdf = s.pdf;
-        next.eta_scale = eta_scale * (s.eta * s.eta);
-        next.so_far = select(is_delta, straight, spreading);
-        next.spread = select(is_delta, smaller(one, spread), opened(spread, s.pdf));
-        const Float8 q = survival(next);
-        if ((bits(q != one) & goes) != 0) {
-            goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
-            next.throughput = next.throughput / q;
+    // of_all: the lanes of the first part.
+    const auto send_parts = [&](uint32_t of_all, uint32_t parts) {
+        const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
+        const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+        for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
+            const Scattered s = sample_any(v, part == 0 ? of_all : splits, address);
+            const Vec3x8 wi = normalize(frame.to_world(s.wi));
+            const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
+            next.throughput = times(throughput, s.weight);
+            uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
+            if (goes == 0) continue;
+            next.pdf = s.pdf;
+            next.eta_scale = eta_scale * (s.eta * s.eta);
+            next.so_far = select(is_delta, straight, spreading);
+            next.spread = select(is_delta, smaller(one, spread), opened(spread, s.pdf));
+            const Float8 q = survival(next);
+            if ((bits(q != one) & goes) != 0) {
+                goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
+                next.throughput = next.throughput / q;
+            }
+            Vec3x8 origin = v.origin;
+            for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
+            send(goes, origin, wi, v);
         }
-        Vec3x8 origin = v.origin;
-        for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
-        send(goes, origin, wi, v);
-    }
+    };
+    if (splits == 0) return send_parts(sends, 1);
+    if (!has_common) return send_parts(sends, view_.plan.split);
+    const auto slots = static_cast<uint32_t>(w_.slots.size());
+    const UInt8 first = next.sample;
+    const UInt8 step = reinterpret_cast<UInt8>(lanes_of(splits)) & slots;
+    next.sum += step;
+    send_parts(sends, view_.plan.split_of_kind());
+    next.sum += step, next.sample = first, next.key = common;
+    send_parts(splits, view_.plan.split_of_kind());
 }
 
 // What `lanes` of v.path are sent on as.
@@ -161,7 +214,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
 {
     const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
     const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
-    spoil(lanes & ~traceable, v.path.slot);
+    spoil(lanes & ~traceable, v.path.sum);
     next_.push(lanes & traceable, origin, wi, no_end, v.path);
     Ray* sent = next_.last_rays(static_cast<size_t>(std::popcount(lanes & traceable))).data();
     for_bits(lanes & traceable, [&](uint32_t i) { (sent++)->start = v.start[i]; });

@@ -90,8 +90,8 @@ private:
 struct PathLanes {
     Vec3x8 throughput, worth;  // as in State
     Float8 pdf;
-    UInt8 slot, sample;
-    KeyLanes key;  // of the sampler
+    UInt8 sum, sample;  // sum: in Queue::radiance; that of its slot until the path splits
+    KeyLanes key;       // of the sampler
 };
 // The same where textures are looked up, and so the cone of each ray is asked for.
 struct ConePathLanes : PathLanes {
@@ -108,7 +108,7 @@ inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
 
 struct ShadowLanes {
     Vec3x8 radiance;  // if nothing is in between
-    UInt8 slot;
+    UInt8 sum;        // in Queue::radiance
 };
 
 template <class Lanes>

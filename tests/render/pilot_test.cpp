@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "support/render.h"
@@ -13,7 +14,8 @@ constexpr uint32_t width = 32, height = 24;
 
 struct Planned {
     PathPlan plan;
-    std::vector<std::set<uint32_t>> numbers;  // of the rays that samples 0 to 3 of a pixel sent on from where it splits
+    // Of the rays that samples 0 to 3 of a pixel sent on from where it splits.
+    std::vector<std::set<std::pair<Numbers, uint32_t>>> numbers;
 };
 
 Planned planned(const SceneDescription& d, RenderSettings settings = {})
@@ -27,10 +29,10 @@ Planned planned(const SceneDescription& d, RenderSettings settings = {})
             auto& numbers = out.numbers.emplace_back();
             PathListener listener{[&](const State& s, const Hit&) {
                                       if (s.depth != 1) return;
-                                      EXPECT_TRUE(numbers.insert(s.sample).second);
+                                      EXPECT_TRUE(numbers.insert({s.numbers, s.sample}).second);
                                   },
                                   [](const State&, const Surface&) {}, [](const State&, Color) {},
-                                  [](const Ray&, Color, bool) {}};
+                                  [](const Ray&, Color, bool) {}, [](Color) {}};
             renderer.replay(camera, width, height, {width / 2, height / 2, i}, listener);
         }
     });
@@ -75,17 +77,40 @@ TEST(Pilot, LeavesADarkSceneAlone)
     EXPECT_TRUE(plan.worth.empty());
 }
 
-// The parts of all samples together have the numbers of one sequence, each once.
+// The parts of all samples together have the numbers of one sequence, each once; or of two, where half are in common.
 TEST(Pilot, DealsEachNumberOnce)
 {
-    const Planned p = planned(cornell_scene(), with(true, false));
-    std::set<uint32_t> all;
-    for (const auto& numbers : p.numbers) {
-        EXPECT_EQ(numbers.size(), p.plan.split);
-        for (const uint32_t n : numbers) EXPECT_TRUE(all.insert(n).second) << n;
+    for (const bool common : {false, true}) {
+        RenderSettings settings = with(true, false);
+        std::get<Path>(settings.integrator).common = common;
+        const Planned p = planned(cornell_scene(), settings);
+        EXPECT_EQ(p.plan.has_common_numbers(), common);
+        std::map<Numbers, std::set<uint32_t>> all;
+        for (const auto& numbers : p.numbers) {
+            EXPECT_EQ(numbers.size(), p.plan.split);
+            for (const auto& [kind, n] : numbers) EXPECT_TRUE(all[kind].insert(n).second) << n;
+        }
+        EXPECT_EQ(all.size(), common ? 2u : 1u);
+        for (const auto& [kind, numbers] : all) {
+            EXPECT_EQ(*numbers.begin(), 0u);
+            EXPECT_EQ(*numbers.rbegin(), 4 * p.plan.split_of_kind() - 1);
+            EXPECT_EQ(numbers.size(), 4 * p.plan.split_of_kind());
+        }
     }
-    EXPECT_EQ(*all.begin(), 0u);
-    EXPECT_EQ(*all.rbegin(), 4 * p.plan.split - 1);
+}
+
+// Neighbours that see nothing alike have nothing in common, and where pixels end by themselves, neither.
+TEST(Pilot, SharesNumbersOnlyWhereThatTells)
+{
+    EXPECT_GT(planned(cornell_scene()).plan.likeness, 0);
+    EXPECT_LE(planned(cornell_scene()).plan.likeness, 1);
+    EXPECT_EQ(planned(cornell_scene(), with(false, true)).plan.likeness, 0);
+    RenderSettings stops;
+    stops.kernel.stop = StopRule::confidence;
+    EXPECT_EQ(planned(cornell_scene(), stops).plan.likeness, 0);
+    RenderSettings clamps;
+    clamps.kernel.clamp = true;
+    EXPECT_EQ(planned(cornell_scene(), clamps).plan.likeness, 0);
 }
 
 // What accelerators disagree on in the last bits must not change all pixels of a picture.
@@ -99,6 +124,7 @@ TEST(Pilot, PlansTheSameByAnyAccelerator)
         const PathPlan bvh8 = planned(d, settings).plan;
         EXPECT_EQ(embree.split, bvh8.split) << name;
         EXPECT_TRUE(embree.worth == bvh8.worth) << name;
+        EXPECT_EQ(embree.likeness, bvh8.likeness) << name;
     }
 }
 
