@@ -116,12 +116,13 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
     const float gain = likeness / (2 - likeness);
     alignas(32) std::array<float, square_pixels> part{}, brightness{}, left{};  // left: of d_i after what was told
     std::array<Vec3x8, square_pixels / float_lanes> told{};
+    std::array<std::array<Float8, square_pixels>, square_pixels / float_lanes> kin;  // of those that tell, with each
     const auto tells = [&](size_t i) { return (lanes.tell[i / float_lanes] >> i % float_lanes & 1) != 0; };
     for (size_t e = 0; e < lanes.eights.size(); ++e) {
         Float8 count{};
         for (size_t j = 0; j < square.size(); ++j) {
             if (!tells(j)) continue;
-            const Float8 k = kinship(lanes.eights[e], square[j].at);
+            const Float8 k = kin[e][j] = kinship(lanes.eights[e], square[j].at);
             const Color& d = lanes.difference[j];
             count += k;
             told[e].x += k * d.r, told[e].y += k * d.g, told[e].z += k * d.b;
@@ -143,7 +144,7 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
     std::array<Float8, square_pixels / float_lanes> in_all{};
     for (size_t e = 0; e < lanes.eights.size(); ++e)
         for (size_t i = 0; i < square.size(); ++i)
-            if (tells(i)) in_all[e] += kinship(lanes.eights[e], square[i].at) * (part[i] * brightness[i]);
+            if (tells(i)) in_all[e] += kin[e][i] * (part[i] * brightness[i]);
     float covariances = 0, squares = 0;
     for (size_t i = 0; i < square.size(); ++i) {
         if (!tells(i)) continue;

@@ -44,6 +44,8 @@ public:
           w_(w),
           now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
+          common_now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).common_now),
+          common_next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).common_next),
           shadows_(w.wide.shadows),
           counters_(counters),
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.lit_by_constant_sky())),
@@ -54,40 +56,57 @@ public:
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
+        if (view.plan.has_common_numbers()) common_now_.reserve(most), common_next_.reserve(most);
         begin_batch(view.plan, settings, width, w);
-        if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
+        if (keeps_normals_)
+            for (PackedVectors* n : {&w.wide.normals_now, &w.wide.normals_next, &w.wide.common_normals_now,
+                                     &w.wide.common_normals_next})
+                n->reserve(most);
         w.hits.reserve(most);
         w.occluded.reserve(most);
-        now_.clear();
+        now_.clear(), common_now_.clear();
         for (uint32_t first = 0; first < w.slots.size(); first += float_lanes) send_from(camera, width, first);
         counters.camera_rays += w.slots.size();
     }
     template <class Listener>
     void trace(const Listener& listener)
     {
-        for (depth_ = 0; now_.size() > 0; ++depth_) {
-            if (depth_ > 0) counters_.bounce_rays += now_.size();
-            next_.clear(), shadows_.clear();
-            w_.wide.normals_next.clear();
-            if (are_last() && !shines_) return end_in_sky();
-            w_.hits.resize(now_.size());
-            for (size_t first = 0; first < now_.size(); first += at_once) {
-                const size_t n = std::min(at_once, now_.size() - first);
-                const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
-                accel_.closest(now_.rays().subspan(first, n), hits,
-                               depth_ == 0 ? Coherence::coherent : Coherence::incoherent);
-                fetch_shading(view_.scene, hits);
-                if constexpr (!std::is_same_v<Listener, NoListener>)
-                    if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
-                for (size_t i = first; i < first + n; i += float_lanes) shade(i);
+        for (depth_ = 0; now_.size() + common_now_.size() > 0; ++depth_) {
+            if (depth_ > 0) counters_.bounce_rays += now_.size() + common_now_.size();
+            next_.clear(), common_next_.clear(), shadows_.clear();
+            w_.wide.normals_next.clear(), w_.wide.common_normals_next.clear();
+            advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
+            if (common_now_.size() > 0) {
+                std::swap(now_, common_now_);
+                std::swap(w_.wide.normals_now, w_.wide.common_normals_now);
+                advance(Coherence::coherent, listener);
             }
+            if (are_last() && !shines_) return;
             add_unoccluded();
-            std::swap(now_, next_);
+            std::swap(now_, next_), std::swap(common_now_, common_next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
+            std::swap(w_.wide.common_normals_now, w_.wide.common_normals_next);
         }
     }
 
 private:
+    // The rays of now_, to where they end and are shaded.
+    template <class Listener>
+    void advance(Coherence coherence, const Listener& listener)
+    {
+        if (are_last() && !shines_) return end_in_sky();
+        w_.hits.resize(now_.size());
+        for (size_t first = 0; first < now_.size(); first += at_once) {
+            const size_t n = std::min(at_once, now_.size() - first);
+            const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
+            accel_.closest(now_.rays().subspan(first, n), hits, coherence);
+            fetch_shading(view_.scene, hits);
+            if constexpr (!std::is_same_v<Listener, NoListener>)
+                if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
+            for (size_t i = first; i < first + n; i += float_lanes) shade(i);
+        }
+    }
+
     // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
     static constexpr size_t at_once = 128;
     // What of eight vertices is not matt, and what that wants to know.
@@ -170,7 +189,7 @@ private:
         uint32_t lanes = 0;  // that there are
     };
     Scattered sample_any(const Vertices& v, uint32_t lanes, const AddressLanes& address) const;
-    void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v);
+    void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v, Numbers numbers);
     Float8 survival(const Lanes& next) const;
     template <class Of>
     void give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
@@ -212,7 +231,7 @@ private:
     const WideScene& scene_;
     const float pixel_spread_;
     Workspace& w_;
-    PackedStates<Lanes>&now_, &next_;
+    PackedStates<Lanes>&now_, &next_, &common_now_, &common_next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
     // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.

@@ -65,7 +65,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
-    const auto send_parts = [&](uint32_t parts) {
+    const auto send_parts = [&](uint32_t parts, Numbers kind) {
         const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
         std::optional<AddressLanes> roulette;  // mostly not asked for
         if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
@@ -77,17 +77,17 @@ inline void WideBatch<shading>::scatter(Vertices& v)
             if (roulette) goes &= roulette->get2_x(next.sample) < q;
             next.pdf = local.z * (1 / pi);
             if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-            send(bits(goes) & v.hit, v.origin, wi, v);
+            send(bits(goes) & v.hit, v.origin, wi, v, kind);
         }
     };
-    if (!has_common) return send_parts(splits ? plan.split : 1);
+    if (!has_common) return send_parts(splits ? plan.split : 1, Numbers::undivided);
     const auto slots = static_cast<uint32_t>(w_.slots.size());
     const KeyLanes common = common_keys(next, v.hit);
     const UInt8 first = next.sample;
     next.sum += slots;
-    send_parts(plan.split_of_kind());
+    send_parts(plan.split_of_kind(), Numbers::own);
     next.sum += slots, next.sample = first, next.key = common;
-    send_parts(plan.split_of_kind());
+    send_parts(plan.split_of_kind(), Numbers::common);
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
@@ -173,7 +173,7 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
     const UInt8 straight = kept | leg(Leg::view) | was_specular;
     const FrameT<Float8> frame(v.ns);
     // of_all: the lanes of the first part.
-    const auto send_parts = [&](uint32_t of_all, uint32_t parts) {
+    const auto send_parts = [&](uint32_t of_all, uint32_t parts, Numbers kind) {
         const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
         const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
         for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
@@ -194,32 +194,35 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
             }
             Vec3x8 origin = v.origin;
             for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
-            send(goes, origin, wi, v);
+            send(goes, origin, wi, v, kind);
         }
     };
-    if (splits == 0) return send_parts(sends, 1);
-    if (!has_common) return send_parts(sends, view_.plan.split);
+    if (splits == 0) return send_parts(sends, 1, Numbers::undivided);
+    if (!has_common) return send_parts(sends, view_.plan.split, Numbers::undivided);
     const auto slots = static_cast<uint32_t>(w_.slots.size());
     const UInt8 first = next.sample;
     const UInt8 step = reinterpret_cast<UInt8>(lanes_of(splits)) & slots;
     next.sum += step;
-    send_parts(sends, view_.plan.split_of_kind());
+    send_parts(sends, view_.plan.split_of_kind(), Numbers::own);
     next.sum += step, next.sample = first, next.key = common;
-    send_parts(splits, view_.plan.split_of_kind());
+    send_parts(splits, view_.plan.split_of_kind(), Numbers::common);
 }
 
 // What `lanes` of v.path are sent on as.
 template <Shading shading>
-inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v)
+inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v,
+                                     Numbers numbers)
 {
+    PackedStates<Lanes>& to = numbers == Numbers::common ? common_next_ : next_;
     const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
     const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
     spoil(lanes & ~traceable, v.path.sum);
-    next_.push(lanes & traceable, origin, wi, no_end, v.path);
-    Ray* sent = next_.last_rays(static_cast<size_t>(std::popcount(lanes & traceable))).data();
+    to.push(lanes & traceable, origin, wi, no_end, v.path);
+    Ray* sent = to.last_rays(static_cast<size_t>(std::popcount(lanes & traceable))).data();
     for_bits(lanes & traceable, [&](uint32_t i) { (sent++)->start = v.start[i]; });
-    give_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::hole);
-    if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
+    give_keys(to, lanes & traceable, v.path, depth_ + 1, Dim::hole);
+    if (keeps_normals_)
+        (numbers == Numbers::common ? w_.wide.common_normals_next : w_.wide.normals_next).push(lanes & traceable, v.ns);
 }
 
 // With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.

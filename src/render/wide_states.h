@@ -114,13 +114,15 @@ struct ShadowLanes {
 template <class Lanes>
 struct PathsUnderWay {
     PackedStates<Lanes> now, next;
+    // Those that have just split and go by numbers in common: neighbours go much the same way.
+    PackedStates<Lanes> common_now, common_next;
 };
 // Memory of one thread that traces such scenes.
 struct WideWorkspace {
     std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
-    PackedVectors normals_now, normals_next;
+    PackedVectors normals_now, normals_next, common_normals_now, common_normals_next;
 };
 
 }  // namespace lancer
