@@ -59,14 +59,15 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     p.value("--max-depth", "N",
             "Surface vertices of a path; 1 is direct light only, 0 no limit, for whitted and random-decision 7 (0)",
             [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
-    p.values("--set", "NAME=true|false,...",
-             "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
-             "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
-             "(choose among many by place), split (into several rays where that pays), common (half of these by random "
-             "numbers that neighbours share, where that pays), roulette (by what the pixel shows), stop (end pixels that "
-             "are known well enough), multiscatter (rough metal loses no light), terminator (softer shadow edges on "
-             "smoothed meshes)",
-             [&](const std::string& t) { set_switches(t, o); });
+    p.values(
+        "--set", "NAME=true|false,...",
+        "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
+        "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
+        "(choose among many by place), split (into several rays where that pays), common (half of these by random "
+        "numbers that neighbours share, where that pays), roulette (by what the pixel shows), stop (end pixels that "
+        "are known well enough), multiscatter (rough metal loses no light), terminator (softer shadow edges on "
+        "smoothed meshes)",
+        [&](const std::string& t) { set_switches(t, o); });
     p.value("--stop-error", "X",
             "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",
             [&](const std::string& t) { o.stop_error = to_number<double>("--stop-error", t, 1e-9, 1e9, "a number"); });

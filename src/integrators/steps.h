@@ -25,25 +25,25 @@ enum class Numbers : uint8_t { undivided, own, common };
 
 // Where a path split, as far as it tells by which neighbours it is like; see render/common_numbers.h.
 struct SplitVertex {
-    Vec3 n, p;             // shading normal; where rays start
-    float width = -1;      // of the cone of light there, scene units; < 0: the path did not split
+    Vec3 n, p;         // shading normal; where rays start
+    float width = -1;  // of the cone of light there, scene units; < 0: the path did not split
     uint32_t material = 0;
-    Color scale;           // what the path does to light from there on: as far as it is known before a ray is chosen
+    Color scale;  // what the path does to light from there on: as far as it is known before a ray is chosen
 };
 
 // One ray under way.
 struct State {
     Ray ray;
-    Color throughput{1, 1, 1};   // what the path so far does to light that comes along the ray
-    Color worth{-1, -1, -1};     // see PathPlan::worth_at()
-    float pdf = 0;               // with which the BSDF chose the ray, per solid angle
-    Vec3 normal;                 // shading normal where it started
-    RayCone cone;                // of the light that the ray stands for
-    MediumStack media;           // what the ray is in; only kept in scenes that have media
-    float eta_scale = 1;         // product of eta^2 over refractions: throughput times it speaks of energy
-    uint32_t slot = 0;           // the sample that it adds to
-    uint32_t branch = 0;         // part of the address of its random numbers; siblings differ
-    uint32_t sample = 0;         // likewise: that of the sample until the path splits, then see PathPlan::parts
+    Color throughput{1, 1, 1};  // what the path so far does to light that comes along the ray
+    Color worth{-1, -1, -1};    // see PathPlan::worth_at()
+    float pdf = 0;              // with which the BSDF chose the ray, per solid angle
+    Vec3 normal;                // shading normal where it started
+    RayCone cone;               // of the light that the ray stands for
+    MediumStack media;          // what the ray is in; only kept in scenes that have media
+    float eta_scale = 1;        // product of eta^2 over refractions: throughput times it speaks of energy
+    uint32_t slot = 0;          // the sample that it adds to
+    uint32_t branch = 0;        // part of the address of its random numbers; siblings differ
+    uint32_t sample = 0;        // likewise: that of the sample until the path splits, then see PathPlan::parts
     Numbers numbers = Numbers::undivided;
     uint32_t part = 0;           // of the numbers: first one that the path takes when it splits
     uint32_t depth = 0;          // surface vertices before this ray

@@ -114,7 +114,8 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
     SquareLight s;
     const Lanes lanes(square);
     const float gain = likeness / (2 - likeness);
-    alignas(32) std::array<float, square_pixels> part{}, brightness{}, left{};  // left: of d_i after what was told
+    alignas(32) std::array<float, square_pixels> part{}, brightness{};
+    std::array<double, square_pixels> left{};  // of d_i after what was told, by brightness; in double, as it is squared
     std::array<Vec3x8, square_pixels / float_lanes> told{};
     std::array<std::array<Float8, square_pixels>, square_pixels / float_lanes> kin;  // of those that tell, with each
     const auto tells = [&](size_t i) { return (lanes.tell[i / float_lanes] >> i % float_lanes & 1) != 0; };
@@ -129,7 +130,7 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
         }
         _mm256_store_ps(&part[e * float_lanes], 2.0f / (2.0f + (count - 1.0f) * likeness));
     }
-    float all_left = 0;
+    double all_left = 0;
     for (size_t i = 0; i < square.size(); ++i) {
         s.light[i] = square[i].light;
         if (!tells(i)) continue;
@@ -137,7 +138,7 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
         const Color change = (Color{sum.x, sum.y, sum.z} * part[i] - lanes.difference[i]) * gain;
         s.light[i] += change * square[i].at.scale;
         brightness[i] = luminance(square[i].at.scale);
-        left[i] = brightness[i] * luminance(lanes.difference[i] - change);
+        left[i] = double{brightness[i]} * double{luminance(lanes.difference[i] - change)};
         all_left += left[i];
     }
     // How much each d_j counts in all pixels together, by brightness.
@@ -145,17 +146,17 @@ SquareLight light_of_square(std::span<const Found> square, float likeness)
     for (size_t e = 0; e < lanes.eights.size(); ++e)
         for (size_t i = 0; i < square.size(); ++i)
             if (tells(i)) in_all[e] += kin[e][i] * (part[i] * brightness[i]);
-    float covariances = 0, squares = 0;
+    double covariances = 0, squares = 0;
     for (size_t i = 0; i < square.size(); ++i) {
         if (!tells(i)) continue;
-        const float d = luminance(lanes.difference[i]);
+        const double d = double{luminance(lanes.difference[i])}, b = double{brightness[i]};
         const float of_others = gain * (in_all[i / float_lanes][i % float_lanes] - part[i] * brightness[i]);
-        covariances += left[i] * (all_left - left[i]) + 2 * brightness[i] * of_others * d * d;
-        squares += brightness[i] * brightness[i];
+        covariances += left[i] * (all_left - left[i]) + 2 * b * double{of_others} * d * d;
+        squares += b * b;
     }
     if (squares > 0)  // dealt out so that no single pixel is said to have less noise than none
         for (size_t i = 0; i < square.size(); ++i)
-            s.together[i] = covariances * (brightness[i] * brightness[i] / squares);
+            s.together[i] = covariances * (double{brightness[i]} * double{brightness[i]} / squares);
     return s;
 }
 

@@ -1,10 +1,10 @@
 // Random numbers in common. Of the rays into which a path splits, one half goes by the pixel's own random numbers, the
-// other by numbers that a square of 8 x 8 pixels has in common. Both halves find the same light in the mean, so what one
-// finds less than the other is error and nothing else, with mean zero; and where neighbours see much the same, their
-// common numbers err much alike. So the differences of all neighbours together tell by how much the common numbers err
-// at a pixel: a control variate whose mean is known (Owen, "Monte Carlo theory, methods and examples", 2013, 8.9; common
-// random numbers: 8.6), weighed as the best linear prediction weighs it. Unbiased, as the weights know where paths
-// split, which was settled before, and nothing of what was found behind.
+// other by numbers that a square of 8 x 8 pixels has in common. Both halves find the same light in the mean, so what
+// one finds less than the other is error and nothing else, with mean zero; and where neighbours see much the same,
+// their common numbers err much alike. So the differences of all neighbours together tell how much common numbers err
+// at a pixel: a control variate whose mean is known (Owen, "Monte Carlo theory, methods and examples", 2013, 8.9;
+// common random numbers: 8.6), weighed as the best linear prediction weighs it. Unbiased, as the weights know where
+// paths split, which was settled before, and nothing of what was found behind.
 #pragma once
 
 #include <array>
@@ -66,7 +66,7 @@ struct SquareLight {
     std::array<Color, square_pixels> light{};
     // Pixels of a square err together. What is to be added to the square of each luminance, so that variances of single
     // pixels, added up over a square, are that of its sum.
-    std::array<float, square_pixels> together{};
+    std::array<double, square_pixels> together{};
 };
 // At most square_pixels. likeness: see PathPlan. Samples that are not finite stay so and tell the others nothing.
 SquareLight light_of_square(std::span<const Found> square, float likeness);

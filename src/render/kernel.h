@@ -40,11 +40,11 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
     // together: see SquareLight.
-    const auto count_with = [&](const SampleId& id, Color c, float together) {
+    const auto count_with = [&](const SampleId& id, Color c, double together) {
         if (!is_finite(c)) return counters.drop(id);
         Pixel& p = w.block[index(id)];
         const double y = luminance(c);
-        p += {{c.r, c.g, c.b}, y * y + double{together}, 1};
+        p += {{c.r, c.g, c.b}, y * y + together, 1};
         if (!w.last.empty()) w.last[index(id)] = c;
         if (film.replicates.empty() || w.is_pilot) return;
         const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
@@ -236,21 +236,20 @@ struct OneOfThem {
 };
 
 template <class Integrator>
-Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera,
-                                  const Tile& picture, const KernelSettings& settings, const Integrator& integrator,
-                                  const SampleId& id, const PathListener& listener)
+Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, const Tile& picture,
+                                  const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
+                                  const PathListener& listener)
 {
     Workspace w;
     Counters counters;
     const bool in_square = view.plan.has_common_numbers() && !view.plan.is_open(id.x, id.y);
     uint32_t slot = 0;
     if (in_square)
-        for_square(picture, corner_of_square(id.x), corner_of_square(id.y),
-                   [&](uint32_t x, uint32_t y) {
-                       if (view.plan.is_open(x, y)) return;
-                       if (x == id.x && y == id.y) slot = static_cast<uint32_t>(w.slots.size());
-                       w.slots.push_back({x, y, id.sample});
-                   });
+        for_square(picture, corner_of_square(id.x), corner_of_square(id.y), [&](uint32_t x, uint32_t y) {
+            if (view.plan.is_open(x, y)) return;
+            if (x == id.x && y == id.y) slot = static_cast<uint32_t>(w.slots.size());
+            w.slots.push_back({x, y, id.sample});
+        });
     else
         w.slots.push_back(id);
     const OneOfThem heard{listener, slot, static_cast<uint32_t>(w.slots.size())};

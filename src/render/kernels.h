@@ -16,7 +16,7 @@ struct PathListener {
     std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
     std::function<void(const State&, Color)> added;            // radiance added there at once
     std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
-    std::function<void(Color)> corrected;  // last, if the sample has numbers in common with its neighbours: what they add
+    std::function<void(Color)> corrected;  // last, if its neighbours have numbers in common with it: what they add
 };
 
 // Path's, for scenes of which there is a WideScene that does or does not look things up: the same bits, eight paths

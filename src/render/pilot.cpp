@@ -10,14 +10,14 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t most_cells = 64;  // in a row or column
-constexpr uint32_t least_cell = 8;   // pixels
-constexpr uint32_t paths = 8;        // of each pixel that is looked at
-constexpr uint32_t parts = 2;        // of each path, which share it up to where it splits
-constexpr uint32_t most_split = 4;   // beyond, edges of shapes would want for samples before the light does
-constexpr double dark = 0.1;         // parts of the mean below which errors count as if it were so bright
-constexpr double packed = 0.4;       // time of a camera ray, which goes with its neighbours, by that of a bounce
-constexpr double occlusion = 0.6;    // likewise of a shadow ray
+constexpr uint32_t most_cells = 64;     // in a row or column
+constexpr uint32_t least_cell = 8;      // pixels
+constexpr uint32_t paths = 8;           // of each pixel that is looked at
+constexpr uint32_t parts = 2;           // of each path, which share it up to where it splits
+constexpr uint32_t most_split = 4;      // beyond, edges of shapes would want for samples before the light does
+constexpr double dark = 0.1;            // parts of the mean below which errors count as if it were so bright
+constexpr double packed = 0.4;          // time of a camera ray, which goes with its neighbours, by that of a bounce
+constexpr double occlusion = 0.6;       // likewise of a shadow ray
 constexpr uint32_t likeness_steps = 8;  // to which likeness is rounded
 constexpr double most_alike = 0.875;    // a pilot's single samples err more alike than several, better spread, do
 constexpr double stratified = 0.12;  // what is left, about, of variance in the few dimensions of a camera ray; fitted
@@ -219,8 +219,8 @@ PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& pat
     if (path.roulette_by_pixel) tell_worth(s, plan);
     // Not where pixels may end before their neighbours, or samples are changed.
     if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)
-        plan.likeness = in_steps(
-            likeness_of(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan), likeness_steps);
+        plan.likeness =
+            in_steps(likeness_of(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan), likeness_steps);
     return plan;
 }
 

@@ -59,8 +59,8 @@ public:
         if (view.plan.has_common_numbers()) common_now_.reserve(most), common_next_.reserve(most);
         begin_batch(view.plan, settings, width, w);
         if (keeps_normals_)
-            for (PackedVectors* n : {&w.wide.normals_now, &w.wide.normals_next, &w.wide.common_normals_now,
-                                     &w.wide.common_normals_next})
+            for (PackedVectors* n :
+                 {&w.wide.normals_now, &w.wide.normals_next, &w.wide.common_normals_now, &w.wide.common_normals_next})
                 n->reserve(most);
         w.hits.reserve(most);
         w.occluded.reserve(most);

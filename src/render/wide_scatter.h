@@ -26,7 +26,8 @@ inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes)
     if constexpr (any) scale = select(lanes_of(v.others.lanes), v.path.throughput, scale);
     for_bits(lanes, [&](uint32_t i) {
         const Vec3 s = lane(scale, i);
-        w_.queue.split_at[v.path.sum[i]] = {lane(v.ns, i), lane(v.origin, i), v.width[i], v.material[i], {s.x, s.y, s.z}};
+        w_.queue.split_at[v.path.sum[i]] = {
+            lane(v.ns, i), lane(v.origin, i), v.width[i], v.material[i], {s.x, s.y, s.z}};
     });
 }
 

@@ -18,9 +18,9 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
 {
     std::vector<std::vector<stats::Tally>> ways;
     uint64_t seed = 100;
-    for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
-                             path_with(true, true), path_with(true, true, {}, false),
-                             path_with(false, false, {.always = true})})
+    for (const Path& path :
+         {path_with(false, false), path_with(true, false), path_with(false, true), path_with(true, true),
+          path_with(true, true, {}, false), path_with(false, false, {.always = true})})
         ways.push_back(tiles_over_seeds(d, {.integrator = path, .spp = 32, .seed = ++seed}, 16));
     expect_one_mean(ways, detectable, name);
 }

@@ -146,7 +146,8 @@ TEST(CommonNumbers, LeaveLessErrorInAsManyRays)
         for (uint64_t seed = 0; seed < 8; ++seed) {
             const Film film = picture(common, 4, seed);
             for (size_t i = 0; i < film.pixels.size(); ++i) {
-                const double a = double{luminance(film.pixels[i].mean())}, b = double{luminance(exact.pixels[i].mean())};
+                const double a = double{luminance(film.pixels[i].mean())},
+                             b = double{luminance(exact.pixels[i].mean())};
                 sum += (a - b) * (a - b) / (b * b + 0.01);
             }
         }
