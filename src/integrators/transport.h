@@ -107,20 +107,20 @@ bool samples_light(const V& view, const B& bsdf, DirectLight how)
     return true;
 }
 
-// Whether a place swallows all light, as lamps do: nothing needs to be sampled there.
-template <class B>
-bool scatters_nothing(const B& bsdf)
-{
-    if constexpr (requires { bsdf.albedo; }) return is_black(bsdf.albedo);
-    return false;
-}
-
-// How much of the light that comes to a place goes back along the path, of a surface that sends it everywhere alike.
+// How much of the light that comes to a place goes back along the path, of a surface that sends it everywhere alike; of
+// others 1.
 template <class B>
 Color known_reflectance(const B& bsdf)
 {
     if constexpr (requires { bsdf.albedo; }) return bsdf.albedo;
     return {1, 1, 1};
+}
+
+// Whether a place swallows all light, as lamps do: nothing needs to be sampled there.
+template <class B>
+bool scatters_nothing(const B& bsdf)
+{
+    return is_black(known_reflectance(bsdf));
 }
 
 // Next-event estimation at a vertex.

@@ -121,9 +121,8 @@ AovLayout layout_of(const std::vector<Aov>& which)
 
 void AovListener::vertex(const State& s, const Surface& surface) const
 {
-    if (s.depth != 0) return;
+    if (!is_counted(s)) return;
     const SampleId& id = w_.slots[s.slot];
-    if (!tile_.has(id.x, id.y)) return;
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     if (wants(AovSum::albedo) || wants(AovSum::flat)) {
         const ShadingPoint point = scene_.shading_point(surface);

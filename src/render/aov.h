@@ -36,8 +36,7 @@ public:
     }
     void ray(const State& s, const Hit&) const
     {
-        const SampleId& id = w_.slots[s.slot];
-        if (s.depth == 0 && tile_.has(id.x, id.y)) count(id);
+        if (is_counted(s)) count(w_.slots[s.slot]);
     }
     void open_sky(const SampleId& id) const { count(id); }
     void vertex(const State& s, const Surface& surface) const;
@@ -45,6 +44,8 @@ public:
     void end_block(uint32_t end) const;
 
 private:
+    // Whether this is a camera ray of the tile. Squares of pixels with numbers in common reach beyond it.
+    bool is_counted(const State& s) const { return s.depth == 0 && tile_.has(w_.slots[s.slot].x, w_.slots[s.slot].y); }
     void count(const SampleId& id) const
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);

@@ -16,6 +16,14 @@ Color sum_of(const RadianceSum& a, const RadianceSum& b, const RadianceSum& c)
     return RadianceSum{a.r + b.r + c.r, a.g + b.g + c.g, a.b + b.b + c.b}.color();
 }
 
+// Of places that are n and p apart, for one and for eight; area: product of their widths. Not above 0 where these are
+// none.
+template <class T>
+T kinship_of(const Vec3T<T>& n, const Vec3T<T>& p, T area)
+{
+    return area / ((T{} + 1.0f + dot(n, n) * by_normal) * (area + dot(p, p) * by_place));
+}
+
 // Of all pixels of a square, eight to a register; those beyond the last are like no other.
 struct Lanes {
     struct Eight {
@@ -47,9 +55,8 @@ Float8 kinship(const Lanes::Eight& a, const SplitVertex& b)
 {
     const Vec3x8 n = a.n - Vec3x8{all_lanes(b.n.x), all_lanes(b.n.y), all_lanes(b.n.z)};
     const Vec3x8 p = a.p - Vec3x8{all_lanes(b.p.x), all_lanes(b.p.y), all_lanes(b.p.z)};
-    const Float8 area = a.width * all_lanes(b.width);
-    const Float8 k = area / ((all_lanes(1.0f) + dot(n, n) * by_normal) * (area + dot(p, p) * by_place));
-    const Mask8 alike = (a.material == b.material) & (k > Float8{});  // neither where widths are none
+    const Float8 k = kinship_of(n, p, a.width * all_lanes(b.width));
+    const Mask8 alike = (a.material == b.material) & (k > Float8{});
     return select(alike, k, Float8{});
 }
 
@@ -57,11 +64,9 @@ Float8 kinship(const Lanes::Eight& a, const SplitVertex& b)
 
 float kinship(const SplitVertex& a, const SplitVertex& b)
 {
-    if (!(a.width > 0) || !(b.width > 0)) return 0;
-    Lanes::Eight eight{};
-    set_lane(eight.n, 0, a.n), set_lane(eight.p, 0, a.p);
-    eight.width[0] = a.width, eight.material[0] = a.material;
-    return kinship(eight, b)[0];
+    if (!(a.width > 0) || !(b.width > 0) || a.material != b.material) return 0;
+    const float k = kinship_of(a.n - b.n, a.p - b.p, a.width * b.width);
+    return k > 0 ? k : 0;
 }
 
 Color incident_difference(const Found& f)

@@ -85,14 +85,14 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
             listener.open_sky({x, y, i});
         }
     };
-    const auto send = [&](const SampleId& id, uint32_t batch) {
+    const uint32_t batch = batch_of<Integrator>(settings);
+    const auto send = [&](const SampleId& id) {
         w.slots.push_back(id);
         if (w.slots.size() == batch) flush();
     };
     constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
     w.slots.clear();
     w.found.clear();
-    const uint32_t batch = batch_of<Integrator>(settings);
     w.slots.reserve(batch);
     if (in_squares) {
         const Tile picture{0, 0, film.width, film.height};
@@ -105,7 +105,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
             });
             for (uint32_t i = samples.begin; i < samples.end; ++i)
                 for_square(picture, x0, y0, [&](uint32_t x, uint32_t y) {
-                    if (!view.plan.is_open(x, y)) send({x, y, i}, batch);
+                    if (!view.plan.is_open(x, y)) send({x, y, i});
                 });
         });
         flush();
@@ -120,7 +120,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
                         count_open(x, y);
                         continue;
                     }
-                    for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) send({x, y, i}, batch);
+                    for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) send({x, y, i});
                 }
     flush();
 }

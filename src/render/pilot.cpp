@@ -70,6 +70,7 @@ struct Survey {
     Counters counters;
 
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
+    double floor() const { return dark * brightness(); }  // as bright as what is darker counts
 };
 
 Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
@@ -117,7 +118,7 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
 // 1997, after Arvo and Kirk.
 uint32_t best_split(const Survey& s)
 {
-    const double floor = dark * s.brightness();
+    const double floor = s.floor();
     double above = 0, below = 0;
     for (const Look& look : s.looks) {
         const double y = luminance(look.mean[0], look.mean[1], look.mean[2]), weight = y * y + floor * floor;
@@ -152,7 +153,7 @@ void tell_worth(const Survey& s, PathPlan& plan)
 {
     if (!(s.brightness() > 0)) return;
     plan.cell = s.cell, plan.columns = s.columns;
-    const double floor = dark * s.brightness();
+    const double floor = s.floor();
     for (uint32_t row = 0; row < s.rows; ++row)
         for (uint32_t column = 0; column < s.columns; ++column) {
             const std::array<double, 3> shown = shown_around(s, column, row);
@@ -176,7 +177,7 @@ double likeness_of(const Scene& scene, const Accelerator& accel, const Path& pat
     };
     const uint32_t step = (std::max(s.columns, s.rows) + 7) / 8;
     std::vector<Sums> sums((s.rows + step - 1) / step);
-    const double floor = dark * s.brightness();
+    const double floor = s.floor();
     const auto corner = [&](uint32_t cell) { return corner_of_square(cell * s.cell + s.cell / 2); };
     parallel_for(sums.size(), [&](size_t i) {
         Workspace w;
@@ -192,14 +193,19 @@ double likeness_of(const Scene& scene, const Accelerator& accel, const Path& pat
             for (const Found& f : square) light += double{luminance(f.light)} / static_cast<double>(square.size());
             const double weight = 1 / (light * light + floor * floor);
             if (!std::isfinite(weight)) return;
-            const auto y = [](Color c) { return double{luminance(c)}; };
-            for (const Found& a : square)
-                for (const Found& b : square) {
-                    const double p = y(incident_difference(a)), q = y(incident_difference(b));
-                    const double wanted = weight * y(a.at.scale) * y(b.at.scale) * double{kinship(a.at, b.at)};
-                    if (&a == &b || !(wanted > 0) || !std::isfinite(p) || !std::isfinite(q)) continue;
+            std::array<double, square_pixels> difference;
+            for (size_t a = 0; a < square.size(); ++a) {
+                difference[a] = double{luminance(incident_difference(square[a]))};
+                if (!std::isfinite(difference[a])) continue;
+                for (size_t b = 0; b < a; ++b) {
+                    const SplitVertex &at = square[a].at, &other = square[b].at;
+                    const double p = difference[a], q = difference[b];
+                    const double wanted = weight * double{luminance(at.scale)} * double{luminance(other.scale)} *
+                                          double{kinship(at, other)};
+                    if (!(wanted > 0) || !std::isfinite(q)) continue;
                     sums[i].together += wanted * p * q, sums[i].each += wanted * (p * p + q * q) / 2;
                 }
+            }
         });
     });
     Sums all;

@@ -178,6 +178,8 @@ private:
     void scatter(Vertices& v);
     void scatter_any(Vertices& v);
     UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
+    template <class SendParts>
+    void send_both_kinds(uint32_t splits, const KeyLanes& common, Lanes& next, const SendParts& send_parts) const;
     void tell_of_split(const Vertices& v, uint32_t lanes) const;
     KeyLanes common_keys(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;

@@ -31,6 +31,20 @@ inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes)
     });
 }
 
+// send_parts(numbers) sends those parts of paths that go by them. common: of lanes that split.
+template <Shading shading>
+template <class SendParts>
+inline void WideBatch<shading>::send_both_kinds(uint32_t splits, const KeyLanes& common, Lanes& next,
+                                                const SendParts& send_parts) const
+{
+    const UInt8 first = next.sample;
+    const UInt8 to_next_sum = reinterpret_cast<UInt8>(lanes_of(splits)) & static_cast<uint32_t>(w_.slots.size());
+    next.sum += to_next_sum;
+    send_parts(Numbers::own);
+    next.sum += to_next_sum, next.sample = first, next.key = common;
+    send_parts(Numbers::common);
+}
+
 template <Shading shading>
 inline KeyLanes WideBatch<shading>::common_keys(const Lanes& path, uint32_t lanes) const
 {
@@ -82,13 +96,8 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         }
     };
     if (!has_common) return send_parts(splits ? plan.split : 1, Numbers::undivided);
-    const auto slots = static_cast<uint32_t>(w_.slots.size());
-    const KeyLanes common = common_keys(next, v.hit);
-    const UInt8 first = next.sample;
-    next.sum += slots;
-    send_parts(plan.split_of_kind(), Numbers::own);
-    next.sum += slots, next.sample = first, next.key = common;
-    send_parts(plan.split_of_kind(), Numbers::common);
+    send_both_kinds(v.hit, common_keys(next, v.hit), next,
+                    [&](Numbers kind) { send_parts(plan.split_of_kind(), kind); });
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
@@ -154,12 +163,11 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
     const uint32_t sends = v.hit & (others.lanes | bits((v.cos_o > zero) & ~is_black(v.albedo)));
     Lanes& next = v.path;  // from here on that of what is sent on
     const bool has_common = view_.plan.has_common_numbers();
-    if (has_common)
-        tell_of_split(v, v.hit & (others.lanes | ~bits(is_black(v.albedo))) & ~others.only_delta &
-                             ~bits(is_set(next.so_far, has_split)));
+    const uint32_t may_split = has_common ? v.hit & ~others.only_delta & ~bits(is_set(next.so_far, has_split)) : 0;
+    if (may_split != 0) tell_of_split(v, may_split & (others.lanes | ~bits(is_black(v.albedo))));
     if (sends == 0) return;
     KeyLanes common{};
-    if (has_common) common = common_keys(next, sends & ~bits(is_set(next.so_far, has_split)));
+    if (may_split != 0) common = common_keys(next, may_split);
     const uint32_t splits = split_any(sends, others, next);
     const Vec3x8 throughput = next.throughput;
     const Float8 eta_scale = next.eta_scale, spread = next.spread;
@@ -200,13 +208,9 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
     };
     if (splits == 0) return send_parts(sends, 1, Numbers::undivided);
     if (!has_common) return send_parts(sends, view_.plan.split, Numbers::undivided);
-    const auto slots = static_cast<uint32_t>(w_.slots.size());
-    const UInt8 first = next.sample;
-    const UInt8 step = reinterpret_cast<UInt8>(lanes_of(splits)) & slots;
-    next.sum += step;
-    send_parts(sends, view_.plan.split_of_kind(), Numbers::own);
-    next.sum += step, next.sample = first, next.key = common;
-    send_parts(splits, view_.plan.split_of_kind(), Numbers::common);
+    send_both_kinds(splits, common, next, [&](Numbers kind) {
+        send_parts(kind == Numbers::own ? sends : splits, view_.plan.split_of_kind(), kind);
+    });
 }
 
 // What `lanes` of v.path are sent on as.
