@@ -36,8 +36,9 @@ inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
 inline Double4 load4(const double* from) { return _mm256_loadu_pd(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
-// from: 32-byte aligned.
+// from, to: 32-byte aligned.
 inline Float8 load8(const float* from) { return _mm256_load_ps(from); }
+inline void store8(float* to, Float8 x) { _mm256_store_ps(to, x); }
 
 inline Double4 to_double(Float4 x) { return _mm256_cvtps_pd(x); }
 inline double to_double(float x) { return x; }

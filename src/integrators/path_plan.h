@@ -18,15 +18,13 @@ struct PathPlan {
     uint32_t parts = 1;
 
     // Whether the second half of those rays, and all that follow them, go by random numbers that squares of
-    // square x square pixels have in common, the first half by the pixel's own: see render/common_numbers.h. How much
-    // what neighbours err by is alike if they use the same ones, [0, 1]; 0: none are in common. split is even where
-    // some are.
-    float likeness = 0;
+    // square x square pixels have in common, the first half by the pixel's own: see render/common_numbers.h. If so,
+    // split is even.
+    bool has_common_numbers = false;
     static constexpr uint32_t square = 8;
-    bool has_common_numbers() const { return likeness > 0; }
     // Rays of a path that go by numbers of one kind, and samples that they are numbered by: see `parts`.
-    uint32_t split_of_kind() const { return has_common_numbers() ? split / 2 : split; }
-    uint32_t parts_of_kind() const { return has_common_numbers() ? parts / 2 : parts; }
+    uint32_t split_of_kind() const { return has_common_numbers ? split / 2 : split; }
+    uint32_t parts_of_kind() const { return has_common_numbers ? parts / 2 : parts; }
 
     // Samples that share the first vertices of a path: those of number i / of_path().
     uint32_t of_path() const { return parts / split; }

@@ -20,7 +20,7 @@ enum class Leg : uint8_t {
 };
 
 // Numbers by which a path goes, and so which of its sample's sums it adds to: those of the pixel, until it splits; then
-// the pixel's own or those in common, if there are such (PathPlan::likeness).
+// the pixel's own or those in common, if there are such (PathPlan::has_common_numbers).
 enum class Numbers : uint8_t { undivided, own, common };
 
 // Where a path split, as far as it tells by which neighbours it is like; see render/common_numbers.h.

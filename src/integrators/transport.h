@@ -259,7 +259,7 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
                     return send(n, first.of_sample(n.sample));
                 });
         };
-        if (!view.plan.has_common_numbers()) return send_parts(Numbers::undivided, sampler);
+        if (!view.plan.has_common_numbers) return send_parts(Numbers::undivided, sampler);
         steps.split(s.slot, {surface.ns, surface.origin, s.cone.width + s.cone.spread * surface.t, surface.material,
                              s.throughput * known_reflectance(bsdf)});
         send_parts(Numbers::own, sampler);

@@ -10,11 +10,9 @@
 #include <array>
 #include <span>
 
-#include "render/workspace.h"
+#include "render/kinship.h"
 
 namespace lancer {
-
-inline constexpr size_t square_pixels = size_t{PathPlan::square} * PathPlan::square;
 
 // Makes w ready for the samples in w.slots: nothing found yet. width: of the whole picture.
 void begin_batch(const PathPlan& plan, const KernelSettings& settings, uint32_t width, Workspace& w);
@@ -58,17 +56,17 @@ void for_squares(std::span<const Found> found, const F& f)
 // The difference, as light that comes to where the path splits; 0 where none of it goes on.
 Color incident_difference(const Found& found);
 
-// How much of the light that comes to two places is alike, [0, 1]; 1 for one and itself, 0 for any that did not split.
-float kinship(const SplitVertex& a, const SplitVertex& b);
-
 // One sample of each pixel of a square, told by all of them together.
 struct SquareLight {
     std::array<Color, square_pixels> light{};
     // Pixels of a square err together. What is to be added to the square of each luminance, so that variances of single
     // pixels, added up over a square, are that of its sum.
     std::array<double, square_pixels> together{};
+    // How much pixels' luminances vary by what comes from where paths split, added up: as told, and as they were found.
+    // Unbiased; the first may be below 0.
+    double variance = 0, found_variance = 0;
 };
-// At most square_pixels. likeness: see PathPlan. Samples that are not finite stay so and tell the others nothing.
-SquareLight light_of_square(std::span<const Found> square, float likeness);
+// At most square_pixels. Samples that are not finite stay so and tell the others nothing.
+SquareLight light_of_square(std::span<const Found> square);
 
 }  // namespace lancer

@@ -52,7 +52,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
     };
     const auto count = [&](const SampleId& id, Color c) { count_with(id, c, 0); };
-    const bool in_squares = view.plan.has_common_numbers();
+    const bool in_squares = view.plan.has_common_numbers;
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
@@ -66,7 +66,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     // Counts what was found in whole squares, as far as it is of the tile.
     const auto settle = [&] {
         for_squares(w.found, [&](std::span<const Found> square) {
-            const SquareLight s = light_of_square(square, view.plan.likeness);
+            const SquareLight s = light_of_square(square);
             for (size_t i = 0; i < square.size(); ++i)
                 if (tile.has(square[i].id.x, square[i].id.y)) count_with(square[i].id, s.light[i], s.together[i]);
         });
@@ -242,7 +242,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
 {
     Workspace w;
     Counters counters;
-    const bool in_square = view.plan.has_common_numbers() && !view.plan.is_open(id.x, id.y);
+    const bool in_square = view.plan.has_common_numbers && !view.plan.is_open(id.x, id.y);
     uint32_t slot = 0;
     if (in_square)
         for_square(picture, corner_of_square(id.x), corner_of_square(id.y), [&](uint32_t x, uint32_t y) {
@@ -257,7 +257,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     const Color light = light_of(w, slot);
     if (!in_square) return counted(light, settings);
     for (uint32_t i = 0; i < heard.count; ++i) w.found.push_back(found_of(w, i));
-    const Color told = light_of_square(w.found, view.plan.likeness).light[slot];
+    const Color told = light_of_square(w.found).light[slot];
     listener.corrected(told - light);
     return told;
 }

@@ -10,17 +10,16 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t most_cells = 64;     // in a row or column
-constexpr uint32_t least_cell = 8;      // pixels
-constexpr uint32_t paths = 8;           // of each pixel that is looked at
-constexpr uint32_t parts = 2;           // of each path, which share it up to where it splits
-constexpr uint32_t most_split = 4;      // beyond, edges of shapes would want for samples before the light does
-constexpr double dark = 0.1;            // parts of the mean below which errors count as if it were so bright
-constexpr double packed = 0.4;          // time of a camera ray, which goes with its neighbours, by that of a bounce
-constexpr double occlusion = 0.6;       // likewise of a shadow ray
-constexpr uint32_t likeness_steps = 8;  // to which likeness is rounded
-constexpr double most_alike = 0.875;    // a pilot's single samples err more alike than several, better spread, do
-constexpr double stratified = 0.12;  // what is left, about, of variance in the few dimensions of a camera ray; fitted
+constexpr uint32_t most_cells = 64;    // in a row or column
+constexpr uint32_t least_cell = 8;     // pixels
+constexpr uint32_t paths = 8;          // of each pixel that is looked at
+constexpr uint32_t parts = 2;          // of each path, which share it up to where it splits
+constexpr uint32_t most_split = 4;     // beyond, edges of shapes would want for samples before the light does
+constexpr double dark = 0.1;           // parts of the mean below which errors count as if it were so bright
+constexpr double packed = 0.4;         // time of a camera ray, which goes with its neighbours, by that of a bounce
+constexpr double occlusion = 0.6;      // likewise of a shadow ray
+constexpr double common_wanted = 0.9;  // of the error is to be left, or less, for numbers in common
+constexpr double stratified = 0.12;    // what is left, about, of variance in the few dimensions of a camera ray; fitted
 
 // What a pixel's samples tell, in sums of doubles.
 struct Look {
@@ -45,12 +44,6 @@ Look look_at(std::span<const RadianceSum> samples)
     }
     look.among_paths = (squares - sum * sum / paths) / (paths - 1) - look.among_parts / parts;
     return look;
-}
-
-// To a part of so many: see rounded().
-float in_steps(double x, uint32_t steps)
-{
-    return x > 0 ? static_cast<float>(std::round(x * steps)) / static_cast<float>(steps) : 0.0f;
 }
 
 // To a power of two: what differs in its last bits, as between accelerators that disagree on a ray, gives one plan.
@@ -164,22 +157,22 @@ void tell_worth(const Survey& s, PathPlan& plan)
         }
 }
 
-// PathPlan::likeness of a plan that is to have common numbers: how the differences of neighbours are correlated, those
-// counting most that are most alike. At most 8 x 8 cells of the survey are asked, in one square each.
-double likeness_of(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                   const Camera& camera, const Tile& picture, const Survey& s, PathPlan plan)
+// Whether numbers in common leave less of the error than the pilot would want. At most 8 x 8 cells of the survey are
+// asked, in one square each; by the root of what each errs by, lest the few sparks that these see decide.
+bool common_numbers_pay(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                        const Camera& camera, const Tile& picture, const Survey& s, PathPlan plan)
 {
-    plan.likeness = 1;
+    plan.has_common_numbers = true;
     Path pilot = path;
     pilot.parts = {};  // as in survey()
-    struct Sums {
-        double together = 0, each = 0;
+    struct Errors {
+        double told = 0, found = 0;
     };
     const uint32_t step = (std::max(s.columns, s.rows) + 7) / 8;
-    std::vector<Sums> sums((s.rows + step - 1) / step);
+    std::vector<Errors> errors((s.rows + step - 1) / step);
     const double floor = s.floor();
     const auto corner = [&](uint32_t cell) { return corner_of_square(cell * s.cell + s.cell / 2); };
-    parallel_for(sums.size(), [&](size_t i) {
+    parallel_for(errors.size(), [&](size_t i) {
         Workspace w;
         w.is_pilot = true;
         Counters counters;
@@ -191,26 +184,15 @@ double likeness_of(const Scene& scene, const Accelerator& accel, const Path& pat
         for_squares(w.found, [&](std::span<const Found> square) {
             double light = 0;
             for (const Found& f : square) light += double{luminance(f.light)} / static_cast<double>(square.size());
-            const double weight = 1 / (light * light + floor * floor);
+            const SquareLight told = light_of_square(square);
+            const double weight = 1 / std::sqrt((light * light + floor * floor) * told.found_variance);
             if (!std::isfinite(weight)) return;
-            std::array<double, square_pixels> difference;
-            for (size_t a = 0; a < square.size(); ++a) {
-                difference[a] = double{luminance(incident_difference(square[a]))};
-                if (!std::isfinite(difference[a])) continue;
-                for (size_t b = 0; b < a; ++b) {
-                    const SplitVertex &at = square[a].at, &other = square[b].at;
-                    const double p = difference[a], q = difference[b];
-                    const double wanted = weight * double{luminance(at.scale)} * double{luminance(other.scale)} *
-                                          double{kinship(at, other)};
-                    if (!(wanted > 0) || !std::isfinite(q)) continue;
-                    sums[i].together += wanted * p * q, sums[i].each += wanted * (p * p + q * q) / 2;
-                }
-            }
+            errors[i].told += weight * told.variance, errors[i].found += weight * told.found_variance;
         });
     });
-    Sums all;
-    for (const Sums& row : sums) all.together += row.together, all.each += row.each;
-    return all.each > 0 ? std::min(most_alike, 2 * all.together / all.each) : 0;  // each holds own errors, too
+    Errors all;
+    for (const Errors& row : errors) all.told += row.told, all.found += row.found;
+    return all.told < common_wanted * all.found;
 }
 
 }  // namespace
@@ -225,8 +207,8 @@ PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& pat
     if (path.roulette_by_pixel) tell_worth(s, plan);
     // Not where pixels may end before their neighbours, or samples are changed.
     if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)
-        plan.likeness =
-            in_steps(likeness_of(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan), likeness_steps);
+        plan.has_common_numbers =
+            common_numbers_pay(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan);
     return plan;
 }
 

@@ -56,7 +56,7 @@ public:
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
-        if (view.plan.has_common_numbers()) common_now_.reserve(most), common_next_.reserve(most);
+        if (view.plan.has_common_numbers) common_now_.reserve(most), common_next_.reserve(most);
         begin_batch(view.plan, settings, width, w);
         if (keeps_normals_)
             for (PackedVectors* n :

@@ -50,7 +50,7 @@ template <Shading shading>
 inline void WideBatch<shading>::widen(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
                                       Vertices& v) const
 {
-    if (depth_ > 0 || !view_.plan.has_common_numbers()) return;
+    if (depth_ > 0 || !view_.plan.has_common_numbers) return;
     for (uint32_t i = 0; i < float_lanes; ++i) v.width[i] = pixel_spread_ * hits[which[i]].t;
 }
 

@@ -61,7 +61,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
 {
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
-    const bool has_common = splits && plan.has_common_numbers();
+    const bool has_common = splits && plan.has_common_numbers;
     const Float8 zero{};
     if (has_common) tell_of_split(v, v.hit & ~bits(is_black(v.albedo)));
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
@@ -162,7 +162,7 @@ inline void WideBatch<shading>::scatter_any(Vertices& v)
     const Float8 zero{}, one = all_lanes(1.0f);
     const uint32_t sends = v.hit & (others.lanes | bits((v.cos_o > zero) & ~is_black(v.albedo)));
     Lanes& next = v.path;  // from here on that of what is sent on
-    const bool has_common = view_.plan.has_common_numbers();
+    const bool has_common = view_.plan.has_common_numbers;
     const uint32_t may_split = has_common ? v.hit & ~others.only_delta & ~bits(is_set(next.so_far, has_split)) : 0;
     if (may_split != 0) tell_of_split(v, may_split & (others.lanes | ~bits(is_black(v.albedo))));
     if (sends == 0) return;
