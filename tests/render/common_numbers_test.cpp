@@ -155,6 +155,11 @@ TEST(CommonNumbers, TellNothingOfPlacesThatAreNotAlike)
     EXPECT_NEAR(light[0].g, without[0].g, 1e-6f);
     EXPECT_NEAR(light[15].g, without[10].g, 1e-6f);
     EXPECT_FALSE(light[0] == square[0].light);
+    // Whatever these found, the others do not change a bit.
+    for (const size_t i : {3u, 5u, 8u}) square[i].light = {9, 8, 7}, square[i].difference = {5, -6, 4};
+    square[6].difference.g = -square[6].difference.g, square[7].light.r = -square[7].light.r;
+    const auto changed = light_of_square(square).light;
+    for (const size_t i : {0u, 1u, 2u, 4u, 9u, 10u, 11u, 12u, 13u, 14u, 15u}) EXPECT_TRUE(changed[i] == light[i]) << i;
 }
 
 TEST(CommonNumbers, KinshipFallsWithDistanceAndAngleWhateverTheScale)
