@@ -139,7 +139,7 @@ private:
             Float8 near;
             const uint32_t met = packet.may_meet(node, all_lanes(farthest), near);
             alignas(32) std::array<float, 8> distances;
-            _mm256_store_ps(distances.data(), near);
+            store8(distances.data(), near);
             const size_t bottom = top;
             for_bits(met, [&](uint32_t child) {
                 const uint32_t lanes = packet.meets(node, child, reach) & here;

@@ -105,7 +105,7 @@ private:
         const Mask8 lanes = Mask8{0, 1, 2, 3, 4, 5, 6, 7};
         const Mask8 ok = is_traceable(l) & first_lanes(rays.size());
         const Float8 zero{}, one = all_lanes(1.0f);
-        const auto put = [&](float* to, Float8 x, Float8 idle) { _mm256_store_ps(to, select(ok, x, idle)); };
+        const auto put = [&](float* to, Float8 x, Float8 idle) { store8(to, select(ok, x, idle)); };
         // Idle lanes meet nothing whoever looks.
         put(r.org_x, l.org.x, zero), put(r.org_y, l.org.y, zero), put(r.org_z, l.org.z, zero);
         put(r.dir_x, l.dir.x, zero), put(r.dir_y, l.dir.y, zero), put(r.dir_z, l.dir.z, one);

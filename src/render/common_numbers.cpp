@@ -10,14 +10,15 @@ Color sum_of(const RadianceSum& a, const RadianceSum& b, const RadianceSum& c)
     return RadianceSum{a.r + b.r + c.r, a.g + b.g + c.g, a.b + b.b + c.b}.color();
 }
 
-}  // namespace
-
+// The difference, as light that comes to where the path splits; 0 where none of it goes on.
 Color incident_difference(const Found& f)
 {
     const auto part = [](float x, float scale) { return scale > 0 ? x / scale : 0.0f; };
     const Color &d = f.difference, &scale = f.at.scale;
     return {part(d.r, scale.r), part(d.g, scale.g), part(d.b, scale.b)};
 }
+
+}  // namespace
 
 void begin_batch(const PathPlan& plan, const KernelSettings& settings, uint32_t width, Workspace& w)
 {

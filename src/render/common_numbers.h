@@ -53,9 +53,6 @@ void for_squares(std::span<const Found> found, const F& f)
     }
 }
 
-// The difference, as light that comes to where the path splits; 0 where none of it goes on.
-Color incident_difference(const Found& found);
-
 // One sample of each pixel of a square, told by all of them together.
 struct SquareLight {
     std::array<Color, square_pixels> light{};
