@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/bare_loop.h"
+#include "harness/pairs.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
 #include "report/statistics.h"
@@ -45,28 +46,6 @@ double mean_luminance(const Film& film)
     double sum = 0;
     for (const Pixel& p : film.pixels) sum += static_cast<double>(luminance(p.mean()));
     return sum / static_cast<double>(film.pixels.size());
-}
-
-// Two pictures of one thing by random numbers of their own.
-using Pair = std::array<Film, 2>;
-
-// Relative mean squared error of each picture of a pair, from how they differ, which no reference is needed for: the
-// mean of (a - b)^2 / 2 over r^2 + 0.01. r: mean of all pictures that there are.
-double error_of(const Pair& pair, const std::vector<const Pair*>& all)
-{
-    double sum = 0;
-    for (size_t i = 0; i < pair[0].pixels.size(); ++i) {
-        const Color a = pair[0].pixels[i].mean(), b = pair[1].pixels[i].mean();
-        Color r;
-        for (const Pair* p : all)
-            for (const Film& film : *p) r += film.pixels[i].mean() / static_cast<float>(2 * all.size());
-        const auto part = [](float x, float y, float z) {
-            const double d = static_cast<double>(x) - static_cast<double>(y), m = static_cast<double>(z);
-            return d * d / 2 / (m * m + 0.01);
-        };
-        sum += part(a.r, b.r, r.r) + part(a.g, b.g, r.g) + part(a.b, b.b, r.b);
-    }
-    return sum / (3 * static_cast<double>(pair[0].pixels.size()));
 }
 
 void measure_scene(const BenchScene& scene, const Options& options, Report& report)

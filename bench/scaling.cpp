@@ -8,6 +8,7 @@
 #include "harness/bare_embree.h"
 #include "harness/batches.h"
 #include "harness/generate.h"
+#include "harness/lamps.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
 #include "report/statistics.h"
@@ -151,26 +152,6 @@ void scale_triangles(const Options& options, Report& report)
     sizes.finish("triangles", options.full ? 9e4 : 0);
 }
 
-// A closed box of side 2 with so many small lights all over its ceiling.
-SceneDescription lit_by(uint32_t lights)
-{
-    MeshData lamps;
-    lamps.materials.push_back(make_emitter("lamp", Color{1, 1, 1} * (2000.0f / static_cast<float>(lights))));
-    const auto side = static_cast<uint32_t>(std::ceil(std::sqrt(lights)));
-    for (uint32_t i = 0; i < lights; ++i) {
-        const double x = 1.9 * (i % side + 0.5) / side - 0.95, z = 1.9 * (i / side + 0.5) / side - 0.95, r = 0.006;
-        const auto first = static_cast<uint32_t>(lamps.positions.size());
-        for (const Vec3d& p : {Vec3d{x, 0.99, z}, Vec3d{x + r, 0.99, z}, Vec3d{x, 0.99, z + r}})
-            lamps.positions.push_back(p);
-        lamps.triangles.push_back({first, first + 1, first + 2});  // seen from below
-    }
-    SceneDescription d = describe_mesh(*make_room(20'000));
-    d.camera->position = {0.9, 0.2, 0.95}, d.camera->target = {-0.4, -0.2, -0.5}, d.camera->fov_deg = 70;
-    d.lights.clear();
-    d.meshes.emplace_back().data = std::make_shared<const MeshData>(std::move(lamps));
-    return d;
-}
-
 void scale_lights(const Options& options, Report& report)
 {
     if (!options.wants("lights")) return;
@@ -179,7 +160,7 @@ void scale_lights(const Options& options, Report& report)
         PictureOptions picture = small_picture();
         picture.size = {160, 120};
         picture.max_depth = 4;
-        const Stage stage(lit_by(lights), picture);
+        const Stage stage(box_of_lamps(lights), picture);
         const uint32_t spp = 4;
         const double samples = double(stage.settings.width) * stage.settings.height * spp;
         const Contestant draw{"embree", samples, [&] {

@@ -92,6 +92,8 @@ measure() {
 }
 measure accel "${meshes[@]}"
 measure limit
+measure estimators
+measure threads -t 64
 measure features
 measure scaling
 measure render

@@ -78,6 +78,13 @@ constexpr std::array plain_families{
     Plain{"limit", "The limit of a render",
           "How much of a render's time is spent on the rays themselves: its rays, recorded and traced again by Embree "
           "alone; and a bare path tracer as the floor to reach."},
+    Plain{"estimators", "What estimators give",
+          "Pictures by the default and with one estimator switched over. gain: by how much the error for the time is "
+          "larger then, above 1 where the default is right; error ratio: by how much the error alone."},
+    Plain{"threads", "Threads",
+          "Speeds on the clock against one thread. all: one thread for each CPU; apart: as many renders at once that "
+          "have "
+          "nothing to do with one another, which is what the machine allows; crowd: many more threads than CPUs."},
     Plain{"render", "Whole pictures", "The same picture with each accelerator."},
     Plain{
         "features", "What scenes do without",

@@ -1,0 +1,146 @@
+// bench_estimators: what each estimator that can be switched gives, as error for the time, of pictures with it and
+// without it in turns.
+#include <algorithm>
+
+#include "app/console.h"
+#include "core/parallel.h"
+#include "harness/lamps.h"
+#include "harness/pairs.h"
+#include "harness/scenes.h"
+#include "harness/stage.h"
+#include "report/statistics.h"
+
+namespace lancer::bench {
+namespace {
+
+constexpr std::array estimators{Switch::nee,   Switch::mis,    Switch::always_nee, Switch::light_tree,
+                                Switch::split, Switch::common, Switch::roulette};
+
+// Pictures by one setting of the switches, a pair with new random numbers each round.
+class Drawn {
+public:
+    Drawn(const SceneDescription& description, const PictureOptions& picture, uint32_t spp)
+        : description_(&description), picture_(picture), spp_(spp)
+    {
+    }
+
+    // CPU nanoseconds of drawing alone.
+    double next_pair()
+    {
+        double ns = 0;
+        const auto draw = [&] {
+            picture_.seed = seed_++;
+            const Stage stage(*description_, picture_);
+            const double start = all_ns();
+            Film film = stage.draw(spp_);
+            ns += all_ns() - start;
+            return film;
+        };
+        Film first = draw();
+        pairs_.push_back({std::move(first), draw()});
+        return ns;
+    }
+    const std::vector<Pair>& pairs() const { return pairs_; }
+
+private:
+    const SceneDescription* description_;
+    PictureOptions picture_;
+    uint32_t spp_;
+    uint64_t seed_ = 0;
+    std::vector<Pair> pairs_;
+};
+
+bool same(const Film& a, const Film& b)
+{
+    return std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), b.pixels.end(),
+                      [](const Pixel& x, const Pixel& y) { return x.sum == y.sum; });
+}
+
+// The estimators that change the picture at all, switched over one by one; the first is the default of all.
+std::vector<std::optional<Switch>> that_matter(const SceneDescription& description, const PictureOptions& picture,
+                                               uint32_t spp)
+{
+    std::vector<std::optional<Switch>> matter{std::nullopt};
+    const Film usual = Stage(description, picture).draw(spp);
+    for (const Switch s : estimators) {
+        PictureOptions other = picture;
+        other.switches[static_cast<size_t>(s)] = !Switches::default_of(s);
+        if (!same(usual, Stage(description, other).draw(spp))) matter.push_back(s);
+    }
+    return matter;
+}
+
+void measure(const std::string& name, const SceneDescription& description, PictureOptions picture,
+             const Options& options, Report& report)
+{
+    const uint32_t spp = samples_per_block;
+    const std::vector<std::optional<Switch>> matter = that_matter(description, picture, spp);
+    std::vector<Drawn> drawn;
+    std::vector<Contestant> contestants;
+    drawn.reserve(matter.size());
+    for (const std::optional<Switch> s : matter) {
+        PictureOptions other = picture;
+        if (s) other.switches[static_cast<size_t>(*s)] = !Switches::default_of(*s);
+        Drawn& d = drawn.emplace_back(description, other, spp);
+        const double samples = 2.0 * (*picture.size)[0] * (*picture.size)[1] * spp;
+        contestants.push_back({s ? std::string(switch_names[static_cast<size_t>(*s)]) : "default", samples, {}, [&d] {
+                                   return d.next_pair();
+                               }});
+    }
+    const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
+
+    std::vector<const Pair*> all;
+    for (const Drawn& d : drawn)
+        for (const Pair& pair : d.pairs()) all.push_back(&pair);
+    std::vector<std::vector<double>> errors;
+    for (const Drawn& d : drawn) {
+        std::vector<double>& of = errors.emplace_back();
+        // The first pair was drawn to warm up.
+        for (size_t i = 1; i < d.pairs().size(); ++i) of.push_back(error_of(d.pairs()[i], all));
+    }
+    for (size_t i = 0; i < contestants.size(); ++i) {
+        Json& row = report.add("estimators", joined({name, contestants[i].name}), timings[i], 1);
+        row["threads"] = options.threads;
+        row["mesh"] = name, row["way"] = contestants[i].name;
+        row["error"] = median(errors[i]);
+        if (matter[i]) row["switched"] = Switches::default_of(*matter[i]) ? "off" : "on";
+        add_ratio(row, contestants[0].name, timings[0], timings[i], 1);
+        if (i > 0) {
+            std::vector<double> gains, less;
+            for (size_t r = 0; r < errors[i].size(); ++r) {
+                less.push_back(errors[i][r] / errors[0][r]);
+                gains.push_back(less[r] * timings[i].cpu[r] / timings[0].cpu[r]);
+            }
+            const Interval interval = median_interval(gains);
+            // How many times the error, and the error for the time, the picture has that is not by default.
+            row["error_ratio"] = median(less);
+            row["gain"] = median(gains), row["gain_low"] = interval.low, row["gain_high"] = interval.high;
+        }
+        print_row(row);
+    }
+}
+
+}  // namespace
+}  // namespace lancer::bench
+
+int main(int argc, char** argv)
+{
+    using namespace lancer::bench;
+    return run_program(
+        argc, argv, "bench_estimators",
+        "Draws scenes with each estimator switched over, in turns with the default, and shows the default's gain: the "
+        "other's error times its time over its own.\nEstimators that a scene has no use for are left out. Names for "
+        "--only: scenes, and two of 10,000 lamps: lamps, a box that all of them light, and hall, where each lights a "
+        "part.",
+        [](const Options& options, Report& report) {
+            lancer::with_threads(options.threads, [&] {
+                const uint32_t height = options.full ? 192 : 96;
+                for (const BenchScene& scene : choose_scenes(options))
+                    measure(scene.name, scene.load(), scene.options(height), options, report);
+                lancer::PictureOptions picture;
+                picture.size = {height * 4 / 3, height}, picture.max_depth = 4;
+                if (options.wants("lamps")) measure("lamps", box_of_lamps(10'000), picture, options, report);
+                if (options.wants("hall")) measure("hall", hall_of_lamps(10'000), picture, options, report);
+            });
+        });
+}
