@@ -20,6 +20,7 @@ constexpr double packed = 0.4;         // time of a camera ray, which goes with 
 constexpr double occlusion = 0.6;      // likewise of a shadow ray
 constexpr double common_wanted = 0.9;  // of the error is to be left, or less, for numbers in common
 constexpr double stratified = 0.12;    // what is left, about, of variance in the few dimensions of a camera ray; fitted
+constexpr double unsorted = 1;         // likewise in which of very many lights is chosen, which has no smooth order
 
 // What a pixel's samples tell, in sums of doubles.
 struct Look {
@@ -109,8 +110,11 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
 // The split that has the least error at equal time: with paths of variance v and cost c up to the split, and of
 // variance v', cost c' below it, sqrt(v' c / (v c')). Bolin and Meyer, "An Error Metric for Monte Carlo Ray Tracing",
 // 1997, after Arvo and Kirk.
-uint32_t best_split(const Survey& s)
+uint32_t best_split(const Survey& s, const LightTable& lights)
 {
+    // Of the variance above the split, when samples are spread well.
+    const double by_tree = lights.tree ? lights.tree_share : 0;
+    const double left = unsorted * by_tree + stratified * (1 - by_tree);
     const double floor = s.floor();
     double above = 0, below = 0;
     for (const Look& look : s.looks) {
@@ -125,7 +129,7 @@ uint32_t best_split(const Survey& s)
     const double first = (packed + shadow) * camera, rest = (1 + shadow) * bounce;
     if (!(below > 0) || !(rest > 0)) return 1;
     if (!(above > 0)) return most_split;
-    const double best = std::sqrt(below * first / (stratified * above * rest));
+    const double best = std::sqrt(below * first / (left * above * rest));
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
 }
 
@@ -203,7 +207,7 @@ PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& pat
     PathPlan plan;
     if (!path.split && !path.roulette_by_pixel) return plan;
     const Survey s = survey(scene, accel, path, settings, camera, width, height);
-    if (path.split) plan.split = plan.parts = best_split(s);
+    if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) tell_worth(s, plan);
     // Not where pixels may end before their neighbours, or samples are changed.
     if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)

@@ -100,6 +100,32 @@ TEST(Pilot, DealsEachNumberOnce)
     }
 }
 
+// The box under so many quads of light to a row all over its ceiling.
+SceneDescription box_of_lamps(uint32_t row)
+{
+    SceneDescription d = cornell_scene();
+    std::vector<Vec3d> p;
+    std::vector<std::array<uint32_t, 3>> t;
+    const double size = 0.4 / row;
+    for (uint32_t i = 0; i < row * row; ++i) {
+        const double x = 2.0 * (i % row + 0.5) / row - 1, z = 2.0 * (i / row + 0.5) / row - 1;
+        const auto at = static_cast<uint32_t>(p.size());
+        p.insert(p.end(), {{x, 0.99, z}, {x + size, 0.99, z}, {x + size, 0.99, z + size}, {x, 0.99, z + size}});
+        t.insert(t.end(), {{at, at + 1, at + 2}, {at, at + 2, at + 3}});
+    }
+    d.meshes[5] = make_mesh(make_mesh_data(p, t, make_emitter("lamps", {12, 10, 8})));
+    return d;
+}
+
+// Which of many lights is chosen for the first surface cannot be spread well over samples: there more paths pay.
+TEST(Pilot, SplitsLessWhereOneOfManyLightsIsChosen)
+{
+    EXPECT_EQ(planned(box_of_lamps(5)).plan.split, 2u);
+    const SceneDescription many = box_of_lamps(6);
+    ASSERT_TRUE(build_scene(many).lights.tree);
+    EXPECT_EQ(planned(many).plan.split, 1u);
+}
+
 // Neighbours that see nothing alike have nothing in common, and where pixels end by themselves, neither.
 TEST(Pilot, SharesNumbersOnlyWhereThatTells)
 {
