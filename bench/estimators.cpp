@@ -131,16 +131,22 @@ int main(int argc, char** argv)
         "Draws scenes with each estimator switched over, in turns with the default, and shows the default's gain: the "
         "other's error times its time over its own.\nEstimators that a scene has no use for are left out. Names for "
         "--only: scenes, and two of 10,000 lamps: lamps, a box that all of them light, and hall, where each lights a "
-        "part.",
+        "part; lamps-unsplit and hall-unsplit are of single paths.",
         [](const Options& options, Report& report) {
             lancer::with_threads(options.threads, [&] {
                 const uint32_t height = options.full ? 192 : 96;
                 for (const BenchScene& scene : choose_scenes(options))
                     measure(scene.name, scene.load(), scene.options(height), options, report);
-                lancer::PictureOptions picture;
+                lancer::PictureOptions picture, unsplit;
                 picture.size = {height * 4 / 3, height}, picture.max_depth = 4;
-                if (options.wants("lamps")) measure("lamps", box_of_lamps(10'000), picture, options, report);
-                if (options.wants("hall")) measure("hall", hall_of_lamps(10'000), picture, options, report);
+                // Where all paths are single, the price of a sample is that of the estimator.
+                unsplit = picture, unsplit.switches[static_cast<size_t>(lancer::Switch::split)] = false;
+                const auto lit = [&](const std::string& name, const auto& scene_of) {
+                    if (options.wants(name)) measure(name, scene_of(10'000), picture, options, report);
+                    if (options.wants(name + "-unsplit"))
+                        measure(name + "-unsplit", scene_of(10'000), unsplit, options, report);
+                };
+                lit("lamps", box_of_lamps), lit("hall", hall_of_lamps);
             });
         });
 }
