@@ -83,8 +83,7 @@ constexpr std::array plain_families{
           "larger then, above 1 where the default is right; error ratio: by how much the error alone."},
     Plain{"threads", "Threads",
           "Speeds on the clock against one thread. all: one thread for each CPU; apart: as many renders at once that "
-          "have "
-          "nothing to do with one another, which is what the machine allows; crowd: many more threads than CPUs."},
+          "have nothing to do with one another, which is what the machine allows; crowd: many more threads than CPUs."},
     Plain{"render", "Whole pictures", "The same picture with each accelerator."},
     Plain{
         "features", "What scenes do without",
