@@ -5,7 +5,7 @@ set -uo pipefail
 usage() {
     cat <<'EOF'
 usage: scripts/bench.sh [--full] [--mesh FILE]... [--out FOLDER] [--compare RUN] [--docs]
-  (nothing)      the quick suite, about 10 minutes on two cores once it is built
+  (nothing)      the quick suite, about half an hour on two cores once it is built
   --full         everything: more meshes, more rays, larger scenes; takes hours
   --mesh FILE    a mesh (.obj) to measure besides; may be given several times
   --out FOLDER   where to (build/bench-run): index.html, tables.md and the files of the run in data/
