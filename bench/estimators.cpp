@@ -4,8 +4,8 @@
 
 #include "app/console.h"
 #include "core/parallel.h"
+#include "harness/films.h"
 #include "harness/lamps.h"
-#include "harness/pairs.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
 #include "report/statistics.h"
@@ -50,38 +50,38 @@ private:
     std::vector<Pair> pairs_;
 };
 
-bool same(const Film& a, const Film& b)
+PictureOptions switched(PictureOptions picture, Switch s, bool on)
 {
-    return std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), b.pixels.end(),
-                      [](const Pixel& x, const Pixel& y) { return x.sum == y.sum; });
+    picture.switches[static_cast<size_t>(s)] = on;
+    return picture;
 }
 
-// The estimators that change the picture at all, switched over one by one; the first is the default of all.
-std::vector<std::optional<Switch>> that_matter(const SceneDescription& description, const PictureOptions& picture,
-                                               uint32_t spp)
+PictureOptions switched_over(const PictureOptions& picture, Switch s)
+{
+    return switched(picture, s, !Switches::default_of(s));
+}
+
+// The default of all, and the estimators that change the picture at all when they are switched over.
+std::vector<std::optional<Switch>> that_matter(const SceneDescription& description, const PictureOptions& picture)
 {
     std::vector<std::optional<Switch>> matter{std::nullopt};
-    const Film usual = Stage(description, picture).draw(spp);
-    for (const Switch s : estimators) {
-        PictureOptions other = picture;
-        other.switches[static_cast<size_t>(s)] = !Switches::default_of(s);
-        if (!same(usual, Stage(description, other).draw(spp))) matter.push_back(s);
-    }
+    const auto draw = [&](const PictureOptions& by) { return Stage(description, by).draw(1); };
+    const Film usual = draw(picture);
+    for (const Switch s : estimators)
+        if (differing_pixels(usual, draw(switched_over(picture, s))) > 0) matter.push_back(s);
     return matter;
 }
 
-void measure(const std::string& name, const SceneDescription& description, PictureOptions picture,
+void measure(const std::string& name, const SceneDescription& description, const PictureOptions& picture,
              const Options& options, Report& report)
 {
     const uint32_t spp = samples_per_block;
-    const std::vector<std::optional<Switch>> matter = that_matter(description, picture, spp);
+    const std::vector<std::optional<Switch>> matter = that_matter(description, picture);
     std::vector<Drawn> drawn;
     std::vector<Contestant> contestants;
     drawn.reserve(matter.size());
     for (const std::optional<Switch> s : matter) {
-        PictureOptions other = picture;
-        if (s) other.switches[static_cast<size_t>(*s)] = !Switches::default_of(*s);
-        Drawn& d = drawn.emplace_back(description, other, spp);
+        Drawn& d = drawn.emplace_back(description, s ? switched_over(picture, *s) : picture, spp);
         const double samples = 2.0 * (*picture.size)[0] * (*picture.size)[1] * spp;
         contestants.push_back({s ? std::string(switch_names[static_cast<size_t>(*s)]) : "default", samples, {}, [&d] {
                                    return d.next_pair();
@@ -92,11 +92,12 @@ void measure(const std::string& name, const SceneDescription& description, Pictu
     std::vector<const Pair*> all;
     for (const Drawn& d : drawn)
         for (const Pair& pair : d.pairs()) all.push_back(&pair);
+    const std::vector<Color> mean = mean_of(all);
     std::vector<std::vector<double>> errors;
     for (const Drawn& d : drawn) {
         std::vector<double>& of = errors.emplace_back();
         // The first pair was drawn to warm up.
-        for (size_t i = 1; i < d.pairs().size(); ++i) of.push_back(error_of(d.pairs()[i], all));
+        for (size_t i = 1; i < d.pairs().size(); ++i) of.push_back(error_of(d.pairs()[i], mean));
     }
     for (size_t i = 0; i < contestants.size(); ++i) {
         Json& row = report.add("estimators", joined({name, contestants[i].name}), timings[i], 1);
@@ -137,10 +138,10 @@ int main(int argc, char** argv)
                 const uint32_t height = options.full ? 192 : 96;
                 for (const BenchScene& scene : choose_scenes(options))
                     measure(scene.name, scene.load(), scene.options(height), options, report);
-                lancer::PictureOptions picture, unsplit;
+                lancer::PictureOptions picture;
                 picture.size = {height * 4 / 3, height}, picture.max_depth = 4;
                 // Where all paths are single, the price of a sample is that of the estimator.
-                unsplit = picture, unsplit.switches[static_cast<size_t>(lancer::Switch::split)] = false;
+                const lancer::PictureOptions unsplit = switched(picture, lancer::Switch::split, false);
                 const auto lit = [&](const std::string& name, const auto& scene_of) {
                     if (options.wants(name)) measure(name, scene_of(10'000), picture, options, report);
                     if (options.wants(name + "-unsplit"))

@@ -1,11 +1,11 @@
 // bench_features: what the things cost that a scene does without. Each is compiled and unused, there and unseen, and
 // left out.
 #include <algorithm>
-#include <cstring>
 
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/feature_scenes.h"
+#include "harness/films.h"
 #include "harness/instructions.h"
 #include "harness/meshes.h"
 #include "harness/stage.h"
@@ -158,14 +158,6 @@ struct Pictured {
     }
 };
 
-bool same_bits(const Film& a, const Film& b)
-{
-    const auto same = [](const Pixel& p, const Pixel& q) {
-        return p.n == q.n && std::memcmp(p.sum.data(), q.sum.data(), sizeof p.sum) == 0;
-    };
-    return std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), b.pixels.end(), same);
-}
-
 void measure_unused(const Base& base, const Options& options, Report& report)
 {
     PictureOptions small = options_for();  // short runs take turns more often; valgrind takes a hundred times as long
@@ -213,7 +205,8 @@ void measure_unused(const Base& base, const Options& options, Report& report)
     const Film right = draw(ways[0], spp);
     std::vector<Contestant> contestants;
     for (const Way& way : ways) {
-        if (!same_bits(draw(way, spp), right)) report.fail(base.name + " without " + way.name + ": other bits");
+        if (differing_pixels(draw(way, spp), right) > 0)
+            report.fail(base.name + " without " + way.name + ": other bits");
         contestants.push_back({way.name, picture.samples() / spp, [&] { keep(draw(way, 1).pixels); }});
     }
     constexpr unsigned rounds = 40;  // for each repetition that is asked for

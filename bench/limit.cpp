@@ -6,7 +6,7 @@
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/bare_loop.h"
-#include "harness/pairs.h"
+#include "harness/films.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
 #include "report/statistics.h"
@@ -87,7 +87,8 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
         picture.seed = 1;
         rendered = {stage.draw(spp), Stage(description, picture).draw(spp)};
         looped = {loop->render(spp, 0), loop->render(spp, 1)};
-        error = {error_of(*rendered, {&*rendered, &*looped}), error_of(*looped, {&*rendered, &*looped})};
+        const std::vector<Color> mean = mean_of(std::array<const Pair*, 2>{&*rendered, &*looped});
+        error = {error_of(*rendered, mean), error_of(*looped, mean)};
     }
     const auto best = [](const Timing& t) { return *std::min_element(t.cpu.begin(), t.cpu.end()); };
     for (size_t i = 0; i < contestants.size(); ++i) {

@@ -1,9 +1,8 @@
 // bench_render: whole pictures with each accelerator. They must have the same bits; what differs is the time.
-#include <bit>
-
 #include "app/console.h"
 #include "app/outputs.h"
 #include "core/parallel.h"
+#include "harness/films.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
 #include "io/exr.h"
@@ -14,20 +13,6 @@ namespace lancer::bench {
 namespace {
 
 constexpr double most_run_ns = 1e10;  // an accelerator that takes longer for a picture draws none
-
-bool same_bits(const Pixel& a, const Pixel& b)
-{
-    const auto same = [](double x, double y) { return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y); };
-    return same(a.sum[0], b.sum[0]) && same(a.sum[1], b.sum[1]) && same(a.sum[2], b.sum[2]) &&
-           same(a.sum_sq, b.sum_sq) && a.n == b.n;
-}
-
-size_t differing_pixels(const Film& a, const Film& b)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.pixels.size(); ++i) count += !same_bits(a.pixels[i], b.pixels[i]);
-    return count;
-}
 
 // Relative mean squared error: against the references if there are any of this size, else as the samples tell it.
 double squared_error(const BenchScene& scene, const Film& film)

@@ -31,14 +31,18 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     const uint32_t spp = samples_per_block;
     const unsigned all = available_threads();
     const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
+    std::vector<unsigned> threads{1, all, all};  // of each contestant
     std::vector<Contestant> contestants{{"one", samples, [&] { draw(stage, spp, 1); }},
                                         {"all", samples, [&] { draw(stage, spp, all); }},
                                         {"apart", all * samples, [&] { draw_apart(stage, spp, all); }}};
-    if (options.threads > all) contestants.push_back({"crowd", samples, [&] { draw(stage, spp, options.threads); }});
+    if (options.threads > all) {
+        threads.push_back(options.threads);
+        contestants.push_back({"crowd", samples, [&] { draw(stage, spp, options.threads); }});
+    }
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, all);
     for (size_t i = 0; i < contestants.size(); ++i) {
         Json& row = report.add("threads", joined({scene.name, contestants[i].name}), timings[i], all);
-        row["threads"] = i == 0 ? 1 : i == 3 ? options.threads : all;
+        row["threads"] = threads[i];
         row["mesh"] = scene.name, row["accel"] = std::string(name_of(stage.renderer.accelerator_kind())),
         row["way"] = contestants[i].name;
         add_ratio(row, contestants[0].name, timings[0], timings[i], all);

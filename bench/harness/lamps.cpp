@@ -47,7 +47,7 @@ SceneDescription box_of_lamps(uint32_t lamps)
     SceneDescription d = describe_mesh(*make_room(20'000));
     d.camera->position = {0.9, 0.2, 0.95}, d.camera->target = {-0.4, -0.2, -0.5}, d.camera->fov_deg = 70;
     d.lights.clear();
-    d.meshes.emplace_back().data = make_lamps(places, 0.006, 2000.0f / static_cast<float>(lamps));
+    d.meshes.emplace_back().data = make_lamps(places, 0.006, 60000.0f / static_cast<float>(lamps));
     return d;
 }
 

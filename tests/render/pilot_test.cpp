@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "support/lamp_grid.h"
 #include "support/media_scenes.h"
 #include "support/render.h"
 
@@ -104,16 +105,9 @@ TEST(Pilot, DealsEachNumberOnce)
 SceneDescription box_of_lamps(uint32_t row)
 {
     SceneDescription d = cornell_scene();
-    std::vector<Vec3d> p;
-    std::vector<std::array<uint32_t, 3>> t;
-    const double size = 0.4 / row;
-    for (uint32_t i = 0; i < row * row; ++i) {
-        const double x = 2.0 * (i % row + 0.5) / row - 1, z = 2.0 * (i / row + 0.5) / row - 1;
-        const auto at = static_cast<uint32_t>(p.size());
-        p.insert(p.end(), {{x, 0.99, z}, {x + size, 0.99, z}, {x + size, 0.99, z + size}, {x, 0.99, z + size}});
-        t.insert(t.end(), {{at, at + 1, at + 2}, {at, at + 2, at + 3}});
-    }
-    d.meshes[5] = make_mesh(make_mesh_data(p, t, make_emitter("lamps", {12, 10, 8})));
+    const double step = 2.0 / row;
+    d.meshes[5] = make_mesh(
+        make_lamp_grid(row, {step / 2 - 1, 0.99, step / 2 - 1}, step, step / 5, make_emitter("lamps", {12, 10, 8})));
     return d;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/chi_square.h"
+#include "support/lamp_grid.h"
 #include "support/random.h"
 #include "support/render.h"
 #include "support/shoot.h"
@@ -158,16 +159,8 @@ SceneDescription lamp_field(uint32_t side)
     SceneDescription d;
     d.meshes.push_back(make_mesh(make_quad({-2, -0.8, 2}, {2, -0.8, 2}, {2, -0.8, -2}, {-2, -0.8, -2},
                                            make_lambert("floor", {0.6f, 0.6f, 0.5f}))));
-    std::vector<Vec3d> p;
-    std::vector<std::array<uint32_t, 3>> t;
-    for (uint32_t i = 0; i < side * side; ++i) {
-        const double x = -1.95 + 3.9 * (i % side) / side, z = -1.95 + 3.9 * (i / side) / side, w = 0.6 / side;
-        const auto at = static_cast<uint32_t>(p.size());
-        p.insert(p.end(), {{x, -0.5, z}, {x + w, -0.5, z}, {x + w, -0.5, z + w}, {x, -0.5, z + w}});
-        t.push_back({at, at + 1, at + 2});
-        t.push_back({at, at + 2, at + 3});
-    }
-    d.meshes.push_back(make_mesh(make_mesh_data(p, t, make_emitter("lamps", {5, 4, 3}))));
+    d.meshes.push_back(make_mesh(
+        make_lamp_grid(side, {-1.95, -0.5, -1.95}, 3.9 / side, 0.6 / side, make_emitter("lamps", {5, 4, 3}))));
     for (const Vec3d& at : {Vec3d{1, 0, 0}, Vec3d{-1, 0.3, 0.5}})
         d.lights.push_back(light_of(LightType::point, {0.3f, 0.3f, 0.3f}, at));
     d.lights.push_back(light_of(LightType::sphere, {2, 2, 3}, {0.2, 0.1, -0.5}, 0.1));
