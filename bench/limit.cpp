@@ -1,5 +1,6 @@
-// bench_limit: how much of a render is the tracing of its rays. The rays of a real render are traced again by lancer's
-// accelerator, as they were, and by nothing but Embree; and a bare path tracer draws the same scene where it can.
+// bench_limit: how much of a render is the tracing of its rays. The time inside of the accelerator is clocked; the rays
+// of the render are traced again by lancer's accelerator, as they were, and by nothing but Embree; and a bare path
+// tracer draws the same scene where it can.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +8,7 @@
 #include "core/parallel.h"
 #include "harness/bare_loop.h"
 #include "harness/films.h"
+#include "harness/inside.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
 #include "report/statistics.h"
@@ -48,6 +50,15 @@ double mean_luminance(const Film& film)
     return sum / static_cast<double>(film.pixels.size());
 }
 
+// Not empty.
+void add_share(Json& row, std::span<const RenderTime> renders)
+{
+    std::vector<double> shares;
+    for (const RenderTime& r : renders) shares.push_back(r.share());
+    const Spread share = spread_of(shares);
+    row["share"] = share.median, row["share_low"] = share.min, row["share_high"] = share.max;
+}
+
 void measure_scene(const BenchScene& scene, const Options& options, Report& report)
 {
     const SceneDescription description = scene.load();
@@ -67,8 +78,16 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
     std::vector<Hit> hits(rays.closest.size());
     std::vector<uint8_t> occluded(rays.any.size());
+    std::vector<RenderTime> clocked;  // of each round, the one to warm up before them
     std::vector<Contestant> contestants{
         {"render", samples, [&] { stage.draw(spp); }},
+        {"inside",
+         samples,
+         {},
+         [&] {
+             clocked.push_back(clock_render(stage, spp));
+             return clocked.back().inside;
+         }},
         {"accelerator", samples, [&] { trace_again(recording, stage.renderer.accelerator(), hits, occluded); }},
         {"rays",
          samples,
@@ -98,8 +117,9 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
         row["way"] = contestants[i].name;
         row["rays_per_sample"] = static_cast<double>(rays.closest.size() + rays.any.size()) / samples;
         row["best"] = best(timings[i]);
-        // Of the render's CPU time, best against best.
+        // Of the render's CPU time, best against best; what is clocked within a render is told of that one.
         row["share"] = best(timings[i]) / best(timings[0]);
+        if (contestants[i].name == "inside") add_share(row, std::span(clocked).subspan(1));
         if (!g.spheres.empty() || !g.planes.empty()) row["left_out"] = "spheres and planes";  // of what Embree traces
         if (i == 0 && loop) row["error"] = error[0];
         if (contestants[i].name == "bare-loop") {

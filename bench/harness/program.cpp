@@ -61,8 +61,9 @@ void print_row(const Json& row)
     if (row.contains("ratio"))
         line += format_text("  x%.4f [%.4f .. %.4f]", number("ratio"), number("ratio_low"), number("ratio_high"));
     if (row.contains("instructions_ratio")) line += format_text("  instructions x%.5f", number("instructions_ratio"));
-    for (const char* key : {"seconds", "bytes_per_triangle", "exponent", "share", "error_ratio", "gain", "gain_low",
-                            "gain_high", "extra_ns", "disagreements", "differing_pixels"})
+    for (const char* key :
+         {"seconds", "bytes_per_triangle", "exponent", "share", "share_low", "share_high", "error_ratio", "gain",
+          "gain_low", "gain_high", "extra_ns", "disagreements", "differing_pixels"})
         if (row.contains(key)) line += format_text("  %s %.4g", key, number(key));
     print_result(line);
     flush_results();  // whoever waits sees where it is
