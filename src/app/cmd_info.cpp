@@ -168,7 +168,7 @@ private:
         for (const Mesh& m : scene_.geometry.meshes) geometry += bytes_of(m.positions) + bytes_of(m.triangles);
         uint64_t shading = 0, textures = 0;
         for (const MeshShading& s : scene_.shading)
-            shading += bytes_of(s.normals) + bytes_of(s.normal_triangles) + bytes_of(s.uvs) + s.uv_triangles.bytes() +
+            shading += s.normals.bytes() + bytes_of(s.uvs) + s.uv_triangles.bytes() +
                        bytes_of(s.face_material) + bytes_of(s.emitter_rank);
         for (const Texture& t : scene_.textures)
             if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();

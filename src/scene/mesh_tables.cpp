@@ -1,6 +1,7 @@
 #include "scene/mesh_tables.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace lancer {
@@ -51,6 +52,56 @@ struct Renumbering {
     }
 };
 
+// Which normal each vertex has in all triangles that name it: no_normal in flat ones, also where none names it. Nothing
+// where some vertex has several. triangles: as they name the vertices, of which there are so many.
+std::vector<uint32_t> normals_of_vertices(const MeshData& data, const std::vector<Corners>& triangles, size_t vertices)
+{
+    constexpr uint32_t none = MeshData::no_normal;
+    const auto are_same = [&](uint32_t a, uint32_t b) {
+        return a == b || std::memcmp(&data.normals[a], &data.normals[b], sizeof(Vec3)) == 0;
+    };
+    std::vector<uint32_t> of(vertices, none);
+    for (size_t t = 0; t < triangles.size(); ++t) {
+        const Corners& normals = data.normal_triangles[t];
+        if (normals[0] == none) continue;
+        for (size_t k = 0; k < 3; ++k) {
+            uint32_t& n = of[triangles[t][k]];
+            if (n == none) n = normals[k];
+            if (!are_same(n, normals[k])) return {};
+        }
+    }
+    for (size_t t = 0; t < triangles.size(); ++t)
+        if (data.normal_triangles[t][0] == none && of[triangles[t][0]] != none) return {};
+    return of;
+}
+
+// back: inverse of the mesh's place. mesh: filled.
+void fill_normals(const MeshData& data, const Transform& back, const Mesh& mesh, MeshShading& shading,
+                  LeftOutList& left_out)
+{
+    const Renumbering numbers(data.normal_triangles, data.normals.size());
+    const uint64_t unused = data.normals.size() - numbers.kept;
+    left_out.add("vertex normals of no triangle", unused,
+                 unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
+    if (numbers.kept == 0) return;
+    const auto moved = [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); };
+    const size_t vertices = mesh.positions.size() - 1, faces = mesh.triangles.size();
+    CornerNormals& normals = shading.normals;
+    std::vector<uint32_t> of_vertices;
+    if (vertices * sizeof(Vec3) <= numbers.kept * sizeof(Vec3) + faces * sizeof(Corners))
+        of_vertices = normals_of_vertices(data, mesh.triangles, vertices);
+    if (of_vertices.empty()) {
+        normals = {numbers.kept_of(data.normals, moved), data.normal_triangles};
+        numbers.apply(normals.triangles);
+    } else {
+        normals.values.reserve(vertices + 1);
+        for (const uint32_t n : of_vertices)
+            normals.values.push_back(n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]));
+        left_out.add("numbers of vertex normals, which are those of the vertices", faces, faces * sizeof(Corners));
+    }
+    normals.values.emplace_back();
+}
+
 bool any_reads_uv(const MeshShading& s, const std::vector<MaterialTraits>& traits)
 {
     if (s.face_material.empty()) return traits[s.material].reads_uv;
@@ -84,18 +135,7 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     const uint64_t unused = data.positions.size() - positions.kept;
     left_out.add("vertices of no triangle", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
 
-    const Transform back = inverse(place);
-    const Renumbering normals(data.normal_triangles, data.normals.size());
-    left_out.add(
-        "vertex normals of no triangle", data.normals.size() - normals.kept,
-        (data.normals.size() - normals.kept) * sizeof(Vec3) + (normals.kept ? 0 : bytes_of(data.normal_triangles)));
-    if (normals.kept) {
-        shading.normals = normals.kept_of(
-            data.normals, [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); });
-        shading.normal_triangles = data.normal_triangles;
-        normals.apply(shading.normal_triangles);
-    }
-
+    fill_normals(data, inverse(place), mesh, shading, left_out);
     if (data.uvs.empty()) return;
     shading.uv_triangles = CornerTable(data.uv_triangles, [&](uint32_t t) {
         return data.uv_triangles[t][0] != MeshData::no_uv && traits[shading.material_of(t)].reads_uv;

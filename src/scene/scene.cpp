@@ -134,7 +134,7 @@ private:
             }
         // A mirroring map turns the winding round, not the side that a face shows.
         if (place.determinant() < 0)
-            for (auto* triangles : {&mesh.triangles, &shading.normal_triangles, &shading.uv_triangles.all()})
+            for (auto* triangles : {&mesh.triangles, &shading.normals.triangles, &shading.uv_triangles.all()})
                 for (auto& t : *triangles) std::swap(t[1], t[2]);
         scene_.has_normals |= !shading.normals.empty();
         scene_.geometry.meshes.push_back(std::move(mesh));

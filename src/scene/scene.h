@@ -12,6 +12,7 @@
 #include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/material.h"
+#include "scene/corner_normals.h"
 #include "scene/corner_table.h"
 #include "scene/description.h"
 #include "scene/left_out.h"
@@ -23,12 +24,11 @@ namespace lancer {
 
 // What shading needs to know of a mesh, beside its geometry.
 struct MeshShading {
-    std::vector<Vec3> normals;                              // unit; empty if the mesh is flat
-    std::vector<std::array<uint32_t, 3>> normal_triangles;  // per triangle, MeshData::no_normal where it is flat
-    std::vector<Vec2> uvs;                                  // empty unless a texture is looked up with them
-    CornerTable uv_triangles;                               // of those triangles that have any and read them
-    std::vector<uint32_t> face_material;                    // per triangle; empty if the mesh has one material
-    std::vector<Color> colors;                              // of the vertices, linear; empty if the mesh has none
+    CornerNormals normals;                // empty if the mesh is flat
+    std::vector<Vec2> uvs;                // empty unless a texture is looked up with them
+    CornerTable uv_triangles;             // of those triangles that have any and read them
+    std::vector<uint32_t> face_material;  // per triangle; empty if the mesh has one material
+    std::vector<Color> colors;            // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
     std::vector<uint32_t>
         emitter_rank;  // per triangle: its place among the mesh's emitters, or none; empty if it has none

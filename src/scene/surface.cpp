@@ -75,13 +75,15 @@ Color vertex_color(const Scene& scene, const Hit& hit)
 Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
 {
     const MeshShading& shading = scene.shading[hit.geometry];
-    if (shading.normals.empty() || shading.normal_triangles[hit.primitive][0] == MeshData::no_normal) return p;
     const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+    const CornerNormals::Corners* const normals =
+        shading.normals.empty() ? nullptr : shading.normals.find(mesh, hit.primitive);
+    if (!normals) return p;
     const std::array<float, 3> weights{1 - hit.uv.x - hit.uv.y, hit.uv.x, hit.uv.y};
     Vec3d moved = to_double(p);
     for (size_t k = 0; k < 3; ++k) {
         Vec3d corner = to_double(mesh.positions[mesh.triangles[hit.primitive][k]]);
-        Vec3d n = to_double(shading.normals[shading.normal_triangles[hit.primitive][k]]);
+        Vec3d n = to_double(shading.normals.values[(*normals)[k]]);
         if (hit.instance != Hit::no_instance) {
             const Instance& placing = scene.geometry.instances[hit.instance];
             corner = placing.to_world.point(corner);

@@ -21,12 +21,9 @@ void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const Fo
         u[k] = hit.uv.x, v[k] = hit.uv.y;
         const MeshShading& shading = scene.shading[hit.geometry];
         if (shading.normals.empty()) continue;
-        const auto& i = shading.normal_triangles[hit.primitive];
-        if (i[0] == MeshData::no_normal) continue;
-        const auto normal = [&](uint32_t corner) {
-            const Vec3& n = shading.normals[i[corner]];
-            return Float4{n.x, n.y, n.z, 0};
-        };
+        const auto* const corners = shading.normals.find(scene.geometry.meshes[hit.geometry], hit.primitive);
+        if (!corners) continue;
+        const auto normal = [&](uint32_t i) { return load4(&shading.normals.values[(*corners)[i]].x); };
         rows_a[k] = normal(0), rows_b[k] = normal(1), rows_c[k] = normal(2);
         smooth[k] = -1;
     }
@@ -86,9 +83,9 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     bool smooth = false;
     const MeshShading& shading = scene.shading[mesh_index];
     if (!shading.normals.empty())
-        if (const auto& i = shading.normal_triangles[triangle]; i[0] != MeshData::no_normal) {
-            const float w = first_weight(uv);
-            ns = to_double(shading.normals[i[0]] * w + shading.normals[i[1]] * uv.x + shading.normals[i[2]] * uv.y);
+        if (const auto* const corners = shading.normals.find(mesh, triangle)) {
+            const auto normal = [&](size_t k) { return shading.normals.values[(*corners)[k]]; };
+            ns = to_double(normal(0) * first_weight(uv) + normal(1) * uv.x + normal(2) * uv.y);
             smooth = true;
         }
     if (instance != Hit::no_instance) {
@@ -118,20 +115,23 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
     if (!scene.has_tables || !outgrows_caches(scene.geometry)) return;
     const auto for_meshes = [&](const auto& f) {
         for (const Hit& hit : hits)
-            if (hit.kind == Kind::triangle) f(scene.shading[hit.geometry], hit.primitive);
+            if (hit.kind == Kind::triangle)
+                f(scene.geometry.meshes[hit.geometry], scene.shading[hit.geometry], hit.primitive);
     };
-    for_meshes([](const MeshShading& s, uint32_t triangle) {
+    for_meshes([](const Mesh&, const MeshShading& s, uint32_t triangle) {
         if (!s.face_material.empty()) prefetch(&s.face_material[triangle]);
         if (!s.emitter_rank.empty()) prefetch(&s.emitter_rank[triangle]);
-        if (!s.normals.empty()) prefetch(&s.normal_triangles[triangle]);
+        if (!s.normals.triangles.empty()) prefetch(&s.normals.triangles[triangle]);
         if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(triangle));
     });
-    for_meshes([](const MeshShading& s, uint32_t triangle) {
+    for_meshes([](const Mesh& mesh, const MeshShading& s, uint32_t triangle) {
         const auto fetch = [](const auto& list, const auto& corners) {
             for (const uint32_t corner : corners) prefetch(&list[corner]);
         };
-        if (!s.normals.empty() && s.normal_triangles[triangle][0] != MeshData::no_normal)
-            fetch(s.normals, s.normal_triangles[triangle]);
+        if (s.normals.are_of_vertices())
+            fetch(s.normals.values, mesh.triangles[triangle]);
+        else if (!s.normals.empty() && s.normals.triangles[triangle][0] != CornerNormals::none)
+            fetch(s.normals.values, s.normals.triangles[triangle]);
         if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
     });
 }

@@ -113,7 +113,7 @@ TEST(LeftOut, WhatNoTriangleNamesIsNotKept)
     EXPECT_EQ(count_of(a->scene, "normals of no"), 1u);
     EXPECT_EQ(count_of(b->scene, "normals of no"), 3u);
     EXPECT_EQ(b->scene.geometry.meshes[0].positions.size(), 5u);
-    EXPECT_EQ(b->scene.shading[0].normals.size(), 1u);
+    EXPECT_EQ(b->scene.shading[0].normals.values.size(), 2u);
     EXPECT_EQ(b->scene.shading[0].uvs.size(), 3u) << "of the triangle that reads them";
     for (const Vec3d from : {Vec3d{1.5, 0.2, 1}, Vec3d{0.5, 1.7, 1}}) {
         const auto p = a->look(a->to_scene(from), {0, 0, -1}), q = b->look(b->to_scene(from), {0, 0, -1});
@@ -202,7 +202,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
         {"background", s.background != nullptr}};
     for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) t["triangles with holes"] += asked.size();
     for (const MeshShading& m : s.shading) {
-        t["normals"] += m.normals.size() + m.normal_triangles.size();
+        t["normals"] += m.normals.bytes();
         t["texture coordinates"] += m.uvs.size() + m.uv_triangles.bytes();
         t["colours"] += m.colors.size();
         t["materials of faces"] += m.face_material.size();

@@ -81,7 +81,7 @@ TEST(Normalisation, ASceneScaledByAPowerOfTwoHasTheSameNumbers)
             EXPECT_EQ(other.normalisation.scale, std::ldexp(one.normalisation.scale, -k)) << what;
             for (size_t i = 0; i < one.geometry.meshes.size(); ++i) {
                 expect_same_bytes(one.geometry.meshes[i].positions, other.geometry.meshes[i].positions, what);
-                expect_same_bytes(one.shading[i].normals, other.shading[i].normals, what);
+                expect_same_bytes(one.shading[i].normals.values, other.shading[i].normals.values, what);
             }
             expect_same_bytes(one.geometry.spheres, other.geometry.spheres, what);
             expect_same_bytes(one.geometry.planes, other.geometry.planes, what);

@@ -57,9 +57,9 @@ TEST(TrianglePlaces, OfWhatIsHardlyATriangle)
                       {1e18f, 0, 0}, {0, 1e-30f, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {}};
     mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {9, 10, 11}, {9, 10, 11}};
     MeshShading shading;
-    shading.normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
-    const uint32_t none = MeshData::no_normal;
-    shading.normal_triangles = {{none, none, none}, {0, 0, 0}, {none, none, none}, {1, 1, 1}, {2, 2, 2}, {0, 1, 2}};
+    const uint32_t none = CornerNormals::none;
+    shading.normals = {{{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {}},
+                       {{none, none, none}, {0, 0, 0}, {none, none, none}, {1, 1, 1}, {2, 2, 2}, {0, 1, 2}}};
     scene.geometry.meshes = {mesh};
     scene.shading = {shading};
     scene.has_normals = true;

@@ -1,0 +1,42 @@
+// The shading normals at the corners of a mesh's triangles. In most scans and models each vertex has one: then the
+// mesh's own triangles name them, and shading waits for one table less.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/vec.h"
+#include "geometry/shapes.h"
+
+namespace lancer {
+
+struct CornerNormals {
+    using Corners = std::array<uint32_t, 3>;
+    static constexpr uint32_t none = UINT32_MAX;
+
+    std::vector<Vec3> values;        // unit; one more than used, at the end: four numbers are read at a time
+    std::vector<Corners> triangles;  // which of them each has, `none` where it is flat; empty: that of each vertex
+
+    // Stands for the normal of a vertex, as values, whose triangles are flat.
+    static constexpr Vec3 of_flat()
+    {
+        constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+        return {nan, nan, nan};
+    }
+
+    bool empty() const { return values.empty(); }
+    bool are_of_vertices() const { return triangles.empty() && !values.empty(); }
+    // Which normals a triangle's corners have; null where it is flat. Only if not empty().
+    const Corners* find(const Mesh& mesh, uint32_t triangle) const
+    {
+        const Corners& c = triangles.empty() ? mesh.triangles[triangle] : triangles[triangle];
+        const bool flat = triangles.empty() ? std::isnan(values[c[0]].x) : c[0] == none;
+        return flat ? nullptr : &c;
+    }
+    uint64_t bytes() const { return values.size() * sizeof(Vec3) + triangles.size() * sizeof(Corners); }
+};
+
+}  // namespace lancer
