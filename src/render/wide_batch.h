@@ -242,7 +242,10 @@ private:
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does
     uint32_t depth_ = 0;
-    std::array<AnyBsdf, float_lanes> own_;  // BSDFs that were looked up for the eight vertices at work
+    // The eight vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of
+    // it. No function reads what none has written for these eight.
+    Vertices vertices_;
+    std::array<AnyBsdf, float_lanes> own_;  // BSDFs that were looked up for them
 };
 
 template <Shading shading>
@@ -297,7 +300,7 @@ inline void WideBatch<shading>::shade(size_t first)
 {
     const size_t n = std::min<size_t>(float_lanes, now_.size() - first);
     const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
-    Vertices v;
+    Vertices& v = vertices_;
     now_.load(first, v.path);
     v.hit = 0;
     for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;

@@ -6,6 +6,13 @@
 
 namespace lancer {
 
+// Put together in registers: what is written lane by lane and then read as a whole is waited for.
+inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which)
+{
+    const auto t = [&](size_t i) { return hits[which[i]].t; };
+    return Float8{t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7)};
+}
+
 // surface_at() of triangles that are drawn as they are, before anything is looked up.
 template <Shading shading>
 inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<const Hit> hits,
@@ -37,11 +44,9 @@ inline typename WideBatch<shading>::Placed WideBatch<shading>::place_drawn(uint3
                                                                            const Vec3x8& wo, Vertices& v)
 {
     std::array<size_t, float_lanes> which;
-    for (uint32_t i = 0; i < float_lanes; ++i) {
+    for (uint32_t i = 0; i < float_lanes; ++i)
         which[i] = drawn >> i & 1 ? i : static_cast<size_t>(std::countr_zero(drawn));
-        v.width[i] = hits[which[i]].t;
-    }
-    v.width = v.path.width + v.path.spread * v.width;
+    v.width = v.path.width + v.path.spread * distances(hits, which);
     return place(hits, which, wo, v);
 }
 
@@ -51,7 +56,7 @@ inline void WideBatch<shading>::widen(std::span<const Hit> hits, const std::arra
                                       Vertices& v) const
 {
     if (depth_ > 0 || !view_.plan.has_common_numbers) return;
-    for (uint32_t i = 0; i < float_lanes; ++i) v.width[i] = pixel_spread_ * hits[which[i]].t;
+    v.width = all_lanes(pixel_spread_) * distances(hits, which);
 }
 
 template <Shading shading>
