@@ -76,8 +76,9 @@ struct Plain {
 };
 constexpr std::array plain_families{
     Plain{"limit", "The limit of a render",
-          "How much of a render's time is spent on the rays themselves: its rays, recorded and traced again by Embree "
-          "alone; and a bare path tracer as the floor to reach."},
+          "How much of a render's time is spent on the rays themselves: inside of the accelerator, clocked as the picture "
+          "is drawn; its rays, recorded and traced again by Embree alone; and a bare path tracer as the floor to "
+          "reach."},
     Plain{"estimators", "What estimators give",
           "Pictures by the default and with one estimator switched over. gain: by how much the error for the time is "
           "larger then, above 1 where the default is right; error ratio: by how much the error alone."},
