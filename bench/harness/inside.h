@@ -12,7 +12,7 @@ struct RenderTime {
 };
 
 // Of the whole picture with samples [0, spp), by the calling thread alone. What is made once for all passes, such as
-// the plan, is left out: draw a picture before.
+// the plan, is left out.
 RenderTime clock_render(const Stage& stage, uint32_t spp);
 
 }  // namespace lancer::bench

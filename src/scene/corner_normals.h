@@ -10,12 +10,13 @@
 
 #include "core/vec.h"
 #include "geometry/shapes.h"
+#include "scene/description.h"
 
 namespace lancer {
 
 struct CornerNormals {
     using Corners = std::array<uint32_t, 3>;
-    static constexpr uint32_t none = UINT32_MAX;
+    static constexpr uint32_t none = MeshData::no_normal;
 
     std::vector<Vec3> values;        // unit; one more than used, at the end: four numbers are read at a time
     std::vector<Corners> triangles;  // which of them each has, `none` where it is flat; empty: that of each vertex
@@ -29,11 +30,17 @@ struct CornerNormals {
 
     bool empty() const { return values.empty(); }
     bool are_of_vertices() const { return triangles.empty() && !values.empty(); }
-    // Which normals a triangle's corners have; null where it is flat. Only if not empty().
+    // Which of them a triangle names, if it names any. Only if not empty().
+    const Corners& named_by(const Mesh& mesh, uint32_t triangle) const
+    {
+        return are_of_vertices() ? mesh.triangles[triangle] : triangles[triangle];
+    }
+    // Which normals a triangle's corners have; null where it is flat.
     const Corners* find(const Mesh& mesh, uint32_t triangle) const
     {
-        const Corners& c = triangles.empty() ? mesh.triangles[triangle] : triangles[triangle];
-        const bool flat = triangles.empty() ? std::isnan(values[c[0]].x) : c[0] == none;
+        if (empty()) return nullptr;
+        const Corners& c = named_by(mesh, triangle);
+        const bool flat = are_of_vertices() ? std::isnan(values[c[0]].x) : c[0] == none;
         return flat ? nullptr : &c;
     }
     uint64_t bytes() const { return values.size() * sizeof(Vec3) + triangles.size() * sizeof(Corners); }

@@ -106,7 +106,7 @@ private:
     TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
     {
         const MeshShading& s = scene_.shading[mesh];
-        const bool smooth = !s.normals.empty() && s.normals.find(scene_.geometry.meshes[mesh], triangle);
+        const bool smooth = s.normals.find(scene_.geometry.meshes[mesh], triangle) != nullptr;
         if (smooth || instance != Hit::no_instance) return {instance, mesh, triangle};
         const TrianglePlace place = triangle_place(scene_, instance, mesh, triangle, {});
         return {instance, mesh, triangle, place.n, place.area};

@@ -76,8 +76,7 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
 {
     const MeshShading& shading = scene.shading[hit.geometry];
     const Mesh& mesh = scene.geometry.meshes[hit.geometry];
-    const CornerNormals::Corners* const normals =
-        shading.normals.empty() ? nullptr : shading.normals.find(mesh, hit.primitive);
+    const CornerNormals::Corners* const normals = shading.normals.find(mesh, hit.primitive);
     if (!normals) return p;
     const std::array<float, 3> weights{1 - hit.uv.x - hit.uv.y, hit.uv.x, hit.uv.y};
     Vec3d moved = to_double(p);

@@ -20,7 +20,6 @@ void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const Fo
         const Hit& hit = hits[which[k]];
         u[k] = hit.uv.x, v[k] = hit.uv.y;
         const MeshShading& shading = scene.shading[hit.geometry];
-        if (shading.normals.empty()) continue;
         const auto* const corners = shading.normals.find(scene.geometry.meshes[hit.geometry], hit.primitive);
         if (!corners) continue;
         const auto normal = [&](uint32_t i) { return load4(&shading.normals.values[(*corners)[i]].x); };
@@ -82,12 +81,11 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     Vec3d n = cross(e1, e2), ns;
     bool smooth = false;
     const MeshShading& shading = scene.shading[mesh_index];
-    if (!shading.normals.empty())
-        if (const auto* const corners = shading.normals.find(mesh, triangle)) {
-            const auto normal = [&](size_t k) { return shading.normals.values[(*corners)[k]]; };
-            ns = to_double(normal(0) * first_weight(uv) + normal(1) * uv.x + normal(2) * uv.y);
-            smooth = true;
-        }
+    if (const auto* const corners = shading.normals.find(mesh, triangle)) {
+        const auto normal = [&](size_t k) { return shading.normals.values[(*corners)[k]]; };
+        ns = to_double(normal(0) * first_weight(uv) + normal(1) * uv.x + normal(2) * uv.y);
+        smooth = true;
+    }
     if (instance != Hit::no_instance) {
         const Instance& placing = scene.geometry.instances[instance];
         const Transform& m = placing.to_world;
@@ -128,10 +126,10 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
         const auto fetch = [](const auto& list, const auto& corners) {
             for (const uint32_t corner : corners) prefetch(&list[corner]);
         };
-        if (s.normals.are_of_vertices())
-            fetch(s.normals.values, mesh.triangles[triangle]);
-        else if (!s.normals.empty() && s.normals.triangles[triangle][0] != CornerNormals::none)
-            fetch(s.normals.values, s.normals.triangles[triangle]);
+        // Not find(), which waits for the normal of a vertex to tell whether there is one.
+        if (!s.normals.empty())
+            if (const auto& corners = s.normals.named_by(mesh, triangle); corners[0] != CornerNormals::none)
+                fetch(s.normals.values, corners);
         if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
     });
 }
