@@ -120,7 +120,8 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
         // Of the render's CPU time, best against best; what is clocked within a render is told of that one.
         row["share"] = best(timings[i]) / best(timings[0]);
         if (contestants[i].name == "inside") add_share(row, std::span(clocked).subspan(1));
-        if (!g.spheres.empty() || !g.planes.empty()) row["left_out"] = "spheres and planes";  // of what Embree traces
+        const bool is_bare = contestants[i].name.starts_with("rays");  // Embree alone, which has triangles
+        if (is_bare && (!g.spheres.empty() || !g.planes.empty())) row["left_out"] = "spheres and planes";
         if (i == 0 && loop) row["error"] = error[0];
         if (contestants[i].name == "bare-loop") {
             row["error"] = error[1];
