@@ -32,8 +32,8 @@ uint64_t bytes_of(const Stage& stage, const Film& film)
                      bytes_of(s.traits) + bytes_of(s.emission) + bytes_of(s.textures) + bytes_of(s.lights.lights);
     for (const Mesh& m : s.geometry.meshes) bytes += bytes_of(m.positions) + bytes_of(m.triangles);
     for (const MeshShading& m : s.shading)
-        bytes += m.normals.bytes() + bytes_of(m.uvs) + m.uv_triangles.bytes() +
-                 bytes_of(m.face_material) + bytes_of(m.emitter_rank) + bytes_of(m.colors);
+        bytes += m.normals.bytes() + bytes_of(m.uvs) + m.uv_triangles.bytes() + m.face_material.bytes() +
+                 m.emitters.bytes() + bytes_of(m.colors);
     for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) bytes += bytes_of(asked);
     for (const Texture& t : s.textures)
         if (const auto* image = std::get_if<ImageTexture>(&t)) bytes += image->bytes();

@@ -92,12 +92,12 @@ template <unsigned without>
     s.t = hit.t;
     s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
     s.light = Scene::none;
-    const auto& ranks = scene.shading[hit.geometry].emitter_rank;
-    if (!ranks.empty() && ranks[hit.primitive] != Scene::none) {
+    const Marks& emitters = scene.shading[hit.geometry].emitters;
+    if (!emitters.empty() && emitters.has(hit.primitive)) {
         uint32_t first = scene.mesh_first_light[hit.geometry];
         if constexpr (asks(instances))
             if (hit.instance != Hit::no_instance) first = scene.instance_first_light[hit.instance];
-        s.light = first + ranks[hit.primitive];
+        s.light = first + emitters.before(hit.primitive);
     }
     s.ns_front = s.ns;
     const Vec3 wo = -ray.dir;

@@ -168,8 +168,8 @@ private:
         for (const Mesh& m : scene_.geometry.meshes) geometry += bytes_of(m.positions) + bytes_of(m.triangles);
         uint64_t shading = 0, textures = 0;
         for (const MeshShading& s : scene_.shading)
-            shading += s.normals.bytes() + bytes_of(s.uvs) + s.uv_triangles.bytes() +
-                       bytes_of(s.face_material) + bytes_of(s.emitter_rank);
+            shading += s.normals.bytes() + bytes_of(s.uvs) + s.uv_triangles.bytes() + s.face_material.bytes() +
+                       s.emitters.bytes();
         for (const Texture& t : scene_.textures)
             if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();
         say("memory", "geometry " + megabytes(geometry) + ", shading " + megabytes(shading) + ", textures " +

@@ -13,7 +13,7 @@ std::vector<bool> worn_materials(const Scene& scene)
     for (const uint32_t m : scene.plane_material) worn[m] = true;
     for (const MeshShading& mesh : scene.shading) {
         if (mesh.face_material.empty()) worn[mesh.material] = true;
-        for (const uint32_t m : mesh.face_material) worn[m] = true;
+        for (size_t i = 0; i < mesh.face_material.size(); ++i) worn[mesh.face_material[i]] = true;
     }
     // Parts come before the mixes that are made of them.
     for (size_t id = scene.mix_of.size(); id-- > 0;) {

@@ -83,25 +83,21 @@ private:
         const auto meshes = static_cast<uint32_t>(scene_.geometry.meshes.size());
         scene_.mesh_first_light.resize(meshes, Scene::none);
         for (uint32_t i = 0; i < meshes; ++i) {
-            scene_.shading[i].emitter_rank = rank_emitters(i);
+            scene_.shading[i].emitters = emitters_of(i);
             if (!scene_.geometry.meshes[i].instanced)
                 scene_.mesh_first_light[i] = add_triangle_lights(Hit::no_instance, i);
         }
         for (uint32_t i = 0; i < scene_.geometry.instances.size(); ++i)
             scene_.instance_first_light.push_back(add_triangle_lights(i, scene_.geometry.instances[i].mesh));
     }
-    // The emitting triangles of a mesh, ranked; nothing if there are none.
-    std::vector<uint32_t> rank_emitters(uint32_t mesh) const
+    // The triangles of a mesh that shine; empty if none does.
+    Marks emitters_of(uint32_t mesh) const
     {
         const MeshShading& s = scene_.shading[mesh];
         const auto emits = [&](uint32_t triangle) { return !scene_.emission[s.material_of(triangle)].is_dark(); };
         if (s.face_material.empty() && scene_.emission[s.material].is_dark()) return {};
-        std::vector<uint32_t> rank(scene_.geometry.meshes[mesh].triangles.size(), Scene::none);
-        uint32_t next = 0;
-        for (uint32_t i = 0; i < rank.size(); ++i)
-            if (emits(i)) rank[i] = next++;
-        if (next == 0) rank.clear();
-        return rank;
+        Marks emitters(static_cast<uint32_t>(scene_.geometry.meshes[mesh].triangles.size()), emits);
+        return emitters.marked() > 0 ? emitters : Marks();
     }
     TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
     {
@@ -115,9 +111,10 @@ private:
     uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
     {
         const uint32_t first = next();
-        const MeshShading& s = scene_.shading[mesh];
-        for (uint32_t i = 0; i < s.emitter_rank.size(); ++i)
-            if (s.emitter_rank[i] != Scene::none) add(triangle_light(instance, mesh, i), 0);
+        const Marks& emitters = scene_.shading[mesh].emitters;
+        const size_t triangles = emitters.empty() ? 0 : scene_.geometry.meshes[mesh].triangles.size();
+        for (uint32_t i = 0; i < triangles; ++i)
+            if (emitters.has(i)) add(triangle_light(instance, mesh, i), 0);
         constexpr uint32_t block = 1024;
         parallel_for((next() - first + block - 1) / block, [&](size_t b) {
             const uint32_t begin = first + static_cast<uint32_t>(b) * block;

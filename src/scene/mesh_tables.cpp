@@ -105,21 +105,18 @@ void fill_normals(const MeshData& data, const Transform& back, const Mesh& mesh,
 bool any_reads_uv(const MeshShading& s, const std::vector<MaterialTraits>& traits)
 {
     if (s.face_material.empty()) return traits[s.material].reads_uv;
-    return std::any_of(s.face_material.begin(), s.face_material.end(), [&](uint32_t m) { return traits[m].reads_uv; });
+    return s.face_material.any([&](uint32_t m) { return traits[m].reads_uv; });
 }
 
 constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";
 
 }  // namespace
 
-void set_materials(MeshShading& shading, std::vector<uint32_t> of_faces)
+void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces)
 {
     const bool is_one = std::all_of(of_faces.begin(), of_faces.end(), [&](uint32_t m) { return m == of_faces[0]; });
-    shading.face_material.clear();
-    if (is_one && !of_faces.empty())
-        shading.material = of_faces[0];
-    else
-        shading.face_material = std::move(of_faces);
+    if (is_one && !of_faces.empty()) shading.material = of_faces[0];
+    shading.face_material = is_one ? PackedNumbers() : PackedNumbers(of_faces);
 }
 
 void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,

@@ -6,7 +6,7 @@
 namespace lancer {
 
 // The faces of shading.material and face_material: one material instead of a table where all have the same.
-void set_materials(MeshShading& shading, std::vector<uint32_t> of_faces);
+void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces);
 
 // Positions, triangles, normals, texture coordinates, colours (of the vertices, linear), moved by `place`. The
 // materials of shading must be set and have their traits.

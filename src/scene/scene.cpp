@@ -123,7 +123,7 @@ private:
                 std::vector<uint32_t> of_faces(data.face_material.size());
                 std::transform(data.face_material.begin(), data.face_material.end(), of_faces.begin(),
                                [&](uint32_t f) { return ids[f]; });
-                set_materials(shading, std::move(of_faces));
+                set_materials(shading, of_faces);
             }
         }
         fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading, scene_.left_out);

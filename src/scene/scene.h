@@ -9,6 +9,8 @@
 
 #include "core/bounds.h"
 #include "core/error.h"
+#include "core/marks.h"
+#include "core/packed_numbers.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/material.h"
@@ -27,17 +29,16 @@ struct MeshShading {
     CornerNormals normals;                // empty if the mesh is flat
     std::vector<Vec2> uvs;                // empty unless a texture is looked up with them
     CornerTable uv_triangles;             // of those triangles that have any and read them
-    std::vector<uint32_t> face_material;  // per triangle; empty if the mesh has one material
+    PackedNumbers face_material;          // per triangle; empty if the mesh has one material
     std::vector<Color> colors;            // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
-    std::vector<uint32_t>
-        emitter_rank;  // per triangle: its place among the mesh's emitters, or none; empty if it has none
+    Marks emitters;  // which of its triangles shine: their lights follow each other in their order; empty if none does
 
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
     // Whether shading looks something up that not all its triangles share.
     bool differs_by_triangle() const
     {
-        return !(normals.empty() && uvs.empty() && face_material.empty() && emitter_rank.empty());
+        return !(normals.empty() && uvs.empty() && face_material.empty());
     }
 };
 

@@ -53,11 +53,11 @@ float uv_per_length(const std::array<Vec2, 3>& t, float area)
 
 uint32_t light_of(const Scene& scene, const Hit& hit)
 {
-    const auto& ranks = scene.shading[hit.geometry].emitter_rank;
-    if (ranks.empty() || ranks[hit.primitive] == Scene::none) return Scene::none;
+    const Marks& emitters = scene.shading[hit.geometry].emitters;
+    if (emitters.empty() || !emitters.has(hit.primitive)) return Scene::none;
     const uint32_t first = hit.instance == Hit::no_instance ? scene.mesh_first_light[hit.geometry]
                                                             : scene.instance_first_light[hit.instance];
-    return first + ranks[hit.primitive];
+    return first + emitters.before(hit.primitive);
 }
 
 Color vertex_color(const Scene& scene, const Hit& hit)

@@ -117,8 +117,7 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
                 f(scene.geometry.meshes[hit.geometry], scene.shading[hit.geometry], hit.primitive);
     };
     for_meshes([](const Mesh&, const MeshShading& s, uint32_t triangle) {
-        if (!s.face_material.empty()) prefetch(&s.face_material[triangle]);
-        if (!s.emitter_rank.empty()) prefetch(&s.emitter_rank[triangle]);
+        if (!s.face_material.empty()) prefetch(s.face_material.where(triangle));
         if (!s.normals.triangles.empty()) prefetch(&s.normals.triangles[triangle]);
         if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(triangle));
     });

@@ -205,7 +205,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
         t["normals"] += m.normals.bytes();
         t["texture coordinates"] += m.uvs.size() + m.uv_triangles.bytes();
         t["colours"] += m.colors.size();
-        t["materials of faces"] += m.face_material.size();
+        t["materials of faces"] += m.face_material.bytes();
     }
     return t;
 }
@@ -224,7 +224,8 @@ TEST(LeftOut, AFeatureThatASceneLacksTakesNoByte)
     for (size_t i = 0; i < 2; ++i) {
         const Mesh& mesh = plain.scene.geometry.meshes[i];
         EXPECT_EQ(mesh.positions.size(), (i == 0 ? 8u : 4u) + 1) << "one to read past the end";
-        EXPECT_EQ(plain.scene.shading[i].emitter_rank.size(), i == 0 ? 0 : mesh.triangles.size());
+        EXPECT_EQ(plain.scene.shading[i].emitters.marked(), i == 0 ? 0 : mesh.triangles.size());
+        EXPECT_EQ(plain.scene.shading[i].emitters.bytes() > 0, i == 1);
     }
     EXPECT_EQ(plain.scene.lights.lights.size(), 2u);
 

@@ -1,0 +1,63 @@
+// Tables that hold more than they take room for: each answers as the plain one does.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/marks.h"
+#include "core/packed_numbers.h"
+
+namespace lancer {
+namespace {
+
+TEST(PackedNumbers, AreThoseThatWerePutIn)
+{
+    std::mt19937 random(7);
+    for (const auto& [largest, width] : {std::pair{0u, 1u}, {1u, 1u}, {255u, 1u}, {256u, 2u}, {65535u, 2u},
+                                         {65536u, 4u}, {UINT32_MAX - 1, 4u}, {UINT32_MAX, 4u}})
+        for (const size_t count : {1, 2, 3, 5, 64, 1000}) {
+            std::vector<uint32_t> numbers(count);
+            for (uint32_t& n : numbers) n = std::uniform_int_distribution<uint32_t>(0, largest)(random);
+            for (const size_t at : {size_t{0}, count / 2, count - 1}) {
+                numbers[at] = largest;
+                const PackedNumbers packed(numbers);
+                ASSERT_EQ(packed.size(), count);
+                EXPECT_EQ(packed.bytes(), count * width + 4 - width) << "but for what is read past the end";
+                for (size_t i = 0; i < count; ++i) ASSERT_EQ(packed[i], numbers[i]) << largest << ' ' << i;
+                EXPECT_TRUE(packed.any([l = largest](uint32_t n) { return n == l; }));
+                EXPECT_FALSE(packed.any([l = largest](uint32_t n) { return n > l; }));
+            }
+        }
+}
+
+TEST(PackedNumbers, OfNothingTakeNothing)
+{
+    const PackedNumbers none = PackedNumbers(std::vector<uint32_t>());
+    EXPECT_TRUE(none.empty());
+    EXPECT_EQ(none.bytes(), 0u);
+    EXPECT_FALSE(none.any([](uint32_t) { return true; }));
+}
+
+TEST(Marks, CountThoseBeforeEach)
+{
+    std::mt19937 random(8);
+    for (const uint32_t count : {1, 63, 64, 65, 128, 1000})
+        for (const double part : {0.0, 0.02, 0.5, 1.0}) {
+            std::vector<bool> marked(count);
+            for (uint32_t i = 0; i < count; ++i) marked[i] = std::bernoulli_distribution(part)(random);
+            const Marks marks(count, [&](uint32_t i) { return marked[i]; });
+            uint32_t before = 0;
+            for (uint32_t i = 0; i < count; ++i) {
+                ASSERT_EQ(marks.has(i), marked[i]) << count << ' ' << i;
+                ASSERT_EQ(marks.before(i), before) << count << ' ' << i;
+                before += marked[i];
+            }
+            EXPECT_EQ(marks.marked(), before);
+            EXPECT_FALSE(marks.empty());
+            EXPECT_EQ(marks.bytes(), 16 * (count / 64 + 1));
+        }
+    EXPECT_TRUE(Marks().empty());
+    EXPECT_EQ(Marks().bytes(), 0u);
+}
+
+}  // namespace
+}  // namespace lancer
