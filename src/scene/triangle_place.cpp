@@ -10,47 +10,36 @@ namespace {
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
-// Of those of four triangles whose corners have normals.
-void interpolate_normals(const Scene& scene, std::span<const Hit> hits, const FourHits& which, PlacesOfFour& s)
+using Rows = std::array<Float4, double_lanes>;  // what stands in memory of four places
+
+// Normals of a triangle's corners, each with something behind it; those of CornerNormals::of_flat() where it has none.
+void put_normals(const Mesh& mesh, const CornerNormals& normals, uint32_t triangle, size_t k, Rows& a, Rows& b, Rows& c)
 {
-    std::array<Float4, double_lanes> rows_a{}, rows_b{}, rows_c{};
-    Float4 u, v;
-    Mask4f smooth{};
-    for (size_t k = 0; k < double_lanes; ++k) {
-        const Hit& hit = hits[which[k]];
-        u[k] = hit.uv.x, v[k] = hit.uv.y;
-        const MeshShading& shading = scene.shading[hit.geometry];
-        const auto* const corners = shading.normals.find(scene.geometry.meshes[hit.geometry], hit.primitive);
-        if (!corners) continue;
-        const auto normal = [&](uint32_t i) { return load4(&shading.normals.values[(*corners)[i]].x); };
-        rows_a[k] = normal(0), rows_b[k] = normal(1), rows_c[k] = normal(2);
-        smooth[k] = -1;
-    }
-    if (bits(smooth) == 0) return;
-    const Float4 w = first_weight(u, v);
-    const Vec3T<Double4> sum = to_double(turned(rows_a) * w + turned(rows_b) * u + turned(rows_c) * v);
-    const Double4 length = sqrt(dot(sum, sum));
-    s.ns = select(smooth & narrowed(length > Double4{}), to_float(sum * (1.0 / length)), s.ns);
-    s.n = select(smooth & (dot(s.n, s.ns) < Float4{}), -s.n, s.n);
+    a[k] = b[k] = c[k] = Float4{} + CornerNormals::of_flat().x;
+    if (normals.empty()) return;
+    const auto& corners = normals.named_by(mesh, triangle);
+    if (corners[0] == CornerNormals::none) return;
+    const auto normal = [&](size_t i) { return load4(&normals.values[corners[i]].x); };
+    a[k] = normal(0), b[k] = normal(1), c[k] = normal(2);
 }
 
-}  // namespace
-
-PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+template <bool has_normals>
+PlacesOfFour places(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
 {
-    std::array<Float4, double_lanes> rows_a, rows_b, rows_c;
-    Float4 u, v;
+    Rows rows_uv, rows_a, rows_b, rows_c, normals_a, normals_b, normals_c;
     for (size_t k = 0; k < double_lanes; ++k) {
         const Hit& hit = hits[which[k]];
         const Mesh& mesh = scene.geometry.meshes[hit.geometry];
         const auto& t = mesh.triangles[hit.primitive];
+        rows_uv[k] = load4(&hit.uv.x);
         rows_a[k] = load4(&mesh.positions[t[0]].x);
         rows_b[k] = load4(&mesh.positions[t[1]].x);
         rows_c[k] = load4(&mesh.positions[t[2]].x);
-        u[k] = hit.uv.x, v[k] = hit.uv.y;
+        if constexpr (has_normals)
+            put_normals(mesh, scene.shading[hit.geometry].normals, hit.primitive, k, normals_a, normals_b, normals_c);
     }
-    const Vec3T<Float4> a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
-    const PointOnTriangle<Float4> at(a, b, c, u, v);
+    const Vec3T<Float4> uv = turned(rows_uv), a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
+    const PointOnTriangle<Float4> at(a, b, c, uv.x, uv.y);
     const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
     const Double4 length_n = sqrt(dot(cross_n, cross_n));
     const Float4 zero{};
@@ -59,14 +48,28 @@ PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const
     PlacesOfFour s{at.p, at.p_error, to_float(cross_n * (1.0 / length_n)), {}, _mm256_cvtpd_ps(0.5 * length_n)};
     s.n = select(has_area, s.n, Vec3T<Float4>{zero, zero, zero + 1.0f});
     s.ns = s.n;
+    if constexpr (has_normals) {
+        const Vec3T<Float4> na = turned(normals_a);
+        const Mask4f smooth = na.x == na.x;
+        const Vec3T<Double4> sum =
+            to_double(na * at.first_weight + turned(normals_b) * uv.x + turned(normals_c) * uv.y);
+        const Double4 length = sqrt(dot(sum, sum));
+        s.ns = select(smooth & narrowed(length > Double4{}), to_float(sum * (1.0 / length)), s.ns);
+        s.n = select(smooth & (dot(s.n, s.ns) < zero), -s.n, s.n);
+    }
     return s;
+}
+
+}  // namespace
+
+PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+{
+    return places<false>(scene, hits, which);
 }
 
 PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
 {
-    PlacesOfFour s = flat_places_of(scene, hits, which);
-    if (scene.has_normals) interpolate_normals(scene, hits, which, s);
-    return s;
+    return scene.has_normals ? places<true>(scene, hits, which) : places<false>(scene, hits, which);
 }
 
 TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)

@@ -40,11 +40,13 @@ inline Float8 first_weight(Float8 u, Float8 v)
 // A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
 template <class T>
 struct PointOnTriangle {
+    T first_weight;  // of the first corner
     Vec3T<T> p, p_error;
 
     PointOnTriangle(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c, T u, T v)
+        : first_weight(lancer::first_weight(u, v))
     {
-        const Vec3T<T> wa = a * first_weight(u, v), wb = b * u, wc = c * v;
+        const Vec3T<T> wa = a * first_weight, wb = b * u, wc = c * v;
         p = wa + wb + wc;
         // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
         const T reach = larger(largest(abs(a)), larger(largest(abs(b)), largest(abs(c))));
