@@ -45,7 +45,7 @@ void bind_holes(Scene& scene)
     for (size_t i = 0; i < scene.shading.size(); ++i) {
         const MeshShading& s = scene.shading[i];
         std::vector<uint8_t>& ask = holes.meshes.emplace_back();
-        if (!(s.face_material.empty() ? has_holes(s.material) : s.face_material.any(has_holes))) continue;
+        if (!s.wears(has_holes)) continue;
         meshes = true;
         ask.resize(scene.geometry.meshes[i].triangles.size());
         for (uint32_t t = 0; t < ask.size(); ++t) ask[t] = has_holes(s.material_of(t)) ? 1 : 0;

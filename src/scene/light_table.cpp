@@ -94,10 +94,10 @@ private:
     Marks emitters_of(uint32_t mesh) const
     {
         const MeshShading& s = scene_.shading[mesh];
-        const auto emits = [&](uint32_t triangle) { return !scene_.emission[s.material_of(triangle)].is_dark(); };
-        if (s.face_material.empty() && scene_.emission[s.material].is_dark()) return {};
-        Marks emitters(static_cast<uint32_t>(scene_.geometry.meshes[mesh].triangles.size()), emits);
-        return emitters.marked() > 0 ? emitters : Marks();
+        const auto shines = [&](uint32_t material) { return !scene_.emission[material].is_dark(); };
+        if (!s.wears(shines)) return {};
+        const size_t triangles = scene_.geometry.meshes[mesh].triangles.size();
+        return Marks(static_cast<uint32_t>(triangles), [&](uint32_t t) { return shines(s.material_of(t)); });
     }
     TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
     {

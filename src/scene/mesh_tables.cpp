@@ -102,12 +102,6 @@ void fill_normals(const MeshData& data, const Transform& back, const Mesh& mesh,
     normals.values.emplace_back();
 }
 
-bool any_reads_uv(const MeshShading& s, const std::vector<MaterialTraits>& traits)
-{
-    if (s.face_material.empty()) return traits[s.material].reads_uv;
-    return s.face_material.any([&](uint32_t m) { return traits[m].reads_uv; });
-}
-
 constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";
 
 }  // namespace
@@ -148,7 +142,7 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
 void drop_unread_uvs(Scene& scene)
 {
     for (MeshShading& s : scene.shading) {
-        if (s.uvs.empty() || any_reads_uv(s, scene.traits)) continue;
+        if (s.uvs.empty() || s.wears([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
         scene.left_out.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
         s.uvs = {};
         s.uv_triangles = {};

@@ -26,20 +26,23 @@ namespace lancer {
 
 // What shading needs to know of a mesh, beside its geometry.
 struct MeshShading {
-    CornerNormals normals;                // empty if the mesh is flat
-    std::vector<Vec2> uvs;                // empty unless a texture is looked up with them
-    CornerTable uv_triangles;             // of those triangles that have any and read them
-    PackedNumbers face_material;          // per triangle; empty if the mesh has one material
-    std::vector<Color> colors;            // of the vertices, linear; empty if the mesh has none
+    CornerNormals normals;        // empty if the mesh is flat
+    std::vector<Vec2> uvs;        // empty unless a texture is looked up with them
+    CornerTable uv_triangles;     // of those triangles that have any and read them
+    PackedNumbers face_material;  // per triangle; empty if the mesh has one material
+    std::vector<Color> colors;    // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
     Marks emitters;  // which of its triangles shine: their lights follow each other in their order; empty if none does
 
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
-    // Whether shading looks something up that not all its triangles share.
-    bool differs_by_triangle() const
+    // Whether holds(material) of one that some triangle of it wears.
+    template <class Holds>
+    bool wears(const Holds& holds) const
     {
-        return !(normals.empty() && uvs.empty() && face_material.empty());
+        return face_material.empty() ? holds(material) : face_material.any(holds);
     }
+    // Whether shading looks something up that not all its triangles share.
+    bool differs_by_triangle() const { return !(normals.empty() && uvs.empty() && face_material.empty()); }
 };
 
 class Background;

@@ -12,8 +12,14 @@ namespace {
 TEST(PackedNumbers, AreThoseThatWerePutIn)
 {
     std::mt19937 random(7);
-    for (const auto& [largest, width] : {std::pair{0u, 1u}, {1u, 1u}, {255u, 1u}, {256u, 2u}, {65535u, 2u},
-                                         {65536u, 4u}, {UINT32_MAX - 1, 4u}, {UINT32_MAX, 4u}})
+    for (const auto& [largest, width] : {std::pair{0u, 1u},
+                                         {1u, 1u},
+                                         {255u, 1u},
+                                         {256u, 2u},
+                                         {65535u, 2u},
+                                         {65536u, 4u},
+                                         {UINT32_MAX - 1, 4u},
+                                         {UINT32_MAX, 4u}})
         for (const size_t count : {1, 2, 3, 5, 64, 1000}) {
             std::vector<uint32_t> numbers(count);
             for (uint32_t& n : numbers) n = std::uniform_int_distribution<uint32_t>(0, largest)(random);
