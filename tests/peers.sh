@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# bench/peers/run without any other renderer: what it lists, and how it refuses. $1: the program lancer.
+# bench/peers without any other renderer: what it lists, and how it refuses. $1: the program lancer.
 set -euo pipefail
 unset CDPATH
-run=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)/bench/peers/run
+peers=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)/bench/peers
 export LANCER=$1
 python=$(python3 -c 'import sys; print(sys.executable)') || exit 77
 folder=$(mktemp -d)
@@ -11,13 +11,14 @@ mkdir "$folder/bin"
 printf 'version = 1\n[[sphere]]\n[[light]]\ntype = "environment"\nradiance = 1\n' >"$folder/scene.toml"
 cd "$folder"
 
-# expect CODE WORDS ARGUMENT...: how the run ends and what it says, on either way.
+# expect CODE WORDS ARGUMENT...: how the program ends and what it says, on either way.
 faults=0
+program=run
 expect() {
     local code=0 said
-    said=$(PATH=$folder/bin "$python" "$run" "${@:3}" 2>&1) || code=$?
+    said=$(PATH=$folder/bin "$python" "$peers/$program" "${@:3}" 2>&1) || code=$?
     if [[ $code != "$1" || $said != *"$2"* ]]; then
-        echo "peers: run ${*:3}: ended with $code instead of $1, and said (not '$2'): $said" >&2
+        echo "peers: $program ${*:3}: ended with $code instead of $1, and said (not '$2'): $said" >&2
         faults=$((faults + 1))
     fi
 }
@@ -53,4 +54,20 @@ printf 'version = 1\n[[mesh]]\nfile = "mesh.obj"\n[[light]]\ntype = "environment
 expect 65 "another seed than 0" embree mesh.toml -o a.exr --spp 4 --seed 1
 expect 1 "pathtracer ended with 1" embree mesh.toml -o a.exr --spp 4
 LANCER=$folder/none expect 66 "no program" embree scene.toml -o a.exr --spp 4
+
+program=anchors
+expect 0 "usage: bench/peers/anchors" --help
+expect 2 "unknown peer 'yafaray'" yafaray
+expect 2 "--seeds" --seeds 1
+expect 2 "--error" --error 2
+expect 2 "--scene" --scene room
+expect 69 "apt-get install blender"
+LANCER=$folder/none expect 66 "no program"
+# An error that falls as 1/spp passes a tenth of that of one sample with ten, between 8 and 16.
+"$python" - "$peers/anchors" <<'END' || faults=$((faults + 1))
+import math, runpy, sys
+samples_to = runpy.run_path(sys.argv[1])["samples_to"]
+found = samples_to(0.1, {1 << k: [0.5 / (1 << k), 1.5 / (1 << k)] for k in range(5)}, range(2))
+assert math.isclose(found, 10), found
+END
 ((faults == 0))
