@@ -117,24 +117,24 @@ template <unsigned without>
 template <unsigned without>
 [[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
-    const auto four = [&](const FourHits& which) {
+    const auto eight = [&](const EightHits& which) {
         constexpr auto& places_of = (without & vertex_normals) == 0 ? lancer::places_of : flat_places_of;
         put(places_of(scene, hits, which), which, places);
     };
     const auto placed = [&](size_t i) {
         places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
     };
-    if constexpr ((without & instances) == 0) return for_triangles(hits, four, placed);
-    FourHits which{};
+    if constexpr ((without & instances) == 0) return for_triangles<float_lanes>(hits, eight, placed);
+    EightHits which{};
     size_t count = 0;
     for (size_t i = 0; i < hits.size(); ++i) {
         if (!hits[i]) continue;
         which[count++] = i;
-        if (count == which.size()) four(which), count = 0;
+        if (count == which.size()) eight(which), count = 0;
     }
     if (count == 0) return;
     std::fill(which.begin() + count, which.end(), which[0]);
-    four(which);
+    eight(which);
 }
 
 template <unsigned without>

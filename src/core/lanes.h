@@ -28,6 +28,10 @@ inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
 // The lower four lanes and the upper four.
 inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
+inline Mask8 joined(Mask4f low, Mask4f high)
+{
+    return reinterpret_cast<Mask8>(joined(reinterpret_cast<Float4>(low), reinterpret_cast<Float4>(high)));
+}
 inline Float4 lower(Float8 x) { return _mm256_castps256_ps128(x); }
 inline Float4 upper(Float8 x) { return _mm256_extractf128_ps(x, 1); }
 

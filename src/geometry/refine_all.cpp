@@ -52,7 +52,7 @@ void fetch_corners(const Geometry& g, std::span<const Hit> hits)
 void refine_all(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits)
 {
     if (outgrows_caches(g)) fetch_corners(g, hits);
-    for_triangles(
+    for_triangles<double_lanes>(
         hits, [&](const FourHits& which) { refine_four(g, rays, hits, which); },
         [&](size_t i) { hits[i] = refine(g, rays[i], hits[i]); });
 }

@@ -1,4 +1,4 @@
-// What triangles that were hit have in common four at a time: which of a batch go together, and their vectors in
+// What triangles that were hit have in common several at a time: which of a batch go together, and their vectors in
 // registers.
 #pragma once
 
@@ -11,15 +11,18 @@
 
 namespace lancer {
 
-// Numbers of hits of a batch. The last fours of a batch may name one several times.
-using FourHits = std::array<size_t, double_lanes>;
+// Numbers of hits of a batch. The last ones of a batch may name one several times.
+template <size_t n>
+using SomeHits = std::array<size_t, n>;
+using FourHits = SomeHits<double_lanes>;
+using EightHits = SomeHits<float_lanes>;
 
-// four(which) of the triangles that are drawn as they are, placed(i) of each one that an instance places. Spheres,
-// planes and misses are left out.
-template <class Four, class Placed>
-void for_triangles(std::span<const Hit> hits, const Four& four, const Placed& placed)
+// some(which), n at a time, of the triangles that are drawn as they are, placed(i) of each one that an instance places.
+// Spheres, planes and misses are left out.
+template <size_t n, class Some, class Placed>
+void for_triangles(std::span<const Hit> hits, const Some& some, const Placed& placed)
 {
-    FourHits which{};
+    SomeHits<n> which{};
     size_t count = 0;
     for (size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].kind != Kind::triangle) continue;
@@ -28,11 +31,11 @@ void for_triangles(std::span<const Hit> hits, const Four& four, const Placed& pl
             continue;
         }
         which[count++] = i;
-        if (count == which.size()) four(which), count = 0;
+        if (count == n) some(which), count = 0;
     }
     if (count == 0) return;
     std::fill(which.begin() + count, which.end(), which[0]);
-    four(which);
+    some(which);
 }
 
 // Of four vectors, each with something behind it: all x in one register, then all y, all z.

@@ -139,9 +139,7 @@ private:
     // What is known of triangles besides Vertices.
     struct Placed {
         uint32_t front = 0;  // lanes whose rays come to the front
-        std::array<PlacesOfFour, 2> fours;
-        float area(uint32_t i) const { return fours[i / double_lanes].area[i % double_lanes]; }
-        TrianglePlace of(uint32_t i) const { return place_of(fours[i / double_lanes], i % double_lanes); }
+        PlaceLanes places{};
     };
     Placed place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
                  Vertices& v);

@@ -22,20 +22,15 @@ inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<c
     std::array<const WideScene::Row*, float_lanes> albedo;
     for (uint32_t i = 0; i < float_lanes; ++i) albedo[i] = &scene_.albedo[v.material[which[i]]];
     v.albedo = turned(albedo).xyz;
-    const auto four = [&](size_t from) {
-        return places_of(view_.scene, hits, {which[from], which[from + 1], which[from + 2], which[from + 3]});
-    };
-    const PlacesOfFour low = four(0), high = four(4);
-    const Vec3x8 p = joined(low.p, high.p), p_error = joined(low.p_error, high.p_error);
-    v.n = joined(low.n, high.n), v.ns = joined(low.ns, high.ns);
+    const PlaceLanes at = places_of(view_.scene, hits, which);
     const Float8 zero{};
-    const Mask8 front = dot(v.n, wo) > zero;
-    v.n = select(front, v.n, -v.n), v.ns = select(front, v.ns, -v.ns);
-    v.origin = offset_origin(p, p_error, v.n, v.n);
+    const Mask8 front = dot(at.n, wo) > zero;
+    v.n = select(front, at.n, -at.n), v.ns = select(front, at.ns, -at.ns);
+    v.origin = offset_origin(at.p, at.p_error, v.n, v.n);
     const Float8 c = dot(v.ns, wo);
     if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
-    if constexpr (any) v.others.p = p, v.others.p_error = p_error;
-    return {bits(front), {low, high}};
+    if constexpr (any) v.others.p = at.p, v.others.p_error = at.p_error;
+    return {bits(front), at};
 }
 
 // Lanes that are not drawn do as the first that is.
@@ -97,13 +92,13 @@ inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits,
     if (v.hit == fixed) return;
     take_each(straight & ~fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
         const bool front = (placed.front >> i & 1) != 0;
-        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], placed.area(i));
+        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], placed.places.area[i]);
         view_.with_bsdf(v.material[i], p, number, take);
     });
     take_each(v.hit & ~straight, v, [&](uint32_t i, const auto& number, const auto& take) {
         const RayCone cone{v.path.width[i], v.path.spread[i]};
         const Ray& ray = now_.rays()[first + i];
-        const Surface s = (drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, placed.of(i))
+        const Surface s = (drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, placed.places.of(i))
                                                 : view_.surface_at(ray, hits[i], cone);
         set_lane(v.n, i, s.n);
         set_lane(v.ns, i, s.ns);

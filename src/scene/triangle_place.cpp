@@ -10,24 +10,54 @@ namespace {
 // |M| v: how far an error per axis can reach through a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
-using Rows = std::array<Float4, double_lanes>;  // what stands in memory of four places
-
-// Normals of a triangle's corners, each with something behind it; those of CornerNormals::of_flat() where it has none.
-void put_normals(const Mesh& mesh, const CornerNormals& normals, uint32_t triangle, size_t k, Rows& a, Rows& b, Rows& c)
+using Rows = std::array<Float4, float_lanes>;  // what stands in memory of eight places
+Vec3x8 turned(const Rows& rows)
 {
-    a[k] = b[k] = c[k] = Float4{} + CornerNormals::of_flat().x;
-    if (normals.empty()) return;
-    const auto& corners = normals.named_by(mesh, triangle);
-    if (corners[0] == CornerNormals::none) return;
-    const auto normal = [&](size_t i) { return load4(&normals.values[corners[i]].x); };
-    a[k] = normal(0), b[k] = normal(1), c[k] = normal(2);
+    return turned_rows([&](size_t i) { return rows[i]; }).xyz;
+}
+
+// Normals of eight triangles' corners, each with something behind it; those of CornerNormals::of_flat() where there are
+// none.
+struct NormalRows {
+    std::array<Rows, 3> corners;
+
+    void put(size_t k, const Mesh& mesh, const CornerNormals& normals, uint32_t triangle)
+    {
+        for (Rows& rows : corners) rows[k] = Float4{} + CornerNormals::of_flat().x;
+        if (normals.empty()) return;
+        const auto& named = normals.named_by(mesh, triangle);
+        if (named[0] == CornerNormals::none) return;
+        for (size_t c = 0; c < 3; ++c) corners[c][k] = load4(&normals.values[named[c]].x);
+    }
+};
+
+// Eight vectors made unit ones, in double.
+struct UnitLanes {
+    Vec3x8 v;
+    Float8 half_length;
+    Mask8 exist;  // a vector without length has none
+
+    UnitLanes(const Vec3T<Double4>& low, const Vec3T<Double4>& high)
+    {
+        const Double4 low_length = length(low), high_length = length(high), zero{};
+        v = joined(to_float(low * (1.0 / low_length)), to_float(high * (1.0 / high_length)));
+        half_length = joined(to_float(0.5 * low_length), to_float(0.5 * high_length));
+        exist = joined(narrowed(low_length > zero), narrowed(high_length > zero));
+    }
+    explicit UnitLanes(const Vec3x8& a) : UnitLanes(to_double(lower(a)), to_double(upper(a))) {}
+};
+
+Vec3T<Double4> normal_of(const Vec3T<Float4>& a, const Vec3T<Float4>& b, const Vec3T<Float4>& c)
+{
+    return cross(to_double(b) - to_double(a), to_double(c) - to_double(a));
 }
 
 template <bool has_normals>
-PlacesOfFour places(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+PlaceLanes places(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
 {
-    Rows rows_uv, rows_a, rows_b, rows_c, normals_a, normals_b, normals_c;
-    for (size_t k = 0; k < double_lanes; ++k) {
+    Rows rows_uv, rows_a, rows_b, rows_c;
+    NormalRows normals;
+    for (size_t k = 0; k < float_lanes; ++k) {
         const Hit& hit = hits[which[k]];
         const Mesh& mesh = scene.geometry.meshes[hit.geometry];
         const auto& t = mesh.triangles[hit.primitive];
@@ -35,39 +65,34 @@ PlacesOfFour places(const Scene& scene, std::span<const Hit> hits, const FourHit
         rows_a[k] = load4(&mesh.positions[t[0]].x);
         rows_b[k] = load4(&mesh.positions[t[1]].x);
         rows_c[k] = load4(&mesh.positions[t[2]].x);
-        if constexpr (has_normals)
-            put_normals(mesh, scene.shading[hit.geometry].normals, hit.primitive, k, normals_a, normals_b, normals_c);
+        if constexpr (has_normals) normals.put(k, mesh, scene.shading[hit.geometry].normals, hit.primitive);
     }
-    const Vec3T<Float4> uv = turned(rows_uv), a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
-    const PointOnTriangle<Float4> at(a, b, c, uv.x, uv.y);
-    const Vec3T<Double4> e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a), cross_n = cross(e1, e2);
-    const Double4 length_n = sqrt(dot(cross_n, cross_n));
-    const Float4 zero{};
+    const Vec3x8 uv = turned(rows_uv), a = turned(rows_a), b = turned(rows_b), c = turned(rows_c);
+    const PointOnTriangle<Float8> at(a, b, c, uv.x, uv.y);
+    const UnitLanes flat(normal_of(lower(a), lower(b), lower(c)), normal_of(upper(a), upper(b), upper(c)));
+    const Float8 zero{};
     // What is no number stands for a triangle without area, as for one alone.
-    const Mask4f has_area = narrowed(length_n > Double4{});
-    PlacesOfFour s{at.p, at.p_error, to_float(cross_n * (1.0 / length_n)), {}, _mm256_cvtpd_ps(0.5 * length_n)};
-    s.n = select(has_area, s.n, Vec3T<Float4>{zero, zero, zero + 1.0f});
+    PlaceLanes s{at.p, at.p_error, select(flat.exist, flat.v, Vec3x8{zero, zero, zero + 1.0f}), {}, flat.half_length};
     s.ns = s.n;
     if constexpr (has_normals) {
-        const Vec3T<Float4> na = turned(normals_a);
-        const Mask4f smooth = na.x == na.x;
-        const Vec3T<Double4> sum =
-            to_double(na * at.first_weight + turned(normals_b) * uv.x + turned(normals_c) * uv.y);
-        const Double4 length = sqrt(dot(sum, sum));
-        s.ns = select(smooth & narrowed(length > Double4{}), to_float(sum * (1.0 / length)), s.ns);
-        s.n = select(smooth & (dot(s.n, s.ns) < zero), -s.n, s.n);
+        const Vec3x8 na = turned(normals.corners[0]);
+        const Mask8 is_smooth = na.x == na.x;
+        const UnitLanes smooth(na * at.first_weight + turned(normals.corners[1]) * uv.x +
+                               turned(normals.corners[2]) * uv.y);
+        s.ns = select(is_smooth & smooth.exist, smooth.v, s.ns);
+        s.n = select(is_smooth & (dot(s.n, s.ns) < zero), -s.n, s.n);
     }
     return s;
 }
 
 }  // namespace
 
-PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+PlaceLanes flat_places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
 {
     return places<false>(scene, hits, which);
 }
 
-PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which)
+PlaceLanes places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
 {
     return scene.has_normals ? places<true>(scene, hits, which) : places<false>(scene, hits, which);
 }
@@ -138,8 +163,8 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
 
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
 {
-    for_triangles(
-        hits, [&](const FourHits& which) { put(places_of(scene, hits, which), which, places); },
+    for_triangles<float_lanes>(
+        hits, [&](const EightHits& which) { put(places_of(scene, hits, which), which, places); },
         [&](size_t i) {
             places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
         });

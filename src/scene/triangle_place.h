@@ -1,4 +1,4 @@
-// Where on a triangle a hit is: point, normals, area. Once for a single hit, and once for many, four at a time, with
+// Where on a triangle a hit is: point, normals, area. Once for a single hit, and once for many, eight at a time, with
 // the same bits: of what surface_at() does this takes longest.
 #pragma once
 
@@ -28,13 +28,10 @@ inline float first_weight(float u, float v)
     return static_cast<float>(1.0 - static_cast<double>(u) - static_cast<double>(v));
 }
 inline float first_weight(Vec2 uv) { return first_weight(uv.x, uv.y); }
-inline Float4 first_weight(Float4 u, Float4 v)
-{
-    return _mm256_cvtpd_ps(1.0 - Double4(_mm256_cvtps_pd(u)) - Double4(_mm256_cvtps_pd(v)));
-}
 inline Float8 first_weight(Float8 u, Float8 v)
 {
-    return joined(first_weight(lower(u), lower(v)), first_weight(upper(u), upper(v)));
+    const auto half = [](Float4 second, Float4 third) { return to_float(1.0 - to_double(second) - to_double(third)); };
+    return joined(half(lower(u), lower(v)), half(upper(u), upper(v)));
 }
 
 // A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
@@ -70,23 +67,19 @@ struct TrianglePlace {
 
 TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
 
-// triangle_place() of four triangles that are drawn as they are.
-struct PlacesOfFour {
-    Vec3T<Float4> p, p_error, n, ns;
-    Float4 area;
+// triangle_place() of eight triangles that are drawn as they are.
+struct PlaceLanes {
+    Vec3x8 p, p_error, n, ns;
+    Float8 area;
+    TrianglePlace of(size_t k) const { return {lane(p, k), lane(p_error, k), lane(n, k), lane(ns, k), area[k]}; }
 };
-PlacesOfFour places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
+PlaceLanes places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which);
 // The same of triangles whose corners have no normals of their own.
-PlacesOfFour flat_places_of(const Scene& scene, std::span<const Hit> hits, const FourHits& which);
-inline TrianglePlace place_of(const PlacesOfFour& four, size_t k)
-{
-    const auto lane = [&](const Vec3T<Float4>& v) { return Vec3{v.x[k], v.y[k], v.z[k]}; };
-    return {lane(four.p), lane(four.p_error), lane(four.n), lane(four.ns), four.area[k]};
-}
+PlaceLanes flat_places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which);
 // Each to the place of its hit.
-inline void put(const PlacesOfFour& four, const FourHits& which, std::span<TrianglePlace> places)
+inline void put(const PlaceLanes& eight, const EightHits& which, std::span<TrianglePlace> places)
 {
-    for (size_t k = 0; k < double_lanes; ++k) places[which[k]] = place_of(four, k);
+    for (size_t k = 0; k < float_lanes; ++k) places[which[k]] = eight.of(k);
 }
 
 // Asks for all that places_of() and surface_at() will read of the triangles that were hit, so that they need not wait
