@@ -40,6 +40,12 @@ inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
 inline Double4 load4(const double* from) { return _mm256_loadu_pd(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
+// Put together in a register: what is written lane by lane and then read as a whole is waited for.
+inline UInt8 together(const std::array<uint32_t, float_lanes>& x)
+{
+    return UInt8{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+}
+
 // from, to: 32-byte aligned.
 inline Float8 load8(const float* from) { return _mm256_load_ps(from); }
 inline void store8(float* to, Float8 x) { _mm256_store_ps(to, x); }

@@ -6,7 +6,7 @@
 
 namespace lancer {
 
-// Put together in registers: what is written lane by lane and then read as a whole is waited for.
+// As together().
 inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which)
 {
     const auto t = [&](size_t i) { return hits[which[i]].t; };
@@ -19,9 +19,9 @@ inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<c
                                                                      const std::array<size_t, float_lanes>& which,
                                                                      const Vec3x8& wo, Vertices& v)
 {
-    std::array<const WideScene::Row*, float_lanes> albedo;
-    for (uint32_t i = 0; i < float_lanes; ++i) albedo[i] = &scene_.albedo[v.material[which[i]]];
-    v.albedo = turned(albedo).xyz;
+    std::array<uint32_t, float_lanes> material;
+    for (uint32_t i = 0; i < float_lanes; ++i) material[i] = v.material[which[i]];
+    v.albedo = scene_.albedo.at(material).xyz;
     const PlaceLanes at = places_of(view_.scene, hits, which);
     const Float8 zero{};
     const Mask8 front = dot(at.n, wo) > zero;

@@ -31,16 +31,12 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
 inline LightSampleLanes sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
                                          const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
 {
-    using L = WideScene::Light;
-    const auto rows = [&](WideScene::Row L::*which) {
-        std::array<const WideScene::Row*, float_lanes> of;
-        for (size_t i = 0; i < of.size(); ++i) of[i] = &(scene.lights[ids[i]].*which);
-        return turned(of);
-    };
+    using W = WideScene;
+    const auto rows = [&](W::LightRow which) { return scene.lights.at(ids, which); };
     const Vec2x8 uv = square_to_triangle(u);
-    const PointOnTriangle<Float8> at(rows(&L::a).xyz, rows(&L::b).xyz, rows(&L::c).xyz, uv.x, uv.y);
-    const auto [n, area] = rows(&L::n_area);
-    const auto [front, by_power] = rows(&L::front);
+    const PointOnTriangle<Float8> at(rows(W::corner_a).xyz, rows(W::corner_b).xyz, rows(W::corner_c).xyz, uv.x, uv.y);
+    const auto [n, area] = rows(W::normal_area);
+    const auto [front, by_power] = rows(W::front);
     const Float8 probability = choice ? *choice : by_power;
     LightSampleLanes s;
     s.point = at.p, s.p_error = at.p_error, s.n = n;
@@ -48,7 +44,9 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
     const Float8 d2 = dot(d, d);
     s.wi = d / sqrt(d2);
     const Float8 cos = -dot(s.wi, n);
-    s.radiance = select(cos > Float8{}, front, rows(&L::back).xyz);
+    s.radiance = front;
+    const Mask8 before = cos > Float8{};
+    if (bits(before) != 255) s.radiance = select(before, front, rows(W::back).xyz);
     s.pdf = d2 / (abs(cos) * area) * probability;
     s.found = (d2 > Float8{}) & (cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
     return s;
@@ -58,13 +56,9 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
 inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
                                      const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
 {
-    std::array<const WideScene::Row*, float_lanes> radiance;
     LightSampleLanes s;
     Float8 rounding{};
-    for (size_t i = 0; i < float_lanes; ++i) {
-        const WideScene::Ball& ball = scene.balls[ids[i]];
-        radiance[i] = &ball.radiance, rounding[i] = ball.rounding;
-    }
+    for (size_t i = 0; i < float_lanes; ++i) rounding[i] = scene.balls[ids[i]].rounding;
     const SinCosT<Float8> phi = sin_cos_2pi(u.y);
     std::array<Mask4, 2> inside;
     const auto four = [&](size_t from, const Vec3T<Float4>& org, Float4 ux, const SinCosT<Float4>& turn) {
@@ -79,7 +73,7 @@ inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<ui
     s.found = lanes_of(~(bits(inside[0]) | bits(inside[1]) << double_lanes) & 255);
     s.wi = joined(low.wi, high.wi), s.point = joined(low.point, high.point), s.n = joined(low.n, high.n);
     s.p_error = sphere_point_error(rounding, s.point);
-    const auto [color, by_power] = turned(radiance);
+    const auto [color, by_power] = turned_rows([&](size_t i) { return load4(&scene.balls[ids[i]].radiance.x); });
     s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * (choice ? *choice : by_power);
     return s;
 }

@@ -7,8 +7,6 @@
 namespace lancer {
 namespace {
 
-using Row = WideScene::Row;
-
 Row row(Vec3 v, float w = 0) { return {v.x, v.y, v.z, w}; }
 Row row(Color c, float w = 0) { return {c.r, c.g, c.b, w}; }
 
@@ -29,7 +27,7 @@ WideScene::Lamp lamp_of(const Scene& scene, const Light& light)
     return std::holds_alternative<EnvironmentLight>(light) && !scene.environment_table ? Lamp::even_sky : Lamp::other;
 }
 
-WideScene::Light table_of(const Scene& scene, uint32_t id)
+RowTable<WideScene::light_rows>::Record light_of(const Scene& scene, uint32_t id)
 {
     const auto& light = std::get<TriangleLight>(scene.lights.lights[id]);
     const Mesh& mesh = scene.geometry.meshes[light.mesh];
@@ -86,19 +84,22 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
     const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
     if (!(plain | looked_up | any).covers(needed)) return {};
     WideScene d;
+    std::vector<RowTable<1>::Record> albedo;
     if (!plain.covers(needed) || (has_lamps && has_sky)) d.shading = Shading::looked_up;
     if (!(plain | looked_up).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
-        d.albedo.push_back(row(lambert ? lambert->albedo.value : Color{}));
+        albedo.push_back({row(lambert ? lambert->albedo.value : Color{})});
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));
         d.of_drawn.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) | (d.fixed[i].is ? is_fixed : 0));
     }
+    d.albedo = RowTable<1>(std::move(albedo));
     for (const MeshShading& s : scene.shading) d.has_colors |= !s.colors.empty();
     for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));
-    d.lights = rows_of<Light>(d.lamps, Lamp::triangle, [&](uint32_t id) { return table_of(scene, id); });
+    d.lights = RowTable<light_rows>(rows_of<RowTable<light_rows>::Record>(
+        d.lamps, Lamp::triangle, [&](uint32_t id) { return light_of(scene, id); }));
     d.balls = rows_of<Ball>(d.lamps, Lamp::ball, [&](uint32_t id) { return ball_of(scene, id); });
     d.has_triangles_only = std::all_of(d.lamps.begin(), d.lamps.end(), [](Lamp l) { return l == Lamp::triangle; });
     return d;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/vec_lanes.h"
+#include "core/row_table.h"
 #include "scene/features.h"
 #include "scene/scene.h"
 
@@ -32,15 +32,9 @@ struct WideScene {
     // Of BSDFs.
     static constexpr uint32_t is_other = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16, is_open = 1u << 24;
 
-    struct alignas(16) Row {
-        float x = 0, y = 0, z = 0, w = 0;
-    };
-    // A triangle that shines.
-    struct Light {
-        Row a, b, c;      // its corners
-        Row n_area;       // normal of its front side, and area
-        Row front, back;  // radiance to either side; front.w: probability of being chosen
-    };
+    // A triangle that shines: its corners; normal of its front side, and area; radiance to either side, behind that of
+    // the front the probability of being chosen.
+    enum LightRow : size_t { corner_a, corner_b, corner_c, normal_area, front, back, light_rows };
     // A sphere that shines.
     struct alignas(32) Ball {
         std::array<double, 4> center_radius{};
@@ -77,13 +71,13 @@ struct WideScene {
     };
 
     Shading shading = Shading::plain;  // the least that it takes
-    std::vector<Row> albedo;           // of each material, before anything is looked up
+    RowTable<1> albedo;                // of each material, before anything is looked up
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
     std::vector<uint32_t> of_drawn;    // of each material, facts of triangles of it that are drawn as they are
     std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do
     bool has_colors = false;           // of vertices
     std::vector<Lamp> lamps;           // parallel to Scene::lights
-    std::vector<Light> lights;         // so, too, if some are triangles
+    RowTable<light_rows> lights;       // so, too, if some are triangles
     std::vector<Ball> balls;           // so, too, if some are balls
     bool has_triangles_only = false;   // of the lights
 
@@ -99,11 +93,6 @@ uint32_t facts_of(const B& bsdf)
     if constexpr (std::is_same_v<B, LambertBsdf>) return 0;
     return WideScene::is_other | (std::is_same_v<B, PlasticBsdf> ? WideScene::is_plastic : 0) |
            (bsdf.only_delta() ? WideScene::is_only_delta : 0) | (bsdf.transmits() ? WideScene::is_open : 0);
-}
-
-inline RowLanes turned(const std::array<const WideScene::Row*, float_lanes>& rows)
-{
-    return turned_rows([&](size_t i) { return load4(&rows[i]->x); });
 }
 
 }  // namespace lancer

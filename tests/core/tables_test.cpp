@@ -5,6 +5,7 @@
 
 #include "core/marks.h"
 #include "core/packed_numbers.h"
+#include "core/row_table.h"
 
 namespace lancer {
 namespace {
@@ -41,6 +42,34 @@ TEST(PackedNumbers, OfNothingTakeNothing)
     EXPECT_TRUE(none.empty());
     EXPECT_EQ(none.bytes(), 0u);
     EXPECT_FALSE(none.any([](uint32_t) { return true; }));
+}
+
+// Few records are looked up otherwise than many.
+TEST(RowTable, GivesTheRowsThatWerePutIn)
+{
+    std::mt19937 random(9);
+    for (const uint32_t count : {1, 2, 7, 8, 9, 100}) {
+        std::vector<RowTable<3>::Record> records(count);
+        for (auto& record : records)
+            for (Row& row : record) {
+                const auto number = [&] { return std::uniform_real_distribution<float>(-1, 1)(random); };
+                row.x = number(), row.y = number(), row.z = number(), row.w = number();
+            }
+        const RowTable<3> table(records);
+        for (int repetition = 0; repetition < 100; ++repetition) {
+            RowTable<3>::Numbers numbers;
+            for (uint32_t& n : numbers) n = std::uniform_int_distribution<uint32_t>(0, count - 1)(random);
+            for (size_t row = 0; row < 3; ++row) {
+                const RowLanes found = table.at(numbers, row);
+                for (size_t i = 0; i < float_lanes; ++i) {
+                    const Row& wanted = records[numbers[i]][row];
+                    ASSERT_EQ(lane(found.xyz, i), (Vec3{wanted.x, wanted.y, wanted.z})) << count << ' ' << row;
+                    ASSERT_EQ(found.w[i], wanted.w) << count << ' ' << row;
+                }
+            }
+        }
+    }
+    EXPECT_TRUE(RowTable<3>().empty());
 }
 
 TEST(Marks, CountThoseBeforeEach)
