@@ -16,12 +16,15 @@ public:
     {
     }
     Float8 operator()(Float8 x) const { return _mm256_permutevar8x32_ps(x, order_); }
+    UInt8 operator()(UInt8 x) const
+    {
+        return reinterpret_cast<UInt8>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(x), order_));
+    }
     // Writes eight numbers, of which the wanted ones come first.
     void store(float* to, Float8 x) const { _mm256_storeu_ps(to, (*this)(x)); }
     void store(uint32_t* to, UInt8 x) const
     {
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
-                            _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(x), order_));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), reinterpret_cast<__m256i>((*this)(x)));
     }
 
 private:

@@ -82,6 +82,14 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
     return static_cast<size_t>(std::popcount(wanted));
 }
 
+// Where the rays that were written so start: Ray::start of the wanted lanes. No loop over these, the number of which
+// nobody can predict. to: likewise.
+inline void store_starts(Ray* to, uint32_t wanted, UInt8 start)
+{
+    const UInt8 packed = Packing(wanted)(start);
+    for (size_t i = 0; i < float_lanes; ++i) to[i].start = packed[i];
+}
+
 // The axes of a space in which a ray goes along the third one most; in the order of the hand.
 struct alignas(16) AxisOrder {
     std::array<uint32_t, 4> axes;

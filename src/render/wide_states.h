@@ -41,6 +41,11 @@ public:
         store(wanted, lanes);
         count_ += store_rays(&rays_[count_], wanted, org, dir, t_max);
     }
+    // Of the lanes that were appended last.
+    void say_starts(uint32_t wanted, UInt8 start)
+    {
+        store_starts(&rays_[count_ - static_cast<size_t>(std::popcount(wanted))], wanted, start);
+    }
     void push(uint32_t wanted, std::span<const Ray> rays, const Lanes& lanes)
     {
         store(wanted, lanes);
