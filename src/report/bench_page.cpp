@@ -76,7 +76,8 @@ struct Plain {
 };
 constexpr std::array plain_families{
     Plain{"limit", "The limit of a render",
-          "How much of a render's time is spent on the rays themselves: inside of the accelerator, clocked as the picture "
+          "How much of a render's time is spent on the rays themselves: inside of the accelerator, clocked as the "
+          "picture "
           "is drawn; its rays, recorded and traced again by Embree alone; and a bare path tracer as the floor to "
           "reach."},
     Plain{"estimators", "What estimators give",

@@ -32,7 +32,8 @@ std::vector<PeerRecord> read_peer_records(const std::string& name, const std::st
 inline constexpr double probe_part = 1.0 / 16;
 
 // Samples per pixel of the pictures of a run, ascending fourfold, so that all together take a third more than the last;
-// that one takes the time. Without a time up to `most`, which holds beside a time as well. `squares`: of square numbers.
+// that one takes the time. Without a time up to `most`, which holds beside a time as well. `squares`: of square
+// numbers.
 std::vector<uint32_t> peer_samples(double seconds_per_sample, std::optional<double> time, std::optional<uint32_t> most,
                                    bool squares);
 

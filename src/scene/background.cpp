@@ -206,9 +206,10 @@ Color glow_of_lights(const Scene& scene, Vec3 org, Vec3 dir)
 }
 
 // 1024 x 512 cells: a third of a degree each, finer than all that the named skies and the checker have but for their
-// edges, and half a million look-ups at most, which are made in a thirtieth of a second. A cell takes the mean over places no
-// further apart than the texels of the pictures, sixteen at most. What lies between places has the density of its
-// neighbours, or at least that of the floor: it costs noise and no bias, as radiance is never looked up in the table.
+// edges, and half a million look-ups at most, which are made in a thirtieth of a second. A cell takes the mean over
+// places no further apart than the texels of the pictures, sixteen at most. What lies between places has the density of
+// its neighbours, or at least that of the floor: it costs noise and no bias, as radiance is never looked up in the
+// table.
 std::shared_ptr<const EnvironmentMap> make_background_table(const Scene& scene)
 {
     constexpr uint32_t width = 1024, height = 512;

@@ -85,8 +85,8 @@ struct WideScene {
     static std::optional<WideScene> of(const Scene& scene);
 };
 
-// What there is to know of a BSDF besides what it is asked: whether it is not Lambert's, whether it is plastic, has only
-// delta lobes, lets light through.
+// What there is to know of a BSDF besides what it is asked: whether it is not Lambert's, whether it is plastic, has
+// only delta lobes, lets light through.
 template <Bsdf B>
 uint32_t facts_of(const B& bsdf)
 {
