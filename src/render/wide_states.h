@@ -44,7 +44,7 @@ public:
     // Of the lanes that were appended last.
     void say_starts(uint32_t wanted, UInt8 start)
     {
-        store_starts(&rays_[count_ - static_cast<size_t>(std::popcount(wanted))], wanted, start);
+        store_starts(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
     }
     void push(uint32_t wanted, std::span<const Ray> rays, const Lanes& lanes)
     {
