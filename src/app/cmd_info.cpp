@@ -78,7 +78,7 @@ private:
     {
         uint64_t drawn = 0, vertices = 0;
         for (const Mesh& m : scene_.geometry.meshes) {
-            vertices += m.positions.size() - 1;
+            vertices += m.vertices();
             if (!m.instanced) drawn += m.triangles.size();
         }
         for (const Instance& i : scene_.geometry.instances) drawn += scene_.geometry.meshes[i.mesh].triangles.size();

@@ -16,9 +16,14 @@
 namespace lancer {
 
 struct Mesh {
-    std::vector<Vec3> positions;                     // one more than used, at the end: Embree reads 16 bytes at a time
-    std::vector<std::array<uint32_t, 3>> triangles;  // counter-clockwise seen from the side of the normal
+    // Of vertices; behind each there may be a row more for who shades, who then finds it in the line of memory that was
+    // just read. And one more than used, at the end: Embree reads 16 bytes at a time.
+    std::vector<Vec3> positions;
+    std::vector<std::array<uint32_t, 3>> triangles;  // of positions; counter-clockwise from the side of the normal
+    uint32_t rows = 1;                               // of each vertex
     bool instanced = false;                          // drawn only where instances place it, else as it is
+
+    size_t vertices() const { return (positions.size() - 1) / rows; }
 };
 
 // A mesh in another place. Maps are between the mesh's own space and the scene's.

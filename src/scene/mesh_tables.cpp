@@ -75,9 +75,21 @@ std::vector<uint32_t> normals_of_vertices(const MeshData& data, const std::vecto
     return of;
 }
 
+// of(i): the normal of vertex i, to stand behind its position.
+template <class Of>
+void put_normals_behind(Mesh& mesh, const Of& of)
+{
+    std::vector<Vec3> both;
+    both.reserve(2 * mesh.vertices() + 1);
+    for (size_t i = 0; i < mesh.vertices(); ++i) both.push_back(mesh.positions[i]), both.push_back(of(i));
+    both.emplace_back();
+    mesh.positions = std::move(both), mesh.rows = 2;
+    for (auto& t : mesh.triangles)
+        for (uint32_t& corner : t) corner *= 2;
+}
+
 // back: inverse of the mesh's place. mesh: filled.
-void fill_normals(const MeshData& data, const Transform& back, const Mesh& mesh, MeshShading& shading,
-                  LeftOutList& left_out)
+void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
 {
     const Renumbering numbers(data.normal_triangles, data.normals.size());
     const uint64_t unused = data.normals.size() - numbers.kept;
@@ -85,21 +97,23 @@ void fill_normals(const MeshData& data, const Transform& back, const Mesh& mesh,
                  unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
     if (numbers.kept == 0) return;
     const auto moved = [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); };
-    const size_t vertices = mesh.positions.size() - 1, faces = mesh.triangles.size();
+    const size_t vertices = mesh.vertices(), faces = mesh.triangles.size();
     CornerNormals& normals = shading.normals;
     std::vector<uint32_t> of_vertices;
-    if (vertices * sizeof(Vec3) <= numbers.kept * sizeof(Vec3) + faces * sizeof(Corners))
+    if (vertices < UINT32_MAX / 2 && vertices * sizeof(Vec3) <= numbers.kept * sizeof(Vec3) + faces * sizeof(Corners))
         of_vertices = normals_of_vertices(data, mesh.triangles, vertices);
     if (of_vertices.empty()) {
         normals = {numbers.kept_of(data.normals, moved), data.normal_triangles};
         numbers.apply(normals.triangles);
+        normals.values.emplace_back();
     } else {
-        normals.values.reserve(vertices + 1);
-        for (const uint32_t n : of_vertices)
-            normals.values.push_back(n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]));
+        put_normals_behind(mesh, [&](size_t i) {
+            const uint32_t n = of_vertices[i];
+            return n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]);
+        });
+        normals.are_of_vertices = true;
         left_out.add("numbers of vertex normals, which are those of the vertices", faces, faces * sizeof(Corners));
     }
-    normals.values.emplace_back();
 }
 
 constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";

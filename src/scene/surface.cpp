@@ -63,9 +63,10 @@ uint32_t light_of(const Scene& scene, const Hit& hit)
 Color vertex_color(const Scene& scene, const Hit& hit)
 {
     const std::vector<Color>& colors = scene.shading[hit.geometry].colors;
-    const auto& corners = scene.geometry.meshes[hit.geometry].triangles[hit.primitive];
+    const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+    const auto color = [&](size_t k) { return colors[mesh.triangles[hit.primitive][k] / mesh.rows]; };
     const float w = std::max(0.0f, 1 - hit.uv.x - hit.uv.y);
-    return colors[corners[0]] * w + colors[corners[1]] * hit.uv.x + colors[corners[2]] * hit.uv.y;
+    return color(0) * w + color(1) * hit.uv.x + color(2) * hit.uv.y;
 }
 
 // The interpolated normals of a coarse mesh promise a rounder shape than is there, and its triangles shadow their
@@ -82,7 +83,7 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
     Vec3d moved = to_double(p);
     for (size_t k = 0; k < 3; ++k) {
         Vec3d corner = to_double(mesh.positions[mesh.triangles[hit.primitive][k]]);
-        Vec3d n = to_double(shading.normals.values[(*normals)[k]]);
+        Vec3d n = to_double(shading.normals.value(mesh, (*normals)[k]));
         if (hit.instance != Hit::no_instance) {
             const Instance& placing = scene.geometry.instances[hit.instance];
             corner = placing.to_world.point(corner);

@@ -27,7 +27,7 @@ struct NormalRows {
         if (normals.empty()) return;
         const auto& named = normals.named_by(mesh, triangle);
         if (named[0] == CornerNormals::none) return;
-        for (size_t c = 0; c < 3; ++c) corners[c][k] = load4(&normals.values[named[c]].x);
+        for (size_t c = 0; c < 3; ++c) corners[c][k] = load4(&normals.value(mesh, named[c]).x);
     }
 };
 
@@ -110,7 +110,7 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     bool smooth = false;
     const MeshShading& shading = scene.shading[mesh_index];
     if (const auto* const corners = shading.normals.find(mesh, triangle)) {
-        const auto normal = [&](size_t k) { return shading.normals.values[(*corners)[k]]; };
+        const auto normal = [&](size_t k) { return shading.normals.value(mesh, (*corners)[k]); };
         ns = to_double(normal(0) * first_weight(uv) + normal(1) * uv.x + normal(2) * uv.y);
         smooth = true;
     }
@@ -153,10 +153,9 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
         const auto fetch = [](const auto& list, const auto& corners) {
             for (const uint32_t corner : corners) prefetch(&list[corner]);
         };
-        // Not find(), which waits for the normal of a vertex to tell whether there is one.
-        if (!s.normals.empty())
-            if (const auto& corners = s.normals.named_by(mesh, triangle); corners[0] != CornerNormals::none)
-                fetch(s.normals.values, corners);
+        // Normals of vertices came with the positions.
+        if (!s.normals.triangles.empty())
+            if (const auto* corners = s.normals.find(mesh, triangle)) fetch(s.normals.values, *corners);
         if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
     });
 }

@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "scene/surface.h"
 #include "scene/triangle_place.h"
 #include "support/scenes.h"
 #include "support/stage.h"
@@ -52,8 +53,8 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
     add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});  // a flat one beside one that is not
     for (const bool mirrored : {false, true}) {
         const Stage a(scene_of(by_vertex, mirrored)), b(scene_of(by_triangle, mirrored));
-        ASSERT_TRUE(a.scene.shading[0].normals.are_of_vertices());
-        ASSERT_FALSE(b.scene.shading[0].normals.are_of_vertices());
+        ASSERT_TRUE(a.scene.shading[0].normals.are_of_vertices);
+        ASSERT_FALSE(b.scene.shading[0].normals.are_of_vertices);
         const auto triangles = static_cast<uint32_t>(by_vertex.triangles.size());
         std::vector<Hit> hits;
         for (uint32_t t = 0; t < triangles; ++t)
@@ -75,10 +76,32 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
     }
 }
 
+// Normals behind the positions change no number that goes with a vertex.
+TEST(CornerNormals, OfVerticesLeaveThemTheirColors)
+{
+    MeshData smooth = smooth_ball();
+    for (size_t i = 0; i < smooth.positions.size(); ++i)
+        smooth.colors.push_back({static_cast<float>(i) / 256, 1 - static_cast<float>(i) / 256, 0.5f});
+    MeshData flat = smooth;
+    flat.normals.clear(), flat.normal_triangles.clear();
+    const Stage a(scene_of(smooth, false)), b(scene_of(flat, false));
+    ASSERT_EQ(a.scene.geometry.meshes[0].rows, 2u);
+    ASSERT_EQ(b.scene.geometry.meshes[0].rows, 1u);
+    EXPECT_EQ(a.scene.geometry.meshes[0].vertices(), b.scene.geometry.meshes[0].vertices());
+    for (uint32_t t = 0; t < smooth.triangles.size(); ++t) {
+        const Hit hit{1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle};
+        const auto color = [&](const Stage& s) {
+            const Color c = shading_point_at(s.scene, hit, true, 0, 0).vertex_color;
+            return Vec3{c.r, c.g, c.b};
+        };
+        expect_same_bits(color(a), color(b), t);
+    }
+}
+
 TEST(CornerNormals, AreNumberedAsTheVerticesOnlyWhereThatSaysAll)
 {
     const auto of_vertices = [](const MeshData& mesh) {
-        return build_scene(scene_of(mesh, false)).shading[0].normals.are_of_vertices();
+        return build_scene(scene_of(mesh, false)).shading[0].normals.are_of_vertices;
     };
     MeshData ball = smooth_ball();
     EXPECT_TRUE(of_vertices(ball));

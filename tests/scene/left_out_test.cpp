@@ -201,6 +201,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
         {"table of the environment", s.environment_table != nullptr},
         {"background", s.background != nullptr}};
     for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) t["triangles with holes"] += asked.size();
+    for (const Mesh& m : s.geometry.meshes) t["normals of vertices"] += m.rows - 1;
     for (const MeshShading& m : s.shading) {
         t["normals"] += m.normals.bytes();
         t["texture coordinates"] += m.uvs.size() + m.uv_triangles.bytes();
@@ -247,8 +248,10 @@ TEST(LeftOut, AFeatureThatASceneLacksTakesNoByte)
     more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(colored)));
     more.background.emplace().sky = SkyType::noon;
     MeshData smooth = *room.meshes[0].data;
-    smooth.normals = {{0.6f, 0, 0.8f}};
+    smooth.normals = {{0.6f, 0, 0.8f}, {0, 0.6f, 0.8f}};
     smooth.normal_triangles.assign(smooth.triangles.size(), {0, 0, 0});
+    more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
+    smooth.normal_triangles[0] = {1, 1, 1};  // vertices have two
     more.meshes.push_back(make_mesh(std::make_shared<const MeshData>(smooth)));
     // As many lights as a tree is made for, and one that is nowhere.
     for (int i = 0; i < 100; ++i) more.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0.01 * i, 0.5, 0}));
