@@ -24,6 +24,7 @@ struct Mesh {
     bool instanced = false;                          // drawn only where instances place it, else as it is
 
     size_t vertices() const { return (positions.size() - 1) / rows; }
+    const Vec3& vertex(size_t i) const { return positions[i * rows]; }
 };
 
 // A mesh in another place. Maps are between the mesh's own space and the scene's.

@@ -318,7 +318,7 @@ void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uin
         Bounds& b = of_meshes[i.mesh];
         const Mesh& mesh = g.meshes[i.mesh];
         if (b.empty())
-            for (size_t k = 0; k < mesh.vertices(); ++k) b.grow(to_double(mesh.positions[k * mesh.rows]));
+            for (size_t k = 0; k < mesh.vertices(); ++k) b.grow(to_double(mesh.vertex(k)));
         if (!b.empty()) add_box(coverage, b, i.to_world, error_at);
     }
     for (const Sphere& s : g.spheres) add_box(coverage, bounds(s), {}, error_at);

@@ -81,7 +81,7 @@ void put_normals_behind(Mesh& mesh, const Of& of)
 {
     std::vector<Vec3> both;
     both.reserve(2 * mesh.vertices() + 1);
-    for (size_t i = 0; i < mesh.vertices(); ++i) both.push_back(mesh.positions[i]), both.push_back(of(i));
+    for (size_t i = 0; i < mesh.vertices(); ++i) both.push_back(mesh.vertex(i)), both.push_back(of(i));
     both.emplace_back();
     mesh.positions = std::move(both), mesh.rows = 2;
     for (auto& t : mesh.triangles)

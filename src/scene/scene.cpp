@@ -128,7 +128,7 @@ private:
         }
         fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading, scene_.left_out);
         for (size_t i = 0; i < mesh.vertices(); ++i)
-            if (const Vec3& p = mesh.positions[i * mesh.rows];
+            if (const Vec3& p = mesh.vertex(i);
                 !is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
                 diagnostics_.error(m.where, "this mesh lies too far from the rest of the scene");
                 break;
