@@ -103,7 +103,7 @@ private:
             fetch_shading(view_.scene, hits);
             if constexpr (!std::is_same_v<Listener, NoListener>)
                 if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
-            for (size_t i = first; i < first + n; i += float_lanes) shade(i);
+            shade(first, n);
         }
     }
 
@@ -117,6 +117,7 @@ private:
         Vec3x8 p, p_error;                             // as in Surface
         Vec3x8 wo;                                     // local
         PlasticLanes plastic;
+        std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
     };
     struct Nothing {};
     // Eight vertices.
@@ -135,7 +136,8 @@ private:
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     template <class Listener>
     void tell_of_camera_rays(const Listener& listener, size_t first, std::span<const Hit> hits) const;
-    void shade(size_t first);
+    void shade(size_t first, size_t n);
+    bool arrive(size_t first, size_t n, Vertices& v);
     // What is known of triangles besides Vertices.
     struct Placed {
         uint32_t front = 0;  // lanes whose rays come to the front
@@ -240,10 +242,9 @@ private:
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does
     uint32_t depth_ = 0;
-    // The eight vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of
-    // it. No function reads what none has written for these eight.
-    Vertices vertices_;
-    std::array<AnyBsdf, float_lanes> own_;  // BSDFs that were looked up for them
+    // The vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of it. No
+    // function reads what none has written for these eight.
+    std::array<Vertices, at_once / float_lanes> vertices_;
 };
 
 template <Shading shading>
@@ -293,49 +294,22 @@ inline void WideBatch<shading>::tell_of_camera_rays(const Listener& listener, si
     }
 }
 
+// The vertices of n rays, at most at_once. Each step is done for all of them before the next: the code of one step
+// stays in the cache of instructions, that of all of them does not.
 template <Shading shading>
-inline void WideBatch<shading>::shade(size_t first)
+inline void WideBatch<shading>::shade(size_t first, size_t n)
 {
-    const size_t n = std::min<size_t>(float_lanes, now_.size() - first);
-    const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
-    Vertices& v = vertices_;
-    now_.load(first, v.path);
-    v.hit = 0;
-    for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;
-    add_sky(~v.hit & ((1u << n) - 1), first, v.path);
-    if (v.hit == 0) return;
-
-    // Lanes without a hit do as the first that has one.
-    std::array<size_t, float_lanes> which;
-    const auto some = static_cast<size_t>(std::countr_zero(v.hit));
-    uint32_t shining = 0;
-    for (uint32_t i = 0; i < float_lanes; ++i) {
-        which[i] = v.hit >> i & 1 ? i : some;
-        const Hit& hit = hits[which[i]];
-        v.material[i] =
-            looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
-        v.start[i] = hit.place;
-        shining |= static_cast<uint32_t>(scene_.shines[v.material[i]]) << i;
-    }
-    for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
-    v.hit &= ~last_of(v.path);
-    if (v.hit == 0) return;
-    const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
-    if constexpr (looks_up)
-        look_up(first, hits, wo, v);
-    else
-        place(hits, which, wo, v), widen(hits, which, v);
-    v.cos_o = dot(wo, v.ns);
-    if constexpr (any) {
-        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
-        if (v.others.plastic.lanes() != 0) v.others.plastic.see(v.others.wo);
-    }
-
-    if (samples_) sample_direct(v);
-    if constexpr (any)
-        scatter_any(v);
-    else
-        scatter(v);
+    size_t met = 0;
+    for (size_t i = 0; i < n; i += float_lanes)
+        if (arrive(first + i, std::min<size_t>(float_lanes, n - i), vertices_[met])) ++met;
+    const std::span vertices = std::span(vertices_).first(met);
+    if (samples_)
+        for (const Vertices& v : vertices) sample_direct(v);
+    for (Vertices& v : vertices)
+        if constexpr (any)
+            scatter_any(v);
+        else
+            scatter(v);
 }
 
 // To those of the lanes that were just sent. See View::give_key().

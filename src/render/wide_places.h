@@ -148,14 +148,17 @@ template <class B>
 inline void WideBatch<shading>::take_own(uint32_t i, const B& bsdf, Vertices& v)
 {
     Others& others = v.others;
-    own_[i] = bsdf;
-    others.bsdf[i] = &own_[i];
     WideScene::Facts facts;
     facts.add(i, facts_of(bsdf));
     others.lanes |= facts.lanes(WideScene::is_other);
     others.only_delta |= facts.lanes(WideScene::is_only_delta);
     others.transmits |= facts.lanes(WideScene::is_open);
-    if constexpr (std::is_same_v<B, PlasticBsdf>) others.plastic.set(i, bsdf);
+    if constexpr (std::is_same_v<B, PlasticBsdf>) {
+        others.plastic.set(i, bsdf);
+    } else {
+        others.own[i] = bsdf;
+        others.bsdf[i] = &others.own[i];
+    }
 }
 
 // The materials of places: at(i, number, take) gives that of lane i to take(bsdf); number() chooses of a mix.
@@ -178,6 +181,45 @@ inline void WideBatch<shading>::take_each(uint32_t lanes, Vertices& v, const At&
             });
         set_lane(v.albedo, i, {albedo.r, albedo.g, albedo.b});
     });
+}
+
+// Where n rays, at most eight, ended, and what is there. False where no path goes on.
+template <Shading shading>
+inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
+{
+    const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
+    now_.load(first, v.path);
+    v.hit = 0;
+    for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;
+    add_sky(~v.hit & ((1u << n) - 1), first, v.path);
+    if (v.hit == 0) return false;
+
+    // Lanes without a hit do as the first that has one.
+    std::array<size_t, float_lanes> which;
+    const auto some = static_cast<size_t>(std::countr_zero(v.hit));
+    uint32_t shining = 0;
+    for (uint32_t i = 0; i < float_lanes; ++i) {
+        which[i] = v.hit >> i & 1 ? i : some;
+        const Hit& hit = hits[which[i]];
+        v.material[i] =
+            looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
+        v.start[i] = hit.place;
+        shining |= static_cast<uint32_t>(scene_.shines[v.material[i]]) << i;
+    }
+    for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
+    v.hit &= ~last_of(v.path);
+    if (v.hit == 0) return false;
+    const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
+    if constexpr (looks_up)
+        look_up(first, hits, wo, v);
+    else
+        place(hits, which, wo, v), widen(hits, which, v);
+    v.cos_o = dot(wo, v.ns);
+    if constexpr (any) {
+        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
+        if (v.others.plastic.lanes() != 0) v.others.plastic.see(v.others.wo);
+    }
+    return true;
 }
 
 }  // namespace lancer
