@@ -112,7 +112,7 @@ private:
     // What of eight vertices is not matt, and what that wants to know.
     struct Others {
         uint32_t lanes;                                // that are not
-        std::array<const AnyBsdf*, float_lanes> bsdf;  // of these
+        std::array<const AnyBsdf*, float_lanes> bsdf;  // of these, but for plastic that was looked up
         uint32_t only_delta, transmits;                // lanes whose BSDF says so
         Vec3x8 p, p_error;                             // as in Surface
         Vec3x8 wo;                                     // local
