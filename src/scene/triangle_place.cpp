@@ -139,25 +139,13 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
 void fetch_shading(const Scene& scene, std::span<const Hit> hits)
 {
     if (!scene.has_tables || !outgrows_caches(scene.geometry)) return;
-    const auto for_meshes = [&](const auto& f) {
-        for (const Hit& hit : hits)
-            if (hit.kind == Kind::triangle)
-                f(scene.geometry.meshes[hit.geometry], scene.shading[hit.geometry], hit.primitive);
-    };
-    for_meshes([](const Mesh&, const MeshShading& s, uint32_t triangle) {
-        if (!s.face_material.empty()) prefetch(s.face_material.where(triangle));
-        if (!s.normals.triangles.empty()) prefetch(&s.normals.triangles[triangle]);
-        if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(triangle));
-    });
-    for_meshes([](const Mesh& mesh, const MeshShading& s, uint32_t triangle) {
-        const auto fetch = [](const auto& list, const auto& corners) {
-            for (const uint32_t corner : corners) prefetch(&list[corner]);
-        };
-        // Normals of vertices came with the positions.
-        if (!s.normals.triangles.empty())
-            if (const auto* corners = s.normals.find(mesh, triangle)) fetch(s.normals.values, *corners);
-        if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
-    });
+    for (const Hit& hit : hits) {
+        if (hit.kind != Kind::triangle) continue;
+        const MeshShading& s = scene.shading[hit.geometry];
+        if (!s.face_material.empty()) prefetch(s.face_material.where(hit.primitive));
+        if (!s.normals.triangles.empty()) prefetch(&s.normals.triangles[hit.primitive]);
+        if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(hit.primitive));
+    }
 }
 
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)

@@ -82,8 +82,8 @@ inline void put(const PlaceLanes& eight, const EightHits& which, std::span<Trian
     for (size_t k = 0; k < float_lanes; ++k) places[which[k]] = eight.of(k);
 }
 
-// Asks for all that places_of() and surface_at() will read of the triangles that were hit, so that they need not wait
-// for one line of memory after the other.
+// Asks early for what is kept of each triangle besides its corners: the lists that surface_at() reads of those that were
+// hit. What these name is not asked for, too: to read them for it takes longer than is won.
 void fetch_shading(const Scene& scene, std::span<const Hit> hits);
 
 // places[i]: of hits[i], where that is a triangle; others stay as they are.
