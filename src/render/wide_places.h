@@ -86,7 +86,7 @@ inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits,
         });
     const Placed placed = drawn != 0 ? place_drawn(drawn, hits, wo, v) : place_nowhere(v);
     if constexpr (any) {
-        bend_back(straight, wo, v);
+        bend_back(straight & of_drawn.lanes(WideScene::is_mirroring), wo, v);
         take_fixed(fixed, placed.front, v);
     }
     if (v.hit == fixed) return;
@@ -109,15 +109,14 @@ inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits,
     });
 }
 
-// What lanes whose materials mirror want of the shading normal.
+// What lanes whose materials mirror want of the shading normal; few of them change it.
 template <Shading shading>
 inline void WideBatch<shading>::bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v)
 {
     lanes &= bits((v.ns.x != v.n.x) | (v.ns.y != v.n.y) | (v.ns.z != v.n.z));
-    for_bits(lanes, [&](uint32_t i) {
-        if (view_.scene.traits[v.material[i]].mirrors)
-            set_lane(v.ns, i, keep_reflection_outside(lane(v.n, i), lane(v.ns, i), lane(wo, i)));
-    });
+    lanes &= ~bits(MirrorImage(v.n, v.ns, wo).is_outside());
+    for_bits(lanes,
+             [&](uint32_t i) { set_lane(v.ns, i, keep_reflection_outside(lane(v.n, i), lane(v.ns, i), lane(wo, i))); });
 }
 
 // The first that are taken. Of which kind each is cannot be foretold: what all have in common is done for all eight.

@@ -52,16 +52,13 @@ Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, cons
 
 Vec3 keep_reflection_outside(Vec3 n, Vec3 ns, Vec3 wo)
 {
-    const Vec3 mirrored = ns * (2 * dot(ns, wo)) - wo;
-    // As high above the surface as a hundredth, or nearly as high as wo if that is lower: a perfect mirror keeps its
-    // normal for every wo.
-    const float least = std::min(0.9f * dot(n, wo), 0.01f), height = dot(n, mirrored);
-    if (height >= least) return ns;
+    const MirrorImage image(n, ns, wo);
+    if (image.is_outside()) return ns;
     // The mirror direction moves up in the plane of itself and n until it has this height; the normal is halfway.
-    const Vec3 flat = mirrored - n * height;
+    const Vec3 flat = image.to - n * image.height;
     const float l = length(flat);
     if (!(l > 0)) return n;
-    return normalize(wo + flat * (std::sqrt(1 - least * least) / l) + n * least);
+    return normalize(wo + flat * (std::sqrt(1 - image.least * image.least) / l) + n * image.least);
 }
 
 }  // namespace lancer

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 #include "materials/material.h"
 
 namespace lancer {
@@ -17,6 +17,21 @@ struct Tangents {
 
 // ns: unit, on the front side. point: with the uv and the footprint of the place.
 Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& tangents, Vec3 ns);
+
+// Where a surface of normal ns mirrors wo to, over one of normal n; and whether that is high enough for it: as high as
+// a hundredth, or nearly as high as wo if that is lower, since a perfect mirror keeps its normal for every wo. T: float
+// or several of them.
+template <class T>
+struct MirrorImage {
+    Vec3T<T> to;
+    T least, height;
+
+    MirrorImage(const Vec3T<T>& n, const Vec3T<T>& ns, const Vec3T<T>& wo)
+        : to(ns * (2.0f * dot(ns, wo)) - wo), least(smaller(0.9f * dot(n, wo), T{} + 0.01f)), height(dot(n, to))
+    {
+    }
+    auto is_outside() const { return height >= least; }
+};
 
 // For surfaces that mirror: the normal nearest to ns, in the plane of ns and wo, about which the mirror image of wo
 // lies above the surface. Without this a path that meets a tilted facet ends in black. All unit; dot(n, wo) > 0,

@@ -93,7 +93,8 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));
-        d.of_drawn.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) | (d.fixed[i].is ? is_fixed : 0));
+        d.of_drawn.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) | (d.fixed[i].is ? is_fixed : 0) |
+                             (scene.traits[i].mirrors ? is_mirroring : 0));
     }
     d.albedo = RowTable<1>(std::move(albedo));
     for (const MeshShading& s : scene.shading) d.has_colors |= !s.colors.empty();

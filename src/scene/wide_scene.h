@@ -28,7 +28,8 @@ struct WideScene {
         uint32_t lanes(uint32_t fact) const { return said / fact & 255; }
     };
     // Of triangles.
-    static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8, is_fixed = 1u << 16;  // no map tilts it; Fixed::is
+    static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8, is_fixed = 1u << 16,  // no map tilts it; Fixed::is
+        is_mirroring = 1u << 24;                                                         // MaterialTraits::mirrors
     // Of BSDFs.
     static constexpr uint32_t is_other = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16, is_open = 1u << 24;
 
