@@ -54,6 +54,18 @@ public:
         }
         return to_unit(sobol::scrambled(third_reversed(shuffled(sample)), high_, UInt8{} + 3u));
     }
+    // get2() and get1() at once.
+    Vec3x8 get3(UInt8 sample) const
+    {
+        if (kind_ == SamplerKind::independent) {
+            const Vec2x8 first = get2(sample);
+            return {first.x, first.y, get1(sample)};
+        }
+        const UInt8 i = shuffled(sample);
+        return {to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)),
+                to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u)),
+                to_unit(sobol::scrambled(third_reversed(i), high_, UInt8{} + 3u))};
+    }
     // As Sampler's, of lane i.
     uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
 

@@ -10,7 +10,7 @@
 #include "core/warp.h"
 #include "integrators/path.h"
 #include "materials/material.h"
-#include "materials/plastic_lanes.h"
+#include "materials/plastic_list.h"
 #include "render/common_numbers.h"
 #include "render/workspace.h"
 #include "scene/light_choice.h"
@@ -116,7 +116,7 @@ private:
         uint32_t only_delta, transmits;                // lanes whose BSDF says so
         Vec3x8 p, p_error;                             // as in Surface
         Vec3x8 wo;                                     // local
-        PlasticLanes plastic;
+        PlasticList::Eight plastic;
         std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
     };
     struct Nothing {};
@@ -161,6 +161,12 @@ private:
         const Vec3 n = lane(v.n, i);
         return offset_origin(lane(v.others.p, i), lane(v.others.p_error, i), n, -n);
     }
+    // What eight vertices see of the light that was sampled.
+    struct Lit {
+        uint32_t asking = 0;  // lanes in which it was
+        LightSampleLanes light;
+        Vec3x8 wi;  // to it, local; of what is not matt
+    };
     uint32_t asks_for_light(const Vertices& v) const;
     // Which lights lanes sample.
     struct Lamps {
@@ -170,13 +176,34 @@ private:
         const Float8* choice() const { return probability ? &*probability : nullptr; }
     };
     Lamps choose_lamps(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u) const;
-    LightSampleLanes sample_light(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u);
-    LightSampleLanes sample_even_sky(const Vertices& v, const Vec2x8& u) const;
-    LightSampleLanes sample_any_light(const Vertices& v, uint32_t asking, const Lamps& lamps);
-    void sample_direct(const Vertices& v);
-    void eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit, Vec3x8& f_cos, Float8& pdf) const;
+    void sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u, Lit& lit);
+    void add_even_sky(const Vertices& v, const Vec2x8& u, uint32_t lanes, LightSampleLanes& s) const;
+    void sample_any_light(const Vertices& v, const Lamps& lamps, Lit& lit);
+    void sample_direct(std::span<const Vertices> vertices);
+    void ask_for_light(const Vertices& v, Lit& lit);
+    void eval_others(const Vertices& v, const Lit& lit, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
+    void send_shadows(const Vertices& v, const Lit& lit);
     void scatter(Vertices& v);
-    void scatter_any(Vertices& v);
+    // Eight vertices that send rays on.
+    struct Going {
+        uint32_t sends, splits;  // lanes
+        // What all parts of the paths have in common, before BSDFs have been asked.
+        Vec3x8 throughput;
+        Float8 eta_scale, spread;
+        UInt8 spreading, straight;  // so_far behind a lobe that spreads light, and behind one that does not
+        UInt8 first;                // sample of the first part
+        KeyLanes common;
+        // Of the part that is sent.
+        Float8 lobe;
+        Vec2x8 u;
+        Vec3x8 cosine;
+    };
+    void scatter_any(std::span<Vertices> vertices);
+    void begin_going(Vertices& v, Going& g);
+    void begin_kind(Vertices& v, const Going& g, Numbers kind) const;
+    void send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind);
+    void choose_part(const Vertices& v, Going& g, uint32_t lanes);
+    void finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind);
     UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
     template <class SendParts>
     void send_both_kinds(uint32_t splits, const KeyLanes& common, Lanes& next, const SendParts& send_parts) const;
@@ -190,7 +217,7 @@ private:
         uint32_t delta = 0;
         uint32_t lanes = 0;  // that there are
     };
-    Scattered sample_any(const Vertices& v, uint32_t lanes, const AddressLanes& address) const;
+    Scattered sample_any(const Vertices& v, const Going& g, uint32_t lanes) const;
     void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v, Numbers numbers);
     Float8 survival(const Lanes& next) const;
     template <class Of>
@@ -245,6 +272,14 @@ private:
     // The vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of it. No
     // function reads what none has written for these eight.
     std::array<Vertices, at_once / float_lanes> vertices_;
+    // And what is not matt asks for besides.
+    struct OthersAtWork {
+        PlasticList plastic;
+        std::array<Lit, at_once / float_lanes> lit;
+        std::array<Going, at_once / float_lanes> going;
+    };
+    static_assert(at_once <= PlasticList::most);
+    [[no_unique_address]] std::conditional_t<any, OthersAtWork, Nothing> others_;
 };
 
 template <Shading shading>
@@ -299,17 +334,17 @@ inline void WideBatch<shading>::tell_of_camera_rays(const Listener& listener, si
 template <Shading shading>
 inline void WideBatch<shading>::shade(size_t first, size_t n)
 {
+    if constexpr (any) others_.plastic.clear();
     size_t met = 0;
     for (size_t i = 0; i < n; i += float_lanes)
         if (arrive(first + i, std::min<size_t>(float_lanes, n - i), vertices_[met])) ++met;
     const std::span vertices = std::span(vertices_).first(met);
-    if (samples_)
-        for (const Vertices& v : vertices) sample_direct(v);
-    for (Vertices& v : vertices)
-        if constexpr (any)
-            scatter_any(v);
-        else
-            scatter(v);
+    if constexpr (any) others_.plastic.see();
+    if (samples_) sample_direct(vertices);
+    if constexpr (any)
+        scatter_any(vertices);
+    else
+        for (Vertices& v : vertices) scatter(v);
 }
 
 // To those of the lanes that were just sent. See View::give_key().

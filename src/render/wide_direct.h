@@ -85,20 +85,22 @@ inline void WideBatch<shading>::end_in_sky()
     }
 }
 
-// A direction to a sky of one colour, for each lane.
+// A direction to a sky of one colour, for some lanes.
 template <Shading shading>
-inline LightSampleLanes WideBatch<shading>::sample_even_sky(const Vertices& v, const Vec2x8& u) const
+inline void WideBatch<shading>::add_even_sky(const Vertices& v, const Vec2x8& u, uint32_t lanes,
+                                             LightSampleLanes& s) const
 {
     const Scene& scene = view_.scene;
     const Float8 zero{};
-    LightSampleLanes s{};
-    s.wi = FrameT<Float8>(v.ns).to_world(square_to_cosine_hemisphere(u.x, u.y));
-    const Float8 cos = dot(v.ns, s.wi);
-    s.pdf = cos * (1 / pi) * scene.lights.pick.probability(scene.environment_light);
-    s.found = (cos * (1 / pi) > zero) & (dot(s.wi, v.n) > zero);
-    s.infinite = lanes_of(255);
-    s.radiance = {all_lanes(scene.environment.r), all_lanes(scene.environment.g), all_lanes(scene.environment.b)};
-    return s;
+    const Mask8 here = lanes_of(lanes);
+    const Vec3x8 wi = FrameT<Float8>(v.ns).to_world(square_to_cosine_hemisphere(u.x, u.y));
+    const Float8 cos = dot(v.ns, wi);
+    const Color& c = scene.environment;
+    s.wi = select(here, wi, s.wi);
+    s.pdf = select(here, cos * (1 / pi) * scene.lights.pick.probability(scene.environment_light), s.pdf);
+    s.radiance = select(here, {all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}, s.radiance);
+    s.found |= here & (cos * (1 / pi) > zero) & (dot(wi, v.n) > zero);
+    s.infinite |= here;
 }
 
 // Where lights are few, a part of the first number of the point chooses; else one of their own.
@@ -129,13 +131,13 @@ inline typename WideBatch<shading>::Lamps WideBatch<shading>::choose_lamps(const
 // View::sample_light() where lights are of several kinds. Lanes that choose lights of the same kind sample them
 // together; the others go one after the other.
 template <Shading shading>
-inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, uint32_t asking, const Lamps& lamps)
+inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Lamps& lamps, Lit& lit)
 {
     using Lamp = WideScene::Lamp;
     const Scene& scene = view_.scene;
     const Float8* const choice = lamps.choice();
-    LightSampleLanes s{};
-    uint32_t through = 0, one_by_one = asking;
+    LightSampleLanes& s = lit.light;
+    uint32_t through = 0, one_by_one = lit.asking, done = 0;
     if constexpr (any) through = v.others.transmits;
     if (choice) one_by_one &= bits(*choice > Float8{});
     const auto choosing = [&](Lamp lamp) {
@@ -143,24 +145,34 @@ inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, 
         for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.lamps[lamps.ids[i]] == lamp} << i;
         return lanes & one_by_one;
     };
-    const auto take = [&](uint32_t lanes, const LightSampleLanes& from) {
-        one_by_one &= ~lanes;
-        s = select(lanes_of(lanes), from, s);
-    };
-    if (const uint32_t lanes = samples_sky_ ? choosing(Lamp::even_sky) : 0; lanes != 0)
-        take(lanes, sample_even_sky(v, lamps.u));
     // What lies behind a surface that lets light through is for the others.
-    const auto take_lamps = [&](uint32_t lanes, LightSampleLanes from) {
-        from.found &= ~(dot(from.wi, v.n) <= Float8{});
-        take(lanes, from);
+    const auto take_lamps = [&](uint32_t lanes, bool is_ball) {
+        if (lanes == 0) return;
+        const auto sample = [&](LightSampleLanes& to) {
+            if (is_ball)
+                sample_balls(scene_, lamps.ids, v.origin, lamps.u, choice, to), lanes &= bits(to.found);
+            else
+                sample_triangles(scene_, lamps.ids, v.origin, lamps.u, choice, to);
+            to.found &= ~(dot(to.wi, v.n) <= Float8{}) & lanes_of(lanes);
+        };
+        if (done == 0) {
+            sample(s);
+        } else {
+            LightSampleLanes more;
+            sample(more);
+            s = select(lanes_of(lanes), more, s);
+        }
+        done |= lanes;
     };
-    if (const uint32_t lanes = scene_.balls.empty() ? 0 : choosing(Lamp::ball) & ~through; lanes != 0) {
-        const LightSampleLanes balls = sample_balls(scene_, lamps.ids, v.origin, lamps.u, choice);
-        take_lamps(lanes & bits(balls.found), balls);
+    if (!scene_.balls.empty()) take_lamps(choosing(Lamp::ball) & ~through, true);
+    if (!scene_.lights.empty()) take_lamps(choosing(Lamp::triangle) & ~through, false);
+    if (done == 0) s = LightSampleLanes{};
+    if (const uint32_t lanes = samples_sky_ ? choosing(Lamp::even_sky) : 0; lanes != 0) {
+        add_even_sky(v, lamps.u, lanes, s);
+        done |= lanes;
     }
-    if (const uint32_t lanes = scene_.lights.empty() ? 0 : choosing(Lamp::triangle) & ~through; lanes != 0)
-        take_lamps(lanes, sample_triangles(scene_, lamps.ids, v.origin, lamps.u, choice));
-    if (one_by_one == 0) return s;
+    one_by_one &= ~done;
+    if (one_by_one == 0) return;
     uint32_t found = bits(s.found), infinite = bits(s.infinite), delta = 0;
     Surface from{};
     for_bits(one_by_one, [&](uint32_t i) {
@@ -179,20 +191,18 @@ inline LightSampleLanes WideBatch<shading>::sample_any_light(const Vertices& v, 
         if (light->delta) delta |= bit;
     });
     s.found = lanes_of(found), s.infinite = lanes_of(infinite), s.delta = lanes_of(delta);
-    return s;
 }
 
 // View::sample_light()
 template <Shading shading>
-inline LightSampleLanes WideBatch<shading>::sample_light(const Vertices& v, uint32_t asking,
-                                                         const AddressLanes& address, const Vec2x8& u)
+inline void WideBatch<shading>::sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u, Lit& lit)
 {
-    const Lamps lamps = choose_lamps(v, asking, address, u);
+    const Lamps lamps = choose_lamps(v, lit.asking, address, u);
     bool of_kinds = looks_up && !scene_.has_triangles_only;
-    if constexpr (any) of_kinds |= (asking & v.others.transmits) != 0;
+    if constexpr (any) of_kinds |= (lit.asking & v.others.transmits) != 0;
     if constexpr (looks_up)
-        if (of_kinds) return sample_any_light(v, asking, lamps);
-    return sample_triangles(scene_, lamps.ids, v.origin, lamps.u, lamps.choice());
+        if (of_kinds) return sample_any_light(v, lamps, lit);
+    sample_triangles(scene_, lamps.ids, v.origin, lamps.u, lamps.choice(), lit.light);
 }
 
 // Lanes in which light is sampled. See samples_light(); where nothing goes back along the path, none is.
@@ -212,25 +222,40 @@ inline uint32_t WideBatch<shading>::asks_for_light(const Vertices& v) const
     }
 }
 
-// What those of the lit lanes whose surfaces are not matt do to the light.
 template <Shading shading>
-inline void WideBatch<shading>::eval_others(const Vertices& v, const LightSampleLanes& light, uint32_t lit,
-                                            Vec3x8& f_cos, Float8& pdf) const
+inline void WideBatch<shading>::ask_for_light(const Vertices& v, Lit& lit)
+{
+    lit.asking = asks_for_light(v);
+    if (lit.asking == 0) return;
+    const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
+    const Vec2x8 u = address.get2(v.path.sample);
+    sample_light(v, address, u, lit);
+    if constexpr (any) {
+        const uint32_t others = lit.asking & v.others.lanes & bits(lit.light.found);
+        if (others == 0) return;
+        lit.wi = FrameT<Float8>(v.ns).to_local(lit.light.wi);
+        if ((others & v.others.plastic.lanes) != 0) others_.plastic.put_wi(v.others.plastic, lit.wi);
+    }
+}
+
+// What lanes whose surfaces are not matt do to the light.
+template <Shading shading>
+inline void WideBatch<shading>::eval_others(const Vertices& v, const Lit& lit, uint32_t lanes, Vec3x8& f_cos,
+                                            Float8& pdf) const
 {
     const Float8 zero{};
-    const Vec3x8 wi = FrameT<Float8>(v.ns).to_local(light.wi);
-    const Mask8 disagree = (dot(light.wi, v.n) < zero) ^ (wi.z < zero);  // sides_agree()
-    const uint32_t plastic = lit & v.others.plastic.lanes();
+    const Mask8 disagree = (dot(lit.light.wi, v.n) < zero) ^ (lit.wi.z < zero);  // sides_agree()
+    const uint32_t plastic = lanes & v.others.plastic.lanes;
     if (plastic != 0) {
-        const BsdfValueLanes f = v.others.plastic.eval(wi);
+        const BsdfValueLanes f = others_.plastic.value(v.others.plastic);
         const Mask8 is_asked = lanes_of(plastic);
         f_cos = select(is_asked, select(disagree, {zero, zero, zero}, f.f_cos), f_cos);
         pdf = select(is_asked, select(disagree, zero, f.pdf), pdf);
     }
-    for_bits(lit & ~plastic, [&](uint32_t i) {
+    for_bits(lanes & ~plastic, [&](uint32_t i) {
         BsdfValue f{};
         if ((bits(disagree) >> i & 1) == 0)
-            f = std::visit([&](const auto& bsdf) { return bsdf.eval(lane(v.others.wo, i), lane(wi, i)); },
+            f = std::visit([&](const auto& bsdf) { return bsdf.eval(lane(v.others.wo, i), lane(lit.wi, i)); },
                            *v.others.bsdf[i]);
         set_lane(f_cos, i, {f.f_cos.r, f.f_cos.g, f.f_cos.b});
         pdf[i] = f.pdf;
@@ -238,25 +263,39 @@ inline void WideBatch<shading>::eval_others(const Vertices& v, const LightSample
 }
 
 template <Shading shading>
-inline void WideBatch<shading>::sample_direct(const Vertices& v)
+inline void WideBatch<shading>::sample_direct(std::span<const Vertices> vertices)
 {
-    const uint32_t asking = asks_for_light(v);
-    if (asking == 0) return;
-    const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
-    const Vec2x8 u = address.get2(v.path.sample);
-    const LightSampleLanes light = sample_light(v, asking, address, u);
+    if constexpr (any) {
+        for (size_t i = 0; i < vertices.size(); ++i) ask_for_light(vertices[i], others_.lit[i]);
+        others_.plastic.eval();
+        for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], others_.lit[i]);
+    } else {
+        for (const Vertices& v : vertices) {
+            Lit lit;
+            ask_for_light(v, lit);
+            send_shadows(v, lit);
+        }
+    }
+}
+
+// Rays that find out what of the light arrives.
+template <Shading shading>
+inline void WideBatch<shading>::send_shadows(const Vertices& v, const Lit& to)
+{
+    if (to.asking == 0) return;
+    const LightSampleLanes& light = to.light;
     const Float8 zero{}, cos_i = dot(light.wi, v.ns);
     Float8 pdf = cos_i * (1 / pi);
     Vec3x8 f_cos = v.albedo * pdf;
     Mask8 lit = light.found & (dot(light.wi, v.n) > zero) & (cos_i > zero);
     if constexpr (any) {
-        const uint32_t others = bits(light.found) & asking & v.others.lanes;
+        const uint32_t others = to.asking & v.others.lanes & bits(light.found);
         if (others != 0) {
-            eval_others(v, light, others, f_cos, pdf);
+            eval_others(v, to, others, f_cos, pdf);
             lit |= lanes_of(others);
         }
     }
-    lit &= lanes_of(asking) & ~is_black(f_cos);
+    lit &= lanes_of(to.asking) & ~is_black(f_cos);
     if (bits(lit) == 0) return;
     Float8 weight = all_lanes(1.0f);
     if (path_.direct.mis) {

@@ -125,7 +125,7 @@ inline void WideBatch<shading>::take_fixed(uint32_t lanes, uint32_t front, Verti
 {
     Others& others = v.others;
     others.lanes = others.only_delta = others.transmits = 0;
-    others.plastic.clear();
+    others.plastic = others_.plastic.begin_eight();
     if (lanes == 0) return;
     WideScene::Facts facts;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -138,7 +138,7 @@ inline void WideBatch<shading>::take_fixed(uint32_t lanes, uint32_t front, Verti
     others.only_delta = lanes & facts.lanes(WideScene::is_only_delta);
     others.transmits = lanes & facts.lanes(WideScene::is_open);
     for_bits(lanes & facts.lanes(WideScene::is_plastic),
-             [&](uint32_t i) { others.plastic.set(i, *std::get_if<PlasticBsdf>(others.bsdf[i])); });
+             [&](uint32_t i) { others_.plastic.add(others.plastic, i, *std::get_if<PlasticBsdf>(others.bsdf[i])); });
 }
 
 // One that is not Lambert's.
@@ -153,7 +153,7 @@ inline void WideBatch<shading>::take_own(uint32_t i, const B& bsdf, Vertices& v)
     others.only_delta |= facts.lanes(WideScene::is_only_delta);
     others.transmits |= facts.lanes(WideScene::is_open);
     if constexpr (std::is_same_v<B, PlasticBsdf>) {
-        others.plastic.set(i, bsdf);
+        others_.plastic.add(others.plastic, i, bsdf);
     } else {
         others.own[i] = bsdf;
         others.bsdf[i] = &others.own[i];
@@ -216,7 +216,7 @@ inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
     v.cos_o = dot(wo, v.ns);
     if constexpr (any) {
         v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
-        if (v.others.plastic.lanes() != 0) v.others.plastic.see(v.others.wo);
+        if (v.others.plastic.lanes != 0) others_.plastic.put_wo(v.others.plastic, v.others.wo);
     }
     return true;
 }

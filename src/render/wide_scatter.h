@@ -116,23 +116,35 @@ inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& othe
     return splits;
 }
 
+// What lanes whose BSDFs are asked for a direction need for it.
+template <Shading shading>
+inline void WideBatch<shading>::choose_part(const Vertices& v, Going& g, uint32_t lanes)
+{
+    const AddressLanes address = numbers(v.path.key, depth_, Dim::bsdf);
+    const bool asks_others = (lanes & v.others.lanes) != 0;
+    if (asks_others) {
+        const Vec3x8 u = address.get3(v.path.sample);
+        g.u = {u.x, u.y}, g.lobe = u.z;
+    } else {
+        g.u = address.get2(v.path.sample);
+    }
+    g.cosine = square_to_cosine_hemisphere(g.u.x, g.u.y);
+    if ((lanes & v.others.plastic.lanes) != 0) others_.plastic.put_numbers(v.others.plastic, g.lobe, g.u, g.cosine);
+}
+
 // A direction for each of `lanes`: those that are neither matt nor plastic are asked one by one.
 template <Shading shading>
-inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, uint32_t lanes,
-                                                                             const AddressLanes& address) const
+inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, const Going& g,
+                                                                             uint32_t lanes) const
 {
     const Others& others = v.others;
     const Float8 zero{};
-    const UInt8 sample = v.path.sample;
-    const Vec2x8 u = address.get2(sample);
-    Scattered s{.wi = square_to_cosine_hemisphere(u.x, u.y), .weight = v.albedo, .eta = all_lanes(1.0f)};
-    s.pdf = s.wi.z * (1 / pi);
+    Scattered s{.wi = g.cosine, .weight = v.albedo, .pdf = g.cosine.z * (1 / pi), .eta = all_lanes(1.0f)};
     s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
     if ((lanes & others.lanes) == 0) return s;
-    const Float8 lobe = address.get1(sample);
-    const uint32_t plastic = lanes & others.plastic.lanes();
+    const uint32_t plastic = lanes & others.plastic.lanes;
     if (plastic != 0) {
-        const BsdfSampleLanes sampled = others.plastic.sample(lobe, u, s.wi);
+        const BsdfSampleLanes sampled = others_.plastic.sampled(others.plastic);
         const Mask8 is_asked = lanes_of(plastic);
         s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
         s.pdf = select(is_asked, sampled.pdf, s.pdf);
@@ -142,7 +154,7 @@ inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(con
         const Vec3 wo = lane(others.wo, i);
         const auto sampled = std::visit(
             [&](const auto& bsdf) {
-                return bsdf.sample(wo, lobe[i], {u.x[i], u.y[i]});
+                return bsdf.sample(wo, g.lobe[i], {g.u.x[i], g.u.y[i]});
             },
             *others.bsdf[i]);
         if (!sampled || is_black(sampled->weight)) return;
@@ -154,63 +166,102 @@ inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(con
     return s;
 }
 
-// scatter() where some lanes are not matt. See send_on().
+// v.path becomes that of the first part that is sent.
 template <Shading shading>
-inline void WideBatch<shading>::scatter_any(Vertices& v)
+inline void WideBatch<shading>::begin_going(Vertices& v, Going& g)
 {
     const Others& others = v.others;
-    const Float8 zero{}, one = all_lanes(1.0f);
-    const uint32_t sends = v.hit & (others.lanes | bits((v.cos_o > zero) & ~is_black(v.albedo)));
-    Lanes& next = v.path;  // from here on that of what is sent on
+    Lanes& next = v.path;
+    g.splits = 0, g.sends = v.hit & (others.lanes | bits((v.cos_o > Float8{}) & ~is_black(v.albedo)));
     const bool has_common = view_.plan.has_common_numbers;
     const uint32_t may_split = has_common ? v.hit & ~others.only_delta & ~bits(is_set(next.so_far, has_split)) : 0;
     if (may_split != 0) tell_of_split(v, may_split & (others.lanes | ~bits(is_black(v.albedo))));
-    if (sends == 0) return;
-    KeyLanes common{};
-    if (may_split != 0) common = common_keys(next, may_split);
-    const uint32_t splits = split_any(sends, others, next);
-    const Vec3x8 throughput = next.throughput;
-    const Float8 eta_scale = next.eta_scale, spread = next.spread;
+    if (g.sends == 0) return;
+    if (may_split != 0) g.common = common_keys(next, may_split);
+    g.splits = split_any(g.sends, others, next);
+    g.first = next.sample;
+    g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
     next.width = v.width;
     // What State says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
     const UInt8 kept = next.so_far & has_split;
     const Mask8 seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
     const auto leg = [&](Leg from_view) { return select(seen, bits_of(from_view), bits_of(Leg::indirect)); };
     const uint32_t sampled = (samples_on_matt_ ? ~others.lanes : 0) | (samples_ ? others.lanes : 0);
-    const UInt8 spreading =
-        kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
-    const UInt8 straight = kept | leg(Leg::view) | was_specular;
-    const FrameT<Float8> frame(v.ns);
-    // of_all: the lanes of the first part.
-    const auto send_parts = [&](uint32_t of_all, uint32_t parts, Numbers kind) {
-        const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-        const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-        for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
-            const Scattered s = sample_any(v, part == 0 ? of_all : splits, address);
-            const Vec3x8 wi = normalize(frame.to_world(s.wi));
-            const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
-            next.throughput = times(throughput, s.weight);
-            uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
-            if (goes == 0) continue;
-            next.pdf = s.pdf;
-            next.eta_scale = eta_scale * (s.eta * s.eta);
-            next.so_far = select(is_delta, straight, spreading);
-            next.spread = select(is_delta, smaller(one, spread), opened(spread, s.pdf));
-            const Float8 q = survival(next);
-            if ((bits(q != one) & goes) != 0) {
-                goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
-                next.throughput = next.throughput / q;
-            }
-            Vec3x8 origin = v.origin;
-            for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
-            send(goes, origin, wi, v, kind);
-        }
+    g.spreading = kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
+    g.straight = kept | leg(Leg::view) | was_specular;
+}
+
+// scatter() where some lanes are not matt. See send_on(). The parts of a path go in their order, and those of all paths
+// of a batch together.
+template <Shading shading>
+inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
+{
+    const PathPlan& plan = view_.plan;
+    uint32_t splits = 0;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+        begin_going(vertices[i], others_.going[i]);
+        splits |= others_.going[i].splits;
+    }
+    const auto send_parts = [&](uint32_t parts, Numbers kind) {
+        for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part, kind);
     };
-    if (splits == 0) return send_parts(sends, 1, Numbers::undivided);
-    if (!has_common) return send_parts(sends, view_.plan.split, Numbers::undivided);
-    send_both_kinds(splits, common, next, [&](Numbers kind) {
-        send_parts(kind == Numbers::own ? sends : splits, view_.plan.split_of_kind(), kind);
-    });
+    if (splits == 0) return send_parts(1, Numbers::undivided);
+    if (!plan.has_common_numbers) return send_parts(plan.split, Numbers::undivided);
+    for (const Numbers kind : {Numbers::own, Numbers::common}) {
+        for (size_t i = 0; i < vertices.size(); ++i) begin_kind(vertices[i], others_.going[i], kind);
+        send_parts(plan.split_of_kind(), kind);
+    }
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::begin_kind(Vertices& v, const Going& g, Numbers kind) const
+{
+    if (g.splits == 0) return;
+    v.path.sum += reinterpret_cast<UInt8>(lanes_of(g.splits)) & static_cast<uint32_t>(w_.slots.size());
+    v.path.sample = g.first;
+    if (kind == Numbers::common) v.path.key = g.common;
+}
+
+// part: number within those of its kind.
+template <Shading shading>
+inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind)
+{
+    const bool is_first = part == 0 && kind != Numbers::common;
+    const auto lanes = [&](const Going& g) { return is_first ? g.sends : g.splits; };
+    for (size_t i = 0; i < vertices.size(); ++i)
+        if (Going& g = others_.going[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
+    others_.plastic.sample();
+    for (size_t i = 0; i < vertices.size(); ++i)
+        if (const Going& g = others_.going[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g), kind);
+}
+
+// v.path becomes that of the next part.
+template <Shading shading>
+inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind)
+{
+    const Float8 zero{}, one = all_lanes(1.0f);
+    Lanes& next = v.path;
+    const Scattered s = sample_any(v, g, lanes);
+    const Vec3x8 wi = normalize(FrameT<Float8>(v.ns).to_world(s.wi));
+    const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
+    next.throughput = times(g.throughput, s.weight);
+    uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
+    if (goes != 0) {
+        next.pdf = s.pdf;
+        next.eta_scale = g.eta_scale * (s.eta * s.eta);
+        next.so_far = select(is_delta, g.straight, g.spreading);
+        next.spread = select(is_delta, smaller(one, g.spread), opened(g.spread, s.pdf));
+        const Float8 q = survival(next);
+        if ((bits(q != one) & goes) != 0) {
+            const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+            goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
+            next.throughput = next.throughput / q;
+        }
+        Vec3x8 origin = v.origin;
+        for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
+        send(goes, origin, wi, v, kind);
+    }
+    next.sample += 1u;
 }
 
 // What `lanes` of v.path are sent on as.

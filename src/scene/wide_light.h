@@ -13,8 +13,8 @@ struct LightSampleLanes {
     Vec3x8 wi;    // unit
     Vec3x8 point, p_error, n;
     Vec3x8 radiance;
-    Float8 pdf;                 // per solid angle, choice of the light included
-    Mask8 infinite{}, delta{};  // as in LightSample
+    Float8 pdf;             // per solid angle, choice of the light included
+    Mask8 infinite, delta;  // as in LightSample
 };
 inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const LightSampleLanes& no)
 {
@@ -28,8 +28,8 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
 
 // A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
 // if by power alone.
-inline LightSampleLanes sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                         const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
+inline void sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids, const Vec3x8& origin,
+                             const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
 {
     using W = WideScene;
     const auto rows = [&](W::LightRow which) { return scene.lights.at(ids, which); };
@@ -38,7 +38,6 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
     const auto [n, area] = rows(W::normal_area);
     const auto [front, by_power] = rows(W::front);
     const Float8 probability = choice ? *choice : by_power;
-    LightSampleLanes s;
     s.point = at.p, s.p_error = at.p_error, s.n = n;
     const Vec3x8 d = at.p - origin;
     const Float8 d2 = dot(d, d);
@@ -49,14 +48,13 @@ inline LightSampleLanes sample_triangles(const WideScene& scene, const std::arra
     if (bits(before) != 255) s.radiance = select(before, front, rows(W::back).xyz);
     s.pdf = d2 / (abs(cos) * area) * probability;
     s.found = (d2 > Float8{}) & (cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
-    return s;
+    s.infinite = s.delta = Mask8{};
 }
 
 // A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
-inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids,
-                                     const Vec3x8& origin, const Vec2x8& u, const Float8* choice)
+inline void sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids, const Vec3x8& origin,
+                         const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
 {
-    LightSampleLanes s;
     Float8 rounding{};
     for (size_t i = 0; i < float_lanes; ++i) rounding[i] = scene.balls[ids[i]].rounding;
     const SinCosT<Float8> phi = sin_cos_2pi(u.y);
@@ -75,7 +73,7 @@ inline LightSampleLanes sample_balls(const WideScene& scene, const std::array<ui
     s.p_error = sphere_point_error(rounding, s.point);
     const auto [color, by_power] = turned_rows([&](size_t i) { return load4(&scene.balls[ids[i]].radiance.x); });
     s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * (choice ? *choice : by_power);
-    return s;
+    s.infinite = s.delta = Mask8{};
 }
 
 }  // namespace lancer

@@ -41,12 +41,16 @@ TEST(Lanes, SamplersGiveTheSameNumbers)
             const AddressLanes address(kind, key, static_cast<uint32_t>(round), Dim::bsdf);
             const Vec2x8 two = address.get2(sample);
             const Float8 one = address.get1(sample), first = address.get2_x(sample);
+            const Vec3x8 three = address.get3(sample);
             for (uint32_t i = 0; i < float_lanes; ++i) {
                 const Sampler alone(kind, seed, i, sample[i], 0);
                 const Vec2 u = alone.get2(static_cast<uint32_t>(round), Dim::bsdf);
                 EXPECT_EQ(bits_of(two.x[i]), bits_of(u.x));
                 EXPECT_EQ(bits_of(two.y[i]), bits_of(u.y));
                 EXPECT_EQ(bits_of(first[i]), bits_of(u.x));
+                EXPECT_EQ(bits_of(three.x[i]), bits_of(u.x));
+                EXPECT_EQ(bits_of(three.y[i]), bits_of(u.y));
+                EXPECT_EQ(bits_of(three.z[i]), bits_of(one[i]));
                 EXPECT_EQ(bits_of(one[i]), bits_of(alone.get1(static_cast<uint32_t>(round), Dim::bsdf)));
             }
         }
