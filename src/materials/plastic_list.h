@@ -2,6 +2,8 @@
 // are of plastic, and of doubles four are computed together: the places of many eights stand side by side.
 #pragma once
 
+#include <cassert>
+
 #include "core/vec_lanes.h"
 #include "materials/plastic.h"
 
@@ -34,9 +36,10 @@ public:
     };
     void clear() { count_ = 0; }
     Eight begin_eight() const { return {.first = count_}; }
-    // of: the last that was begun.
+    // of: the last that was begun, as its places stand one behind the other.
     void add(Eight& of, uint32_t lane, const PlasticBsdf& bsdf)
     {
+        assert(of.first + of.count == count_);
         const PlasticBsdf::Coat& coat = bsdf.coat();
         const uint32_t k = count_++;
         of.lanes |= 1u << lane;

@@ -132,14 +132,14 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 integrator.ahead(view, vertices, aheads[group]);
             }
     };
-    const bool has_media = view.has_media();
+    const bool has_media = view.has_media(), has_far_tables = lancer::has_far_tables(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const State& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
         accel.closest(w.rays, w.hits, coherence);
-        fetch_shading(view.scene, w.hits);
+        if (has_far_tables) fetch_all(view.scene, w.hits);
         if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
 
         w.queue.next.clear();

@@ -52,7 +52,8 @@ public:
           samples_on_matt_(samples_ && !view.lit_by_constant_sky()),
           samples_sky_(looks_up && samples_ && view.scene.environment_light != Scene::none),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
-          shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end())
+          shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end()),
+          fetches_(has_far_tables(view.scene))
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -100,7 +101,7 @@ private:
             const size_t n = std::min(at_once, now_.size() - first);
             const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
             accel_.closest(now_.rays().subspan(first, n), hits, coherence);
-            fetch_shading(view_.scene, hits);
+            if (fetches_) fetch_shading(view_.scene, hits);
             if constexpr (!std::is_same_v<Listener, NoListener>)
                 if (depth_ == 0) tell_of_camera_rays(listener, first, hits);
             shade(first, n);
@@ -120,9 +121,18 @@ private:
         std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
     };
     struct Nothing {};
+    // What is looked up of them.
+    struct LookedUp {
+        // Lanes of triangles that are drawn as they are; of these, those that are not tilted; and of these, those of
+        // which nothing is to be looked up, and those that want to mirror away from the surface.
+        uint32_t drawn, straight, fixed, mirroring;
+        uint32_t front;     // lanes of triangles whose rays come to the front
+        PlaceLanes places;  // of triangles that are drawn as they are
+    };
     // Eight vertices.
     struct Vertices {
-        uint32_t hit;  // lanes that there are
+        size_t first, count;  // of the rays that ended there
+        uint32_t hit;         // lanes that there are
         Lanes path;
         Vec3x8 albedo;
         Vec3x8 n, ns, origin;  // as in Surface
@@ -130,6 +140,7 @@ private:
         Float8 width;          // of the cone, where textures are looked up or paths split
         std::array<uint32_t, float_lanes> material;
         std::array<uint32_t, float_lanes> start;  // of rays that leave them, as in Ray
+        [[no_unique_address]] std::conditional_t<looks_up, LookedUp, Nothing> found;
         [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
     };
 
@@ -138,17 +149,13 @@ private:
     void tell_of_camera_rays(const Listener& listener, size_t first, std::span<const Hit> hits) const;
     void shade(size_t first, size_t n);
     bool arrive(size_t first, size_t n, Vertices& v);
-    // What is known of triangles besides Vertices.
-    struct Placed {
-        uint32_t front = 0;  // lanes whose rays come to the front
-        PlaceLanes places{};
-    };
-    Placed place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo,
-                 Vertices& v);
-    Placed place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
-    void widen(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, Vertices& v) const;
-    static Placed place_nowhere(Vertices& v);
-    void look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
+    void find_kinds(std::span<const Hit> hits, Vertices& v) const;
+    void find_place(Vertices& v);
+    void place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo, Vertices& v);
+    void place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
+    static void place_nowhere(Vertices& v);
+    void look_up(Vertices& v);
+    std::span<const Hit> hits_of(const Vertices& v) const { return std::span(w_.hits).subspan(v.first, v.count); }
     void bend_back(uint32_t lanes, const Vec3x8& wo, Vertices& v);
     void take_fixed(uint32_t lanes, uint32_t front, Vertices& v);
     template <class B>
@@ -268,6 +275,7 @@ private:
     bool samples_sky_;    // as one of them
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface does
+    bool fetches_;        // has_far_tables()
     uint32_t depth_ = 0;
     // The vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of it. No
     // function reads what none has written for these eight.
@@ -339,6 +347,10 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
     for (size_t i = 0; i < n; i += float_lanes)
         if (arrive(first + i, std::min<size_t>(float_lanes, n - i), vertices_[met])) ++met;
     const std::span vertices = std::span(vertices_).first(met);
+    if constexpr (looks_up) {
+        for (Vertices& v : vertices) find_place(v);
+        for (Vertices& v : vertices) look_up(v);
+    }
     if constexpr (any) others_.plastic.see();
     if (samples_) sample_direct(vertices);
     if constexpr (any)

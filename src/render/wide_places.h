@@ -15,9 +15,8 @@ inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, floa
 
 // surface_at() of triangles that are drawn as they are, before anything is looked up.
 template <Shading shading>
-inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<const Hit> hits,
-                                                                     const std::array<size_t, float_lanes>& which,
-                                                                     const Vec3x8& wo, Vertices& v)
+inline void WideBatch<shading>::place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
+                                      const Vec3x8& wo, Vertices& v)
 {
     std::array<uint32_t, float_lanes> material;
     for (uint32_t i = 0; i < float_lanes; ++i) material[i] = v.material[which[i]];
@@ -30,76 +29,89 @@ inline typename WideBatch<shading>::Placed WideBatch<shading>::place(std::span<c
     const Float8 c = dot(v.ns, wo);
     if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
     if constexpr (any) v.others.p = at.p, v.others.p_error = at.p_error;
-    return {bits(front), at};
-}
-
-// Lanes that are not drawn do as the first that is.
-template <Shading shading>
-inline typename WideBatch<shading>::Placed WideBatch<shading>::place_drawn(uint32_t drawn, std::span<const Hit> hits,
-                                                                           const Vec3x8& wo, Vertices& v)
-{
-    std::array<size_t, float_lanes> which;
-    for (uint32_t i = 0; i < float_lanes; ++i)
-        which[i] = drawn >> i & 1 ? i : static_cast<size_t>(std::countr_zero(drawn));
-    v.width = v.path.width + v.path.spread * distances(hits, which);
-    return place(hits, which, wo, v);
-}
-
-// The cone of a camera ray, for where nothing else asks for it.
-template <Shading shading>
-inline void WideBatch<shading>::widen(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
-                                      Vertices& v) const
-{
-    if (depth_ > 0 || !view_.plan.has_common_numbers) return;
-    v.width = all_lanes(pixel_spread_) * distances(hits, which);
+    if constexpr (looks_up) {
+        v.found.front = bits(front), v.found.places = at;
+        v.width = v.path.width + v.path.spread * distances(hits, which);
+    } else if (depth_ == 0 && view_.plan.has_common_numbers) {
+        v.width = all_lanes(pixel_spread_) * distances(hits, which);  // that of a camera ray: nothing else asks for it
+    }
 }
 
 template <Shading shading>
-inline typename WideBatch<shading>::Placed WideBatch<shading>::place_nowhere(Vertices& v)
+inline void WideBatch<shading>::place_nowhere(Vertices& v)
 {
     const Float8 zero{};
     v.albedo = v.origin = {zero, zero, zero};
     v.n = v.ns = {zero, zero, all_lanes(1.0f)};
     v.width = zero;
     if constexpr (any) v.others.p = v.others.p_error = v.origin;
-    return {};
 }
 
-// Places and what they are made of. Textures are asked one after the other, and so is where on other things than
-// triangles that are drawn as they are a place is, and what maps that tilt it make of it.
+// Of each vertex what is to be looked up.
 template <Shading shading>
-inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v)
+inline void WideBatch<shading>::find_kinds(std::span<const Hit> hits, Vertices& v) const
 {
-    // Triangles that are drawn as they are; of these, those that are not tilted; and of these, those of which nothing
-    // is to be looked up.
     WideScene::Facts of_drawn;
     for_bits(v.hit, [&](uint32_t i) {
         const Hit& hit = hits[i];
         if (hit.kind == Kind::triangle && hit.instance == Hit::no_instance)
             of_drawn.add(i, scene_.of_drawn[v.material[i]]);
     });
-    const uint32_t drawn = of_drawn.lanes(WideScene::is_drawn), straight = of_drawn.lanes(WideScene::is_straight);
-    uint32_t fixed = of_drawn.lanes(WideScene::is_fixed);
+    LookedUp& found = v.found;
+    found.drawn = of_drawn.lanes(WideScene::is_drawn), found.straight = of_drawn.lanes(WideScene::is_straight);
+    found.fixed = of_drawn.lanes(WideScene::is_fixed), found.mirroring = of_drawn.lanes(WideScene::is_mirroring);
     if (scene_.has_colors)
-        for_bits(fixed, [&](uint32_t i) {
-            if (!view_.scene.shading[hits[i].geometry].colors.empty()) fixed &= ~(1u << i);
+        for_bits(found.fixed, [&](uint32_t i) {
+            if (!view_.scene.shading[hits[i].geometry].colors.empty()) found.fixed &= ~(1u << i);
         });
-    const Placed placed = drawn != 0 ? place_drawn(drawn, hits, wo, v) : place_nowhere(v);
-    if constexpr (any) {
-        bend_back(straight & of_drawn.lanes(WideScene::is_mirroring), wo, v);
-        take_fixed(fixed, placed.front, v);
-    }
-    if (v.hit == fixed) return;
-    take_each(straight & ~fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
-        const bool front = (placed.front >> i & 1) != 0;
-        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], placed.places.area[i]);
+    if (!fetches_) return;
+    fetch_normals(view_.scene, hits, found.drawn);
+    fetch_uv_corners(view_.scene, hits, found.drawn & ~found.fixed);
+}
+
+// The same of those that are none: they do as the first that is.
+template <Shading shading>
+inline void WideBatch<shading>::place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v)
+{
+    std::array<size_t, float_lanes> which;
+    for (uint32_t i = 0; i < float_lanes; ++i)
+        which[i] = drawn >> i & 1 ? i : static_cast<size_t>(std::countr_zero(drawn));
+    place(hits, which, wo, v);
+}
+
+// Where vertices are, and what is known of them without looking anything up.
+template <Shading shading>
+inline void WideBatch<shading>::find_place(Vertices& v)
+{
+    const std::span<const Hit> hits = hits_of(v);
+    const Vec3x8 wo = -RayOctet(now_.rays().subspan(v.first, v.count)).dir;
+    const LookedUp& found = v.found;
+    if (found.drawn != 0)
+        place_drawn(found.drawn, hits, wo, v);
+    else
+        place_nowhere(v);
+    if (fetches_) fetch_uvs(view_.scene, hits, found.drawn & ~found.fixed);
+    if constexpr (any) bend_back(found.straight & found.mirroring, wo, v);
+}
+
+// What vertices are made of. Textures are asked one after the other, and so is where on other things than triangles
+// that are drawn as they are a place is, and what maps that tilt it make of it.
+template <Shading shading>
+inline void WideBatch<shading>::look_up(Vertices& v)
+{
+    const std::span<const Hit> hits = hits_of(v);
+    const LookedUp& found = v.found;
+    if constexpr (any) take_fixed(found.fixed, found.front, v);
+    take_each(found.straight & ~found.fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
+        const bool front = (found.front >> i & 1) != 0;
+        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], found.places.area[i]);
         view_.with_bsdf(v.material[i], p, number, take);
     });
-    take_each(v.hit & ~straight, v, [&](uint32_t i, const auto& number, const auto& take) {
+    take_each(v.hit & ~found.straight, v, [&](uint32_t i, const auto& number, const auto& take) {
         const RayCone cone{v.path.width[i], v.path.spread[i]};
-        const Ray& ray = now_.rays()[first + i];
-        const Surface s = (drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, placed.places.of(i))
-                                                : view_.surface_at(ray, hits[i], cone);
+        const Ray& ray = now_.rays()[v.first + i];
+        const Surface s = (found.drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, found.places.of(i))
+                                                      : view_.surface_at(ray, hits[i], cone);
         set_lane(v.n, i, s.n);
         set_lane(v.ns, i, s.ns);
         set_lane(v.origin, i, s.origin);
@@ -107,6 +119,12 @@ inline void WideBatch<shading>::look_up(size_t first, std::span<const Hit> hits,
         if constexpr (any) set_lane(v.others.p, i, s.p), set_lane(v.others.p_error, i, s.p_error);
         view_.with_bsdf(s, number, take);
     });
+    const Vec3x8 wo = -RayOctet(now_.rays().subspan(v.first, v.count)).dir;
+    v.cos_o = dot(wo, v.ns);
+    if constexpr (any) {
+        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
+        if (v.others.plastic.lanes != 0) others_.plastic.put_wo(v.others.plastic, v.others.wo);
+    }
 }
 
 // What lanes whose materials mirror want of the shading normal; few of them change it.
@@ -182,11 +200,12 @@ inline void WideBatch<shading>::take_each(uint32_t lanes, Vertices& v, const At&
     });
 }
 
-// Where n rays, at most eight, ended, and what is there. False where no path goes on.
+// What n rays, at most eight, meet. False where no path goes on.
 template <Shading shading>
 inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
 {
-    const std::span<const Hit> hits = std::span(w_.hits).subspan(first, n);
+    v.first = first, v.count = n;
+    const std::span<const Hit> hits = hits_of(v);
     now_.load(first, v.path);
     v.hit = 0;
     for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;
@@ -208,15 +227,12 @@ inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
     for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
     v.hit &= ~last_of(v.path);
     if (v.hit == 0) return false;
-    const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
-    if constexpr (looks_up)
-        look_up(first, hits, wo, v);
-    else
-        place(hits, which, wo, v), widen(hits, which, v);
-    v.cos_o = dot(wo, v.ns);
-    if constexpr (any) {
-        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
-        if (v.others.plastic.lanes != 0) others_.plastic.put_wo(v.others.plastic, v.others.wo);
+    if constexpr (looks_up) {
+        find_kinds(hits, v);
+    } else {
+        const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
+        place(hits, which, wo, v);
+        v.cos_o = dot(wo, v.ns);
     }
     return true;
 }

@@ -85,6 +85,22 @@ PlaceLanes places(const Scene& scene, std::span<const Hit> hits, const EightHits
     return s;
 }
 
+// What corners name; of a triangle that has no such corners addresses of nothing, which is harmless.
+template <class T, class Corners>
+void fetch(const std::vector<T>& values, const Corners& corners)
+{
+    for (const uint32_t corner : corners) prefetch(values.data() + corner);
+}
+// Normals of vertices came with the positions.
+void fetch_normals(const MeshShading& s, uint32_t triangle)
+{
+    if (!s.normals.triangles.empty()) fetch(s.normals.values, s.normals.triangles[triangle]);
+}
+void fetch_uvs(const MeshShading& s, uint32_t triangle)
+{
+    if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
+}
+
 }  // namespace
 
 PlaceLanes flat_places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
@@ -136,15 +152,43 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     return s;
 }
 
+bool has_far_tables(const Scene& scene) { return scene.has_tables && outgrows_caches(scene.geometry); }
+
 void fetch_shading(const Scene& scene, std::span<const Hit> hits)
 {
-    if (!scene.has_tables || !outgrows_caches(scene.geometry)) return;
     for (const Hit& hit : hits) {
         if (hit.kind != Kind::triangle) continue;
         const MeshShading& s = scene.shading[hit.geometry];
         if (!s.face_material.empty()) prefetch(s.face_material.where(hit.primitive));
         if (!s.normals.triangles.empty()) prefetch(&s.normals.triangles[hit.primitive]);
-        if (!s.uv_triangles.empty()) prefetch(s.uv_triangles.guess(hit.primitive));
+    }
+}
+
+void fetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+{
+    for_bits(which, [&](uint32_t i) { fetch_normals(scene.shading[hits[i].geometry], hits[i].primitive); });
+}
+
+void fetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+{
+    for_bits(which, [&](uint32_t i) {
+        const CornerTable& corners = scene.shading[hits[i].geometry].uv_triangles;
+        if (!corners.empty()) prefetch(corners.guess(hits[i].primitive));
+    });
+}
+
+void fetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+{
+    for_bits(which, [&](uint32_t i) { fetch_uvs(scene.shading[hits[i].geometry], hits[i].primitive); });
+}
+
+void fetch_all(const Scene& scene, std::span<const Hit> hits)
+{
+    fetch_shading(scene, hits);
+    for (const Hit& hit : hits) {
+        if (hit.kind != Kind::triangle) continue;
+        const MeshShading& s = scene.shading[hit.geometry];
+        fetch_normals(s, hit.primitive), fetch_uvs(s, hit.primitive);
     }
 }
 

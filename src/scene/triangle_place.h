@@ -82,9 +82,18 @@ inline void put(const PlaceLanes& eight, const EightHits& which, std::span<Trian
     for (size_t k = 0; k < float_lanes; ++k) places[which[k]] = eight.of(k);
 }
 
-// Asks early for what is kept of each triangle besides its corners: the lists that surface_at() reads of those that were
-// hit. What these name is not asked for, too: to read them for it takes longer than is won.
+// What is kept of each triangle besides its corners is asked for early, step by step, so that who reads it need not
+// wait for one line of memory after the other. Whether that pays:
+bool has_far_tables(const Scene& scene);
+// Of all that were hit: material, and which normals the corners have.
 void fetch_shading(const Scene& scene, std::span<const Hit> hits);
+// Then, where they are triangles, these normals. which: bit i: of hits[i].
+void fetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+// Where materials read textures: which points of them the corners have, and later these.
+void fetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+void fetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+// For who does not go by steps: whatever may be read.
+void fetch_all(const Scene& scene, std::span<const Hit> hits);
 
 // places[i]: of hits[i], where that is a triangle; others stay as they are.
 void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places);
