@@ -3,19 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <type_traits>
 
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path.h"
-#include "materials/material.h"
-#include "materials/plastic_list.h"
 #include "render/common_numbers.h"
+#include "render/wide_vertices.h"
 #include "render/workspace.h"
 #include "scene/light_choice.h"
 #include "scene/triangle_place.h"
-#include "scene/wide_light.h"
 
 namespace lancer {
 
@@ -30,7 +27,14 @@ struct WidePath {
 template <Shading shading>
 class WideBatch {
     static constexpr bool looks_up = shading != Shading::plain, any = shading == Shading::any;
-    using Lanes = std::conditional_t<any, AnyPathLanes, std::conditional_t<looks_up, ConePathLanes, PathLanes>>;
+    using Vertices = wide::Vertices<shading>;
+    using Lanes = typename Vertices::Lanes;
+    using Others = wide::Others;
+    using LookedUp = wide::LookedUp;
+    using Lamps = wide::Lamps;
+    using Lit = wide::Lit;
+    using Going = wide::Going;
+    using Scattered = wide::Scattered;
 
 public:
     WideBatch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
@@ -110,40 +114,6 @@ private:
 
     // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
     static constexpr size_t at_once = 128;
-    // What of eight vertices is not matt, and what that wants to know.
-    struct Others {
-        uint32_t lanes;                                // that are not
-        std::array<const AnyBsdf*, float_lanes> bsdf;  // of these, but for plastic that was looked up
-        uint32_t only_delta, transmits;                // lanes whose BSDF says so
-        Vec3x8 p, p_error;                             // as in Surface
-        Vec3x8 wo;                                     // local
-        PlasticList::Eight plastic;
-        std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
-    };
-    struct Nothing {};
-    // What is looked up of them.
-    struct LookedUp {
-        // Lanes of triangles that are drawn as they are; of these, those that are not tilted; and of these, those of
-        // which nothing is to be looked up, and those that want to mirror away from the surface.
-        uint32_t drawn, straight, fixed, mirroring;
-        uint32_t front;     // lanes of triangles whose rays come to the front
-        PlaceLanes places;  // of triangles that are drawn as they are
-    };
-    // Eight vertices.
-    struct Vertices {
-        size_t first, count;  // of the rays that ended there
-        uint32_t hit;         // lanes that there are
-        Lanes path;
-        Vec3x8 albedo;
-        Vec3x8 n, ns, origin;  // as in Surface
-        Float8 cos_o;          // between the shading normal and the way back
-        Float8 width;          // of the cone, where textures are looked up or paths split
-        std::array<uint32_t, float_lanes> material;
-        std::array<uint32_t, float_lanes> start;  // of rays that leave them, as in Ray
-        [[no_unique_address]] std::conditional_t<looks_up, LookedUp, Nothing> found;
-        [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
-    };
-
     void send_from(const Camera& camera, uint32_t width, uint32_t first);
     template <class Listener>
     void tell_of_camera_rays(const Listener& listener, size_t first, std::span<const Hit> hits) const;
@@ -168,20 +138,7 @@ private:
         const Vec3 n = lane(v.n, i);
         return offset_origin(lane(v.others.p, i), lane(v.others.p_error, i), n, -n);
     }
-    // What eight vertices see of the light that was sampled.
-    struct Lit {
-        uint32_t asking = 0;  // lanes in which it was
-        LightSampleLanes light;
-        Vec3x8 wi;  // to it, local; of what is not matt
-    };
     uint32_t asks_for_light(const Vertices& v) const;
-    // Which lights lanes sample.
-    struct Lamps {
-        std::array<uint32_t, float_lanes> ids{};
-        Vec2x8 u;                             // for a point on them
-        std::optional<Float8> probability{};  // of the choice, if not that by power
-        const Float8* choice() const { return probability ? &*probability : nullptr; }
-    };
     Lamps choose_lamps(const Vertices& v, uint32_t asking, const AddressLanes& address, const Vec2x8& u) const;
     void sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u, Lit& lit);
     void add_even_sky(const Vertices& v, const Vec2x8& u, uint32_t lanes, LightSampleLanes& s) const;
@@ -191,20 +148,6 @@ private:
     void eval_others(const Vertices& v, const Lit& lit, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
     void send_shadows(const Vertices& v, const Lit& lit);
     void scatter(Vertices& v);
-    // Eight vertices that send rays on.
-    struct Going {
-        uint32_t sends, splits;  // lanes
-        // What all parts of the paths have in common, before BSDFs have been asked.
-        Vec3x8 throughput;
-        Float8 eta_scale, spread;
-        UInt8 spreading, straight;  // so_far behind a lobe that spreads light, and behind one that does not
-        UInt8 first;                // sample of the first part
-        KeyLanes common;
-        // Of the part that is sent.
-        Float8 lobe;
-        Vec2x8 u;
-        Vec3x8 cosine;
-    };
     void scatter_any(std::span<Vertices> vertices);
     void begin_going(Vertices& v, Going& g);
     void begin_kind(Vertices& v, const Going& g, Numbers kind) const;
@@ -217,13 +160,6 @@ private:
     void tell_of_split(const Vertices& v, uint32_t lanes) const;
     KeyLanes common_keys(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;
-    // Directions that BSDFs chose.
-    struct Scattered {
-        Vec3x8 wi, weight;  // as in BsdfSample, and so what follows
-        Float8 pdf{}, eta;
-        uint32_t delta = 0;
-        uint32_t lanes = 0;  // that there are
-    };
     Scattered sample_any(const Vertices& v, const Going& g, uint32_t lanes) const;
     void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v, Numbers numbers);
     Float8 survival(const Lanes& next) const;
@@ -287,7 +223,7 @@ private:
         std::array<Going, at_once / float_lanes> going;
     };
     static_assert(at_once <= PlasticList::most);
-    [[no_unique_address]] std::conditional_t<any, OthersAtWork, Nothing> others_;
+    [[no_unique_address]] std::conditional_t<any, OthersAtWork, wide::Nothing> others_;
 };
 
 template <Shading shading>
