@@ -44,6 +44,7 @@ inline void WideBatch<shading>::place_nowhere(Vertices& v)
     v.albedo = v.origin = {zero, zero, zero};
     v.n = v.ns = {zero, zero, all_lanes(1.0f)};
     v.width = zero;
+    v.found.front = 0;
     if constexpr (any) v.others.p = v.others.p_error = v.origin;
 }
 
@@ -69,7 +70,7 @@ inline void WideBatch<shading>::find_kinds(std::span<const Hit> hits, Vertices& 
     fetch_uv_corners(view_.scene, hits, found.drawn & ~found.fixed);
 }
 
-// The same of those that are none: they do as the first that is.
+// The same where some lanes are none of these: they do as the first that is.
 template <Shading shading>
 inline void WideBatch<shading>::place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v)
 {

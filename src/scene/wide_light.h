@@ -27,7 +27,7 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
 }
 
 // A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
-// if by power alone.
+// if by power alone. s: becomes the samples.
 inline void sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids, const Vec3x8& origin,
                              const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
 {
