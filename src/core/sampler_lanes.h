@@ -36,14 +36,13 @@ public:
             return of;
         }
         const UInt8 i = shuffled(sample);
-        return {to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)),
-                to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u))};
+        return {first_of(i), second_of(i)};
     }
     // The first of get2().
     Float8 get2_x(UInt8 sample) const
     {
         if (kind_ == SamplerKind::independent) return get2(sample).x;
-        return to_unit(sobol::scrambled(shuffled(sample), high_, UInt8{} + 1u));
+        return first_of(shuffled(sample));
     }
     Float8 get1(UInt8 sample) const
     {
@@ -52,7 +51,7 @@ public:
             for (uint32_t i = 0; i < float_lanes; ++i) of[i] = Sampler::independent1(hash(i), sample[i]);
             return of;
         }
-        return to_unit(sobol::scrambled(third_reversed(shuffled(sample)), high_, UInt8{} + 3u));
+        return third_of(shuffled(sample));
     }
     // get2() and get1() at once.
     Vec3x8 get3(UInt8 sample) const
@@ -62,9 +61,7 @@ public:
             return {first.x, first.y, get1(sample)};
         }
         const UInt8 i = shuffled(sample);
-        return {to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)),
-                to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u)),
-                to_unit(sobol::scrambled(third_reversed(i), high_, UInt8{} + 3u))};
+        return {first_of(i), second_of(i), third_of(i)};
     }
     // As Sampler's, of lane i.
     uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
@@ -76,6 +73,13 @@ private:
     {
         return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), low_));
     }
+    // Of a shuffled index the coordinates of its point.
+    Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)); }
+    Float8 second_of(UInt8 i) const
+    {
+        return to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u));
+    }
+    Float8 third_of(UInt8 i) const { return to_unit(sobol::scrambled(third_reversed(i), high_, UInt8{} + 3u)); }
     static UInt8 third_reversed(UInt8 i)
     {
         const auto of_byte = [i](int byte) {
