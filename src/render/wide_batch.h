@@ -150,13 +150,11 @@ private:
     void scatter(Vertices& v);
     void scatter_any(std::span<Vertices> vertices);
     void begin_going(Vertices& v, Going& g);
-    void begin_kind(Vertices& v, const Going& g, Numbers kind) const;
     void send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind);
     void choose_part(const Vertices& v, Going& g, uint32_t lanes);
     void finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind);
     UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
-    template <class SendParts>
-    void send_both_kinds(uint32_t splits, const KeyLanes& common, Lanes& next, const SendParts& send_parts) const;
+    void begin_kind(Numbers kind, uint32_t splits, UInt8 first, const KeyLanes& common, Lanes& next) const;
     void tell_of_split(const Vertices& v, uint32_t lanes) const;
     KeyLanes common_keys(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;

@@ -86,7 +86,8 @@ inline void WideBatch<shading>::find_place(Vertices& v)
 {
     const std::span<const Hit> hits = hits_of(v);
     const Vec3x8 wo = -RayOctet(now_.rays().subspan(v.first, v.count)).dir;
-    const LookedUp& found = v.found;
+    LookedUp& found = v.found;
+    found.wo = wo;
     if (found.drawn != 0)
         place_drawn(found.drawn, hits, wo, v);
     else
@@ -120,10 +121,9 @@ inline void WideBatch<shading>::look_up(Vertices& v)
         if constexpr (any) set_lane(v.others.p, i, s.p), set_lane(v.others.p_error, i, s.p_error);
         view_.with_bsdf(s, number, take);
     });
-    const Vec3x8 wo = -RayOctet(now_.rays().subspan(v.first, v.count)).dir;
-    v.cos_o = dot(wo, v.ns);
+    v.cos_o = dot(found.wo, v.ns);
     if constexpr (any) {
-        v.others.wo = FrameT<Float8>(v.ns).to_local(wo);
+        v.others.wo = FrameT<Float8>(v.ns).to_local(found.wo);
         if (v.others.plastic.lanes != 0) others_.plastic.put_wo(v.others.plastic, v.others.wo);
     }
 }

@@ -31,18 +31,15 @@ inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes)
     });
 }
 
-// send_parts(numbers) sends those parts of paths that go by them. common: of lanes that split.
+// Before the parts of a kind are sent. splits: lanes; first: sample of the first part; common: keys of numbers in
+// common.
 template <Shading shading>
-template <class SendParts>
-inline void WideBatch<shading>::send_both_kinds(uint32_t splits, const KeyLanes& common, Lanes& next,
-                                                const SendParts& send_parts) const
+inline void WideBatch<shading>::begin_kind(Numbers kind, uint32_t splits, UInt8 first, const KeyLanes& common,
+                                           Lanes& next) const
 {
-    const UInt8 first = next.sample;
-    const UInt8 to_next_sum = reinterpret_cast<UInt8>(lanes_of(splits)) & static_cast<uint32_t>(w_.slots.size());
-    next.sum += to_next_sum;
-    send_parts(Numbers::own);
-    next.sum += to_next_sum, next.sample = first, next.key = common;
-    send_parts(Numbers::common);
+    next.sum += reinterpret_cast<UInt8>(lanes_of(splits)) & static_cast<uint32_t>(w_.slots.size());
+    next.sample = first;
+    if (kind == Numbers::common) next.key = common;
 }
 
 template <Shading shading>
@@ -96,8 +93,12 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         }
     };
     if (!has_common) return send_parts(splits ? plan.split : 1, Numbers::undivided);
-    send_both_kinds(v.hit, common_keys(next, v.hit), next,
-                    [&](Numbers kind) { send_parts(plan.split_of_kind(), kind); });
+    const KeyLanes common = common_keys(next, v.hit);
+    const UInt8 first = next.sample;
+    for (const Numbers kind : {Numbers::own, Numbers::common}) {
+        begin_kind(kind, v.hit, first, common, next);
+        send_parts(plan.split_of_kind(), kind);
+    }
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
@@ -208,18 +209,11 @@ inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
     if (splits == 0) return send_parts(1, Numbers::undivided);
     if (!plan.has_common_numbers) return send_parts(plan.split, Numbers::undivided);
     for (const Numbers kind : {Numbers::own, Numbers::common}) {
-        for (size_t i = 0; i < vertices.size(); ++i) begin_kind(vertices[i], others_.going[i], kind);
+        for (size_t i = 0; i < vertices.size(); ++i)
+            if (const Going& g = others_.going[i]; g.splits != 0)
+                begin_kind(kind, g.splits, g.first, g.common, vertices[i].path);
         send_parts(plan.split_of_kind(), kind);
     }
-}
-
-template <Shading shading>
-inline void WideBatch<shading>::begin_kind(Vertices& v, const Going& g, Numbers kind) const
-{
-    if (g.splits == 0) return;
-    v.path.sum += reinterpret_cast<UInt8>(lanes_of(g.splits)) & static_cast<uint32_t>(w_.slots.size());
-    v.path.sample = g.first;
-    if (kind == Numbers::common) v.path.key = g.common;
 }
 
 // part: number within those of its kind.

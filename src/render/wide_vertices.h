@@ -29,6 +29,7 @@ struct LookedUp {
     // Lanes of triangles that are drawn as they are; of these, those that are not tilted; and of these, those of
     // which nothing is to be looked up, and those that want to mirror away from the surface.
     uint32_t drawn, straight, fixed, mirroring;
+    Vec3x8 wo;          // world
     uint32_t front;     // lanes of triangles whose rays come to the front
     PlaceLanes places;  // of triangles that are drawn as they are
 };
