@@ -81,29 +81,27 @@ public:
     }
     // The same of eight, without jumps: nobody can predict them.
     struct StretchedLanes {
-        std::array<uint32_t, float_lanes> index;
+        UInt8 index;
         Float8 u;
     };
     StretchedLanes stretch(Float8 u) const
     {
-        if (size() == 1) return {{}, u};
-        const auto four = [&](Float4 of, uint32_t* index) -> Float4 {
+        if (size() == 1) return {UInt8{}, u};
+        const auto four = [&](Float4 of, Mask4& at) -> Float4 {
             const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
             Double4 below{}, above = all_lanes(cumulative_[0]);
-            Mask4 at{};
             for (size_t i = 0; i + 1 < size(); ++i) {
                 const Mask4 beyond = all_lanes(cumulative_[i]) <= x;
                 below = select(beyond, all_lanes(cumulative_[i]), below);
                 above = select(beyond, all_lanes(cumulative_[i + 1]), above);
                 at -= beyond;
             }
-            for (size_t i = 0; i < double_lanes; ++i) index[i] = static_cast<uint32_t>(at[i]);
             return _mm256_cvtpd_ps((x - below) / (above - below));
         };
-        StretchedLanes s;
-        const Float4 low = four(lower(u), s.index.data()), high = four(upper(u), s.index.data() + double_lanes);
-        s.u = min(joined(low, high), all_lanes(largest_below_1));
-        return s;
+        Mask4 low_index{}, high_index{};
+        const Float4 low = four(lower(u), low_index), high = four(upper(u), high_index);
+        return {reinterpret_cast<UInt8>(joined(narrowed(low_index), narrowed(high_index))),
+                min(joined(low, high), all_lanes(largest_below_1))};
     }
     float probability(uint32_t i) const
     {

@@ -94,6 +94,10 @@ inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
 }
 // Lane i of what comes out is lane from[i] of x.
 inline Float8 permuted(Float8 x, UInt8 from) { return _mm256_permutevar8x32_ps(x, reinterpret_cast<__m256i>(from)); }
+inline UInt8 permuted(UInt8 x, UInt8 from)
+{
+    return reinterpret_cast<UInt8>(permuted(reinterpret_cast<Float8>(x), from));
+}
 inline Mask8 permuted(Mask8 x, UInt8 from)
 {
     return reinterpret_cast<Mask8>(permuted(reinterpret_cast<Float8>(x), from));

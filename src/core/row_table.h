@@ -16,8 +16,6 @@ template <size_t rows>
 class RowTable {
 public:
     using Record = std::array<Row, rows>;
-    using Numbers = std::array<uint32_t, float_lanes>;  // of records
-
     RowTable() = default;
     explicit RowTable(std::vector<Record> records) : records_(std::move(records))
     {
@@ -31,11 +29,10 @@ public:
     }
     bool empty() const { return records_.empty(); }
     // The row of that place in each of eight records.
-    RowLanes at(const Numbers& numbers, size_t row = 0) const
+    RowLanes at(UInt8 numbers, size_t row = 0) const
     {
         if (!are_few()) return turned_rows([&](size_t i) { return load4(&records_[numbers[i]][row].x); });
-        const UInt8 from = together(numbers);
-        return {permuted(columns_[row].xyz, from), permuted(columns_[row].w, from)};
+        return {permuted(columns_[row].xyz, numbers), permuted(columns_[row].w, numbers)};
     }
 
 private:

@@ -48,6 +48,12 @@ private:
     }
 };
 
+// Of those that stand there, one behind the other.
+inline Vec3T<Float8> directions_of_eight(const Ray* rays)
+{
+    return turned_rows([&](size_t i) { return dir_and_t_max(rays[i]); }).xyz;
+}
+
 // Of each ray whether accelerators accept it: is_traceable() of a single one.
 inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_min, Float8 t_max)
 {

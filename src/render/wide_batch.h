@@ -67,7 +67,7 @@ public:
             for (PackedVectors* n :
                  {&w.wide.normals_now, &w.wide.normals_next, &w.wide.common_normals_now, &w.wide.common_normals_next})
                 n->reserve(most);
-        w.hits.reserve(most);
+        w.hits.reserve(most + float_lanes);
         w.occluded.reserve(most);
         now_.clear(), common_now_.clear();
         for (uint32_t first = 0; first < w.slots.size(); first += float_lanes) send_from(camera, width, first);
@@ -100,7 +100,7 @@ private:
     void advance(Coherence coherence, const Listener& listener)
     {
         if (are_last() && !shines_) return end_in_sky();
-        w_.hits.resize(now_.size());
+        w_.hits.resize(now_.size() + float_lanes);  // who takes eight need not count
         for (size_t first = 0; first < now_.size(); first += at_once) {
             const size_t n = std::min(at_once, now_.size() - first);
             const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
@@ -119,9 +119,10 @@ private:
     void tell_of_camera_rays(const Listener& listener, size_t first, std::span<const Hit> hits) const;
     void shade(size_t first, size_t n);
     bool arrive(size_t first, size_t n, Vertices& v);
+    EightHits find_materials(Vertices& v) const;
     void find_kinds(std::span<const Hit> hits, Vertices& v) const;
     void find_place(Vertices& v);
-    void place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which, const Vec3x8& wo, Vertices& v);
+    void turn(const PlaceLanes& at, const Vec3x8& wo, Vertices& v);
     void place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v);
     static void place_nowhere(Vertices& v);
     void look_up(Vertices& v);

@@ -13,28 +13,18 @@ inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, floa
     return Float8{t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7)};
 }
 
-// surface_at() of triangles that are drawn as they are, before anything is looked up.
+// To the side that rays come to, against wo.
 template <Shading shading>
-inline void WideBatch<shading>::place(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which,
-                                      const Vec3x8& wo, Vertices& v)
+inline void WideBatch<shading>::turn(const PlaceLanes& at, const Vec3x8& wo, Vertices& v)
 {
-    std::array<uint32_t, float_lanes> material;
-    for (uint32_t i = 0; i < float_lanes; ++i) material[i] = v.material[which[i]];
-    v.albedo = scene_.albedo.at(material).xyz;
-    const PlaceLanes at = places_of(view_.scene, hits, which);
     const Float8 zero{};
     const Mask8 front = dot(at.n, wo) > zero;
     v.n = select(front, at.n, -at.n), v.ns = select(front, at.ns, -at.ns);
     v.origin = offset_origin(at.p, at.p_error, v.n, v.n);
     const Float8 c = dot(v.ns, wo);
     if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
+    if constexpr (looks_up) v.found.front = bits(front);
     if constexpr (any) v.others.p = at.p, v.others.p_error = at.p_error;
-    if constexpr (looks_up) {
-        v.found.front = bits(front), v.found.places = at;
-        v.width = v.path.width + v.path.spread * distances(hits, which);
-    } else if (depth_ == 0 && view_.plan.has_common_numbers) {
-        v.width = all_lanes(pixel_spread_) * distances(hits, which);  // that of a camera ray: nothing else asks for it
-    }
 }
 
 template <Shading shading>
@@ -70,14 +60,21 @@ inline void WideBatch<shading>::find_kinds(std::span<const Hit> hits, Vertices& 
     fetch_uv_corners(view_.scene, hits, found.drawn & ~found.fixed);
 }
 
-// The same where some lanes are none of these: they do as the first that is.
+// surface_at() of triangles that are drawn as they are, before anything is looked up. Other lanes do as the first that
+// is such a one.
 template <Shading shading>
 inline void WideBatch<shading>::place_drawn(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo, Vertices& v)
 {
-    std::array<size_t, float_lanes> which;
-    for (uint32_t i = 0; i < float_lanes; ++i)
+    EightHits which;
+    std::array<uint32_t, float_lanes> material;
+    for (uint32_t i = 0; i < float_lanes; ++i) {
         which[i] = drawn >> i & 1 ? i : static_cast<size_t>(std::countr_zero(drawn));
-    place(hits, which, wo, v);
+        material[i] = v.material[which[i]];
+    }
+    v.albedo = scene_.albedo.at(together(material)).xyz;
+    v.found.places = places_of(view_.scene, hits, which);
+    turn(v.found.places, wo, v);
+    v.width = v.path.width + v.path.spread * distances(hits, which);
 }
 
 // Where vertices are, and what is known of them without looking anything up.
@@ -85,7 +82,7 @@ template <Shading shading>
 inline void WideBatch<shading>::find_place(Vertices& v)
 {
     const std::span<const Hit> hits = hits_of(v);
-    const Vec3x8 wo = -RayOctet(now_.rays().subspan(v.first, v.count)).dir;
+    const Vec3x8 wo = -directions_of_eight(&now_.rays()[v.first]);
     LookedUp& found = v.found;
     found.wo = wo;
     if (found.drawn != 0)
@@ -201,39 +198,60 @@ inline void WideBatch<shading>::take_each(uint32_t lanes, Vertices& v, const At&
     });
 }
 
-// What n rays, at most eight, meet. False where no path goes on.
+// Of each vertex the material, one by one. Lanes without a hit do as the first that has one.
+template <Shading shading>
+inline EightHits WideBatch<shading>::find_materials(Vertices& v) const
+{
+    const std::span<const Hit> hits = hits_of(v);
+    const auto some = static_cast<size_t>(std::countr_zero(v.hit));
+    EightHits which;
+    std::array<uint32_t, float_lanes> material;
+    v.shining = 0;
+    for (uint32_t i = 0; i < float_lanes; ++i) {
+        which[i] = v.hit >> i & 1 ? i : some;
+        const Hit& hit = hits[which[i]];
+        material[i] =
+            looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
+        v.shining |= static_cast<uint32_t>(scene_.shines[material[i]]) << i;
+    }
+    v.material = together(material);
+    return which;
+}
+
+// What n rays, at most eight, meet. False where no path goes on. Of what stands behind the last of them nothing is
+// taken.
 template <Shading shading>
 inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
 {
     v.first = first, v.count = n;
-    const std::span<const Hit> hits = hits_of(v);
     now_.load(first, v.path);
-    v.hit = 0;
-    for (uint32_t i = 0; i < n; ++i) v.hit |= static_cast<uint32_t>(bool{hits[i]}) << i;
-    add_sky(~v.hit & ((1u << n) - 1), first, v.path);
+    const HitLanes hits(&w_.hits[first]);
+    const uint32_t all = (1u << n) - 1;
+    v.hit = bits(hits.exist) & all;
+    v.start = hits.place;
+    add_sky(~v.hit & all, first, v.path);
     if (v.hit == 0) return false;
-
-    // Lanes without a hit do as the first that has one.
-    std::array<size_t, float_lanes> which;
-    const auto some = static_cast<size_t>(std::countr_zero(v.hit));
-    uint32_t shining = 0;
-    for (uint32_t i = 0; i < float_lanes; ++i) {
-        which[i] = v.hit >> i & 1 ? i : some;
-        const Hit& hit = hits[which[i]];
-        v.material[i] =
-            looks_up ? view_.scene.material_of(hit) : view_.scene.shading[hit.geometry].material_of(hit.primitive);
-        v.start[i] = hit.place;
-        shining |= static_cast<uint32_t>(scene_.shines[v.material[i]]) << i;
+    const bool by_table = !looks_up && !scene_.flat.empty() && !are_last();
+    std::optional<FlatTable::Found> found;
+    EightHits which;
+    if (by_table) {
+        found = scene_.flat.at(hits);
+        v.material = found->material, v.shining = bits(found->shines);
+    } else {
+        which = find_materials(v);
     }
-    for_bits(v.hit & shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
+    for_bits(v.hit & v.shining, [&](uint32_t i) { add_emission(first + i, v.path, i); });
     v.hit &= ~last_of(v.path);
     if (v.hit == 0) return false;
     if constexpr (looks_up) {
-        find_kinds(hits, v);
+        find_kinds(hits_of(v), v);
     } else {
-        const Vec3x8 wo = -RayOctet(now_.rays().subspan(first, n)).dir;
-        place(hits, which, wo, v);
+        const Vec3x8 wo = -directions_of_eight(&now_.rays()[first]);
+        v.albedo = scene_.albedo.at(v.material).xyz;
+        turn(by_table ? found->place : places_of(view_.scene, hits_of(v), which), wo, v);
         v.cos_o = dot(wo, v.ns);
+        // That of a camera ray: nothing else asks for it.
+        if (depth_ == 0 && view_.plan.has_common_numbers) v.width = all_lanes(pixel_spread_) * hits.t;
     }
     return true;
 }

@@ -268,7 +268,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
     spoil(lanes & ~traceable, v.path.sum);
     to.push(lanes & traceable, origin, wi, no_end, v.path);
-    to.say_starts(lanes & traceable, together(v.start));
+    to.say_starts(lanes & traceable, v.start);
     give_keys(to, lanes & traceable, v.path, depth_ + 1, Dim::hole);
     if (keeps_normals_)
         (numbers == Numbers::common ? w_.wide.common_normals_next : w_.wide.normals_next).push(lanes & traceable, v.ns);

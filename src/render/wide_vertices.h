@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "geometry/hit_lanes.h"
 #include "materials/material.h"
 #include "materials/plastic_list.h"
 #include "render/wide_states.h"
@@ -41,20 +42,21 @@ struct Vertices {
 
     size_t first, count;  // of the rays that ended there
     uint32_t hit;         // lanes that there are
+    uint32_t shining;     // those of these whose material does
     Lanes path;
     Vec3x8 albedo;
     Vec3x8 n, ns, origin;  // as in Surface
     Float8 cos_o;          // between the shading normal and the way back
     Float8 width;          // of the cone, where textures are looked up or paths split
-    std::array<uint32_t, float_lanes> material;
-    std::array<uint32_t, float_lanes> start;  // of rays that leave them, as in Ray
+    UInt8 material;
+    UInt8 start;  // of rays that leave them, as in Ray
     [[no_unique_address]] std::conditional_t<looks_up, LookedUp, Nothing> found;
     [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
 };
 
 // Which lights lanes sample.
 struct Lamps {
-    std::array<uint32_t, float_lanes> ids{};
+    UInt8 ids{};
     Vec2x8 u;                             // for a point on them
     std::optional<Float8> probability{};  // of the choice, if not that by power
     const Float8* choice() const { return probability ? &*probability : nullptr; }

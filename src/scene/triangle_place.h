@@ -41,14 +41,22 @@ struct PointOnTriangle {
     Vec3T<T> p, p_error;
 
     PointOnTriangle(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c, T u, T v)
+        : PointOnTriangle(a, b, c, u, v, rounding(a, b, c))
+    {
+    }
+    // rounded: rounding() of the corners.
+    PointOnTriangle(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c, T u, T v, T rounded)
         : first_weight(lancer::first_weight(u, v))
     {
         const Vec3T<T> wa = a * first_weight, wb = b * u, wc = c * v;
         p = wa + wb + wc;
         // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
-        const T reach = larger(largest(abs(a)), larger(largest(abs(b)), largest(abs(c))));
-        const T e = rounding_in_double(reach);
-        p_error = (abs(wa) + abs(wb) + abs(wc)) * (T{} + gamma(7)) + Vec3T<T>{e, e, e};
+        p_error = (abs(wa) + abs(wb) + abs(wc)) * (T{} + gamma(7)) + Vec3T<T>{rounded, rounded, rounded};
+    }
+    // What is left of intersecting in double.
+    static T rounding(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c)
+    {
+        return rounding_in_double(larger(largest(abs(a)), larger(largest(abs(b)), largest(abs(c)))));
     }
 
 private:

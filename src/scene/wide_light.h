@@ -28,13 +28,14 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
 
 // A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
 // if by power alone. s: becomes the samples.
-inline void sample_triangles(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids, const Vec3x8& origin,
+inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& origin,
                              const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
 {
     using W = WideScene;
     const auto rows = [&](W::LightRow which) { return scene.lights.at(ids, which); };
     const Vec2x8 uv = square_to_triangle(u);
-    const PointOnTriangle<Float8> at(rows(W::corner_a).xyz, rows(W::corner_b).xyz, rows(W::corner_c).xyz, uv.x, uv.y);
+    const auto [a, rounding] = rows(W::corner_a);
+    const PointOnTriangle<Float8> at(a, rows(W::corner_b).xyz, rows(W::corner_c).xyz, uv.x, uv.y, rounding);
     const auto [n, area] = rows(W::normal_area);
     const auto [front, by_power] = rows(W::front);
     const Float8 probability = choice ? *choice : by_power;
@@ -52,7 +53,7 @@ inline void sample_triangles(const WideScene& scene, const std::array<uint32_t, 
 }
 
 // A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
-inline void sample_balls(const WideScene& scene, const std::array<uint32_t, float_lanes>& ids, const Vec3x8& origin,
+inline void sample_balls(const WideScene& scene, UInt8 ids, const Vec3x8& origin,
                          const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
 {
     Float8 rounding{};

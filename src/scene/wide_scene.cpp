@@ -33,9 +33,10 @@ RowTable<WideScene::light_rows>::Record light_of(const Scene& scene, uint32_t id
     const Mesh& mesh = scene.geometry.meshes[light.mesh];
     const auto& corners = mesh.triangles[light.triangle];
     const Emission& emission = scene.emission[scene.shading[light.mesh].material_of(light.triangle)];
-    return {row(mesh.positions[corners[0]]),
-            row(mesh.positions[corners[1]]),
-            row(mesh.positions[corners[2]]),
+    const Vec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]], c = mesh.positions[corners[2]];
+    return {row(a, PointOnTriangle<float>::rounding(a, b, c)),
+            row(b),
+            row(c),
             row(light.n, light.area),
             row(emission.plain_towards(true), scene.lights.pick.probability(id)),
             row(emission.plain_towards(false))};
@@ -97,6 +98,7 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
                              (scene.traits[i].mirrors ? is_mirroring : 0));
     }
     d.albedo = RowTable<1>(std::move(albedo));
+    if (d.shading == Shading::plain) d.flat = FlatTable::of(scene);
     for (const MeshShading& s : scene.shading) d.has_colors |= !s.colors.empty();
     for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));
     d.lights = RowTable<light_rows>(rows_of<RowTable<light_rows>::Record>(

@@ -9,6 +9,7 @@
 
 #include "core/row_table.h"
 #include "scene/features.h"
+#include "scene/flat_table.h"
 #include "scene/scene.h"
 
 namespace lancer {
@@ -33,8 +34,8 @@ struct WideScene {
     // Of BSDFs.
     static constexpr uint32_t is_other = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16, is_open = 1u << 24;
 
-    // A triangle that shines: its corners; normal of its front side, and area; radiance to either side, behind that of
-    // the front the probability of being chosen.
+    // A triangle that shines: its corners, behind the first PointOnTriangle::rounding(); normal of its front side, and
+    // area; radiance to either side, behind that of the front the probability of being chosen.
     enum LightRow : size_t { corner_a, corner_b, corner_c, normal_area, front, back, light_rows };
     // A sphere that shines.
     struct alignas(32) Ball {
@@ -73,6 +74,7 @@ struct WideScene {
 
     Shading shading = Shading::plain;  // the least that it takes
     RowTable<1> albedo;                // of each material, before anything is looked up
+    FlatTable flat;                    // only where the plainest way of shading will do
     std::vector<uint8_t> shines;       // of each material, whether any of its sides does
     std::vector<uint32_t> of_drawn;    // of each material, facts of triangles of it that are drawn as they are
     std::vector<Fixed> fixed;          // of each material; not where the plainest way of shading will do

@@ -57,8 +57,9 @@ TEST(RowTable, GivesTheRowsThatWerePutIn)
             }
         const RowTable<3> table(records);
         for (int repetition = 0; repetition < 100; ++repetition) {
-            RowTable<3>::Numbers numbers;
-            for (uint32_t& n : numbers) n = std::uniform_int_distribution<uint32_t>(0, count - 1)(random);
+            UInt8 numbers{};
+            for (uint32_t i = 0; i < float_lanes; ++i)
+                numbers[i] = std::uniform_int_distribution<uint32_t>(0, count - 1)(random);
             for (size_t row = 0; row < 3; ++row) {
                 const RowLanes found = table.at(numbers, row);
                 for (size_t i = 0; i < float_lanes; ++i) {

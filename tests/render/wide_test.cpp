@@ -19,6 +19,8 @@ TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
     EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.tree);
     EXPECT_TRUE(build_scene(many_balls()).lights.tree);
     EXPECT_FALSE(build_scene(many_balls()).lights.far.empty());
+    EXPECT_FALSE(WideScene::of(build_scene(flat_scene(5, 8)))->flat.empty());
+    EXPECT_TRUE(WideScene::of(build_scene(flat_scene(30, 40)))->flat.empty());
     const std::vector<WideScene::Lamp> lamps = WideScene::of(build_scene(balls_of_light()))->lamps;
     for (const auto lamp :
          {WideScene::Lamp::triangle, WideScene::Lamp::ball, WideScene::Lamp::even_sky, WideScene::Lamp::other})

@@ -18,6 +18,13 @@ inline SceneDescription smooth_scene()
     d.lights.clear();
     return d;
 }
+// No normals but those of its triangles: about 2 * rows * columns.
+inline SceneDescription flat_scene(uint32_t rows, uint32_t columns)
+{
+    SceneDescription d = smooth_scene();
+    d.meshes[1].data = make_uv_sphere(rows, columns, 0.08, make_lambert("rough", {0.8f, 0.6f, 0.5f}));
+    return d;
+}
 inline SceneDescription sky_scene()
 {
     SceneDescription d = smooth_scene();
@@ -273,7 +280,9 @@ inline std::vector<WideCase> wide_cases()
             {"inside a ball", inside_a_ball()},
             {"points", points_of_light()},
             {"smooth materials", smooth_materials()},
-            {"pictured materials", pictured_materials()}};
+            {"pictured materials", pictured_materials()},
+            {"few flat triangles", flat_scene(5, 8)},
+            {"many flat triangles", flat_scene(30, 40)}};
 }
 
 }  // namespace lancer

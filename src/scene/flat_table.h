@@ -1,0 +1,48 @@
+// All there is to know of triangles that are drawn as they are and have no normals of their own: a line of memory each,
+// where there are so few of them that all stay in the caches. triangle_place() gathers the same from three tables.
+#pragma once
+
+#include <vector>
+
+#include "core/row_table.h"
+#include "geometry/hit_lanes.h"
+#include "scene/triangle_place.h"
+
+namespace lancer {
+
+class FlatTable {
+public:
+    // Empty, unless all that rays of the scene can hit are so few such triangles.
+    static FlatTable of(const Scene& scene);
+
+    bool empty() const { return records_.empty(); }
+    struct Found {
+        PlaceLanes place;
+        UInt8 material;
+        Mask8 shines;  // whether any of its sides does
+    };
+    // Of lanes without a hit: anything finite.
+    Found at(const HitLanes& hits) const
+    {
+        const UInt8 first = permuted(first_, hits.geometry);
+        const UInt8 number = select(hits.exist, first + hits.primitive, UInt8{});
+        const auto rows = [&](size_t k) {
+            return turned_rows([&](size_t i) { return load4(&records_[number[i]][k].x); });
+        };
+        const RowLanes a = rows(0), b = rows(1), c = rows(2), n = rows(3);
+        const PointOnTriangle<Float8> at(a.xyz, b.xyz, c.xyz, hits.u, hits.v, b.w);
+        return {{at.p, at.p_error, n.xyz, n.xyz, n.w},
+                reinterpret_cast<UInt8>(a.w),
+                reinterpret_cast<Mask8>(c.w)};
+    }
+
+private:
+    // Of a triangle: each corner and its normal; behind these the material, PointOnTriangle::rounding, all bits where
+    // it shines, and its area.
+    struct alignas(64) Record : std::array<Row, 4> {};
+
+    std::vector<Record> records_;
+    UInt8 first_{};  // of each mesh
+};
+
+}  // namespace lancer
