@@ -11,6 +11,7 @@ struct Vec2x8 {
     Float8 x, y;
 };
 
+inline Vec3x8 all_lanes(Vec3 v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }
 inline Float8 length(const Vec3x8& a) { return sqrt(dot(a, a)); }
 inline Vec3x8 normalize(const Vec3x8& a) { return a * (1.0f / length(a)); }
 inline Double4 length(const Vec3T<Double4>& a) { return sqrt(dot(a, a)); }

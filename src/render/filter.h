@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/vec.h"
+#include "core/vec_lanes.h"
 
 namespace lancer {
 
@@ -20,6 +20,14 @@ public:
 
     // Offset from the centre of the pixel, in pixels, for u in [0, 1)^2.
     Vec2 sample(Vec2 u) const { return {inverse(u.x), inverse(u.y)}; }
+    // Likewise, of eight.
+    Vec2x8 sample(const Vec2x8& u) const
+    {
+        if (body_.empty()) return {(u.x - 0.5f) * width_, (u.y - 0.5f) * width_};
+        Vec2x8 of;
+        for (uint32_t i = 0; i < float_lanes; ++i) of.x[i] = inverse(u.x[i]), of.y[i] = inverse(u.y[i]);
+        return of;
+    }
 
 private:
     float inverse(float u) const

@@ -42,8 +42,8 @@ struct Places {
 // kinship() of eight with one.
 Float8 kinship(const Places::Eight& a, const SplitVertex& b)
 {
-    const Vec3x8 n = a.n - Vec3x8{all_lanes(b.n.x), all_lanes(b.n.y), all_lanes(b.n.z)};
-    const Vec3x8 p = a.p - Vec3x8{all_lanes(b.p.x), all_lanes(b.p.y), all_lanes(b.p.z)};
+    const Vec3x8 n = a.n - all_lanes(b.n);
+    const Vec3x8 p = a.p - all_lanes(b.p);
     const Float8 k = kinship_of(n, p, a.width * all_lanes(b.width));
     return select((a.material == b.material) & (k > Float8{}), k, Float8{});
 }

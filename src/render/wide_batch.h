@@ -234,6 +234,7 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
     const Float8 one = all_lanes(1.0f);
     if constexpr (any) path.eta_scale = one, path.so_far = UInt8{} + was_specular;
     path.throughput = {one, one, one};
+    Vec2x8 film{};
     for (uint32_t i = 0; i < n; ++i) {
         const SampleId& id = w_.slots[first + i];
         const uint32_t number = id.sample / view_.plan.of_path();
@@ -242,18 +243,24 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
         path.sum[i] = first + i, path.sample[i] = settings_.sample_of(number);
         path.key.low[i] = static_cast<uint32_t>(key), path.key.high[i] = static_cast<uint32_t>(key >> 32);
         path.worth.x[i] = worth.r, path.worth.y[i] = worth.g, path.worth.z[i] = worth.b;
+        film.x[i] = static_cast<float>(id.x) + 0.5f, film.y[i] = static_cast<float>(id.y) + 0.5f;
     }
-    const Vec2x8 on_pixel = numbers(path.key, 0, Dim::pixel).get2(path.sample);
-    const Vec2x8 on_lens = camera.is_pinhole() ? Vec2x8{} : numbers(path.key, 0, Dim::lens).get2(path.sample);
-    std::array<Ray, float_lanes> rays;
-    for (uint32_t i = 0; i < n; ++i) {
-        const SampleId& id = w_.slots[first + i];
-        const Vec2 offset = settings_.filter.sample({on_pixel.x[i], on_pixel.y[i]});
-        rays[i] = camera.ray({static_cast<float>(id.x) + 0.5f + offset.x, static_cast<float>(id.y) + 0.5f + offset.y},
-                             {on_lens.x[i], on_lens.y[i]});
+    const Vec2x8 offset = settings_.filter.sample(numbers(path.key, 0, Dim::pixel).get2(path.sample));
+    film.x += offset.x, film.y += offset.y;
+    Vec3x8 org = all_lanes(camera.position()), dir;
+    if (camera.is_pinhole()) {
+        dir = camera.middle_directions(film);
+    } else {
+        const Vec2x8 lens = numbers(path.key, 0, Dim::lens).get2(path.sample);
+        for (uint32_t i = 0; i < n; ++i) {
+            const Ray ray = camera.ray({film.x[i], film.y[i]}, {lens.x[i], lens.y[i]});
+            set_lane(org, i, ray.org), set_lane(dir, i, ray.dir);
+        }
     }
-    now_.push((1u << n) - 1, std::span(rays).first(n), path);
-    give_keys(now_, (1u << n) - 1, path, 0, Dim::hole);
+    const uint32_t all = (1u << n) - 1;
+    now_.push(all, org, dir, all_lanes(Ray{}.t_max), path);
+    now_.say_starts(all, UInt8{} + Ray::nowhere);
+    give_keys(now_, all, path, 0, Dim::hole);
 }
 
 // What listeners hear of a sample before it is shaded. Ray i is that of slot i.

@@ -25,7 +25,9 @@ public:
     {
         if (rays_.size() >= most + float_lanes) return;
         rays_.resize(most + float_lanes);
-        for (auto& n : numbers_) n.resize(most + float_lanes);
+        // An odd number of lines of memory, so that not all lists begin in the same places of the first cache.
+        stride_ = ((rays_.size() + line - 1) / line | 1) * line;
+        numbers_.resize(registers * stride_);
     }
     // From `first` on; in lanes beyond the last: anything.
     void load(size_t first, Lanes& lanes) const
@@ -33,7 +35,8 @@ public:
         // Register by register: a struct of so many that is copied as a whole is copied by a loop.
         // Not auto, which would forget that these may point to anything.
         __m256i* to = reinterpret_cast<__m256i*>(&lanes);
-        for (size_t k = 0; k < registers; ++k) to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k][first]));
+        for (size_t k = 0; k < registers; ++k)
+            to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k * stride_ + first]));
     }
     // Appends the wanted lanes.
     void push(uint32_t wanted, const Vec3x8& org, const Vec3x8& dir, Float8 t_max, const Lanes& lanes)
@@ -46,25 +49,21 @@ public:
     {
         store_starts(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
     }
-    void push(uint32_t wanted, std::span<const Ray> rays, const Lanes& lanes)
-    {
-        store(wanted, lanes);
-        for (const Ray& ray : rays) rays_[count_++] = ray;
-    }
 
 private:
-    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8);
+    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8), line = 16;  // numbers in a line of memory
 
     void store(uint32_t wanted, const Lanes& lanes)
     {
         const Packing packing(wanted);
         const __m256i* from = reinterpret_cast<const __m256i*>(&lanes);
-        for (size_t k = 0; k < registers; ++k) packing.store(&numbers_[k][count_], reinterpret_cast<UInt8>(from[k]));
+        for (size_t k = 0; k < registers; ++k)
+            packing.store(&numbers_[k * stride_ + count_], reinterpret_cast<UInt8>(from[k]));
     }
 
-    size_t count_ = 0;
+    size_t count_ = 0, stride_ = 0;
     std::vector<Ray> rays_;
-    std::array<std::vector<uint32_t>, registers> numbers_;
+    std::vector<uint32_t> numbers_;  // list by list, each of stride_
 };
 
 // Vectors that go with them.

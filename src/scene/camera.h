@@ -26,6 +26,12 @@ public:
     Ray ray(Vec2 film, Vec2 lens) const;
     // The same through the middle of the lens: all that a pinhole has.
     Ray middle_ray(Vec2 film) const { return {.org = position_, .dir = normalize(direction(film))}; }
+    // The directions of eight of these; they start at position().
+    Vec3x8 middle_directions(const Vec2x8& film) const
+    {
+        const Vec3x8 across = all_lanes(right_) * (film.x - centre_.x), down = all_lanes(down_) * (film.y - centre_.y);
+        return normalize(all_lanes(forward_) + across + down);
+    }
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 

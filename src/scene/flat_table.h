@@ -24,22 +24,21 @@ public:
     // Of lanes without a hit: anything finite.
     Found at(const HitLanes& hits) const
     {
-        const UInt8 first = permuted(first_, hits.geometry);
-        const UInt8 number = select(hits.exist, first + hits.primitive, UInt8{});
-        const auto rows = [&](size_t k) {
-            return turned_rows([&](size_t i) { return load4(&records_[number[i]][k].x); });
-        };
-        const RowLanes a = rows(0), b = rows(1), c = rows(2), n = rows(3);
+        const UInt8 number = select(hits.exist, permuted(first_, hits.geometry) + hits.primitive, UInt8{});
+        const RowLanes a = rows(number, 0), b = rows(number, 1), c = rows(number, 2), n = rows(number, 3);
         const PointOnTriangle<Float8> at(a.xyz, b.xyz, c.xyz, hits.u, hits.v, b.w);
-        return {{at.p, at.p_error, n.xyz, n.xyz, n.w},
-                reinterpret_cast<UInt8>(a.w),
-                reinterpret_cast<Mask8>(c.w)};
+        return {{at.p, at.p_error, n.xyz, n.xyz, n.w}, reinterpret_cast<UInt8>(a.w), reinterpret_cast<Mask8>(c.w)};
     }
 
 private:
     // Of a triangle: each corner and its normal; behind these the material, PointOnTriangle::rounding, all bits where
     // it shines, and its area.
     struct alignas(64) Record : std::array<Row, 4> {};
+
+    RowLanes rows(UInt8 records, size_t k) const
+    {
+        return turned_rows([&](size_t i) { return load4(&records_[records[i]][k].x); });
+    }
 
     std::vector<Record> records_;
     UInt8 first_{};  // of each mesh

@@ -155,9 +155,8 @@ void LightTree::set(size_t number, size_t lane, const LightBounds& b)
 inline Float8 LightTree::weigh(size_t number, Vec3 place, Vec3 normal) const
 {
     const Node& node = nodes_[number];
-    const auto all = [](Vec3 v) { return Vec3x8{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; };
     const Float8 zero{};
-    const Vec3x8 to = node.center - all(place);
+    const Vec3x8 to = node.center - all_lanes(place);
     const Float8 distance2 = dot(to, to), along = -dot(to, node.axis);
     Float8 at_light = select(node.both_sides, abs(along), along);
     if (has_cones_[number]) {
@@ -167,7 +166,7 @@ inline Float8 LightTree::weigh(size_t number, Vec3 place, Vec3 normal) const
             select(at_light > distance * node.cos_angle, distance, at_light * node.cos_angle + across * node.sin_angle);
     }
     at_light = max(zero, at_light + node.radius);
-    const Float8 at_place = abs(dot(to, all(normal))) + node.radius;
+    const Float8 at_place = abs(dot(to, all_lanes(normal))) + node.radius;
     const Float8 inverse =
         all_lanes(1.0f) / max(distance2 + node.radius * node.radius, all_lanes(std::numeric_limits<float>::min()));
     return node.power * (at_light * inverse) * (at_place * inverse);

@@ -28,8 +28,8 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
 
 // A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
 // if by power alone. s: becomes the samples.
-inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& origin,
-                             const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
+inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u,
+                             const Float8* choice, LightSampleLanes& s)
 {
     using W = WideScene;
     const auto rows = [&](W::LightRow which) { return scene.lights.at(ids, which); };
@@ -53,8 +53,8 @@ inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& or
 }
 
 // A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
-inline void sample_balls(const WideScene& scene, UInt8 ids, const Vec3x8& origin,
-                         const Vec2x8& u, const Float8* choice, LightSampleLanes& s)
+inline void sample_balls(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u, const Float8* choice,
+                         LightSampleLanes& s)
 {
     Float8 rounding{};
     for (size_t i = 0; i < float_lanes; ++i) rounding[i] = scene.balls[ids[i]].rounding;

@@ -17,8 +17,14 @@ TEST(HitLanes, AreThoseOfEachHit)
         std::array<Hit, float_lanes> hits;
         for (Hit& h : hits) {
             const auto part = [&] { return static_cast<float>(random.unit()); };
-            h = {part(), number(), number(), number(), {part(), part()}, static_cast<Kind>(number() % 4),
-                 number() % 2 == 0, number()};
+            h = {part(),
+                 number(),
+                 number(),
+                 number(),
+                 {part(), part()},
+                 static_cast<Kind>(number() % 4),
+                 number() % 2 == 0,
+                 number()};
         }
         const HitLanes lanes(hits.data());
         for (uint32_t i = 0; i < float_lanes; ++i) {

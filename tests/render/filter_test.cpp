@@ -70,6 +70,25 @@ TEST(Filter, CentreIsTheMiddleOfThePixel)
     for (int i = 0; i < 1000; ++i) EXPECT_EQ(filter.sample(random.unit2()), (Vec2{0, 0}));
 }
 
+TEST(Filter, OfEightNumbersIsThatOfEach)
+{
+    Random random(72);
+    for (const FilterKind kind : {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris,
+                                  FilterKind::narrow_gaussian, FilterKind::centre}) {
+        const Filter filter(kind);
+        for (int round = 0; round < 100; ++round) {
+            Vec2x8 u;
+            for (uint32_t i = 0; i < float_lanes; ++i) {
+                const Vec2 one = random.unit2();
+                u.x[i] = one.x, u.y[i] = one.y;
+            }
+            const Vec2x8 of = filter.sample(u);
+            for (uint32_t i = 0; i < float_lanes; ++i)
+                EXPECT_EQ((Vec2{of.x[i], of.y[i]}), filter.sample({u.x[i], u.y[i]}));
+        }
+    }
+}
+
 TEST(Filter, IsMonotoneSymmetricAndWithinItsRadiusAtTheEnds)
 {
     constexpr float last = 1 - 0x1p-24f;

@@ -98,6 +98,20 @@ TEST(Wide, HasThemForEachPartOfTheLight)
         }
 }
 
+TEST(Wide, HasThemThroughALensAndAnyFilter)
+{
+    for (WideCase c : wide_cases()) {
+        c.scene.camera->type = CameraType::thin_lens;
+        c.scene.camera->aperture = 0.05;
+        for (const FilterKind filter : {FilterKind::box, FilterKind::blackman_harris}) {
+            RenderRequest r;
+            r.spp = {2};
+            r.settings.kernel.filter = Filter(filter);
+            expect_same(c, r, "lens");
+        }
+    }
+}
+
 // The least of three ways is taken, and what the eight lanes know nothing of is left to the loop for all.
 TEST(Wide, IsForScenesWithoutMedia)
 {

@@ -88,6 +88,21 @@ TEST(Camera, UpAndRightInAnyDirection)
     }
 }
 
+TEST(Camera, EightDirectionsAreThoseOfSingleRays)
+{
+    Random random(3);
+    for (int round = 0; round < 100; ++round) {
+        const Camera camera(make_camera(random.point(-9, 9), random.point(-1, 1), 1 + 100 * random.unit()), plain, 80,
+                            60);
+        Vec2x8 film;
+        for (uint32_t i = 0; i < float_lanes; ++i)
+            film.x[i] = static_cast<float>(80 * random.unit()), film.y[i] = static_cast<float>(60 * random.unit());
+        const Vec3x8 dir = camera.middle_directions(film);
+        for (uint32_t i = 0; i < float_lanes; ++i)
+            EXPECT_EQ(lane(dir, i), camera.middle_ray({film.x[i], film.y[i]}).dir);
+    }
+}
+
 // All rays of one film point meet in the plane in focus, where the ray through the middle of the lens meets it.
 TEST(Camera, ThinLensRaysMeetInFocus)
 {
