@@ -128,18 +128,11 @@ public:
     {
         return mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch));
     }
-    // Of a key and of a hash. T: uint32_t or several of them.
+    // Of a group of numbers, but for the sample.
     template <class T>
-    struct Halves {
-        T low, high;
-    };
-    // Of a group of numbers, but for the sample: half by half, as a register holds twice as many halves. The upper one
-    // is mixed where it is used, by sobol::scrambled() and by mix_bits().
-    template <class T>
-    static constexpr Halves<T> hash_of(const Halves<T>& key, uint32_t bounce, Dim dim)
+    static constexpr T hash_of(T key, uint32_t bounce, Dim dim)
     {
-        const uint64_t group = mix_bits((uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
-        return {sobol::mix32(key.low + static_cast<uint32_t>(group)), key.high + static_cast<uint32_t>(group >> 32)};
+        return mix_bits(key + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
     }
     // Independent numbers of a sample in the group of that hash.
     static Vec2 independent2(uint64_t hash, uint32_t sample)
@@ -240,12 +233,7 @@ private:
     }
     // 24 bits: more would round up to 1.
     static constexpr float to_unit(uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
-    uint64_t group(uint32_t bounce, Dim dim) const
-    {
-        const Halves<uint32_t> key{static_cast<uint32_t>(key_), static_cast<uint32_t>(key_ >> 32)};
-        const auto [low, high] = hash_of(key, bounce, dim);
-        return uint64_t{high} << 32 | low;
-    }
+    uint64_t group(uint32_t bounce, Dim dim) const { return hash_of(key_, bounce, dim); }
     uint32_t shuffled(uint64_t h) const
     {
         return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample_), static_cast<uint32_t>(h)));

@@ -7,14 +7,22 @@
 namespace lancer {
 
 // Sampler::key_of() of each lane, by halves.
-using KeyLanes = Sampler::Halves<UInt8>;
+struct KeyLanes {
+    UInt8 low, high;
+};
 
 // The address of a group of numbers in each lane, but for the sample.
 class AddressLanes {
 public:
-    AddressLanes(SamplerKind kind, const KeyLanes& key, uint32_t bounce, Dim dim)
-        : kind_(kind), hash_(Sampler::hash_of(key, bounce, dim))
+    AddressLanes(SamplerKind kind, const KeyLanes& key, uint32_t bounce, Dim dim) : kind_(kind)
     {
+        const auto low = reinterpret_cast<__m256i>(key.low), high = reinterpret_cast<__m256i>(key.high);
+        const auto hash = [&](__m256i keys) {
+            return reinterpret_cast<__m256>(Sampler::hash_of(reinterpret_cast<ULong4>(keys), bounce, dim));
+        };
+        const __m256 a = hash(_mm256_unpacklo_epi32(low, high)), b = hash(_mm256_unpackhi_epi32(low, high));
+        low_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0x88));
+        high_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0xdd));
     }
     // As Sampler's; sample: index within the pixel.
     Vec2x8 get2(UInt8 sample) const
@@ -59,19 +67,19 @@ public:
     uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
 
 private:
-    uint64_t hash(size_t i) const { return uint64_t{hash_.high[i]} << 32 | hash_.low[i]; }
+    uint64_t hash(size_t i) const { return uint64_t{high_[i]} << 32 | low_[i]; }
     static Float8 to_unit(UInt8 x) { return _mm256_cvtepi32_ps(reinterpret_cast<__m256i>(x >> 8)) * 0x1p-24f; }
     UInt8 shuffled(UInt8 sample) const
     {
-        return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), hash_.low));
+        return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), low_));
     }
     // Of a shuffled index the coordinates of its point.
-    Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, hash_.high, UInt8{} + 1u)); }
+    Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)); }
     Float8 second_of(UInt8 i) const
     {
-        return to_unit(sobol::scrambled(sobol::second_reversed(i), hash_.high, UInt8{} + 2u));
+        return to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u));
     }
-    Float8 third_of(UInt8 i) const { return to_unit(sobol::scrambled(third_reversed(i), hash_.high, UInt8{} + 3u)); }
+    Float8 third_of(UInt8 i) const { return to_unit(sobol::scrambled(third_reversed(i), high_, UInt8{} + 3u)); }
     static UInt8 third_reversed(UInt8 i)
     {
         const auto of_byte = [i](int byte) {
@@ -83,7 +91,7 @@ private:
     }
 
     SamplerKind kind_;
-    Sampler::Halves<UInt8> hash_;
+    UInt8 low_, high_;
 };
 
 }  // namespace lancer
