@@ -16,6 +16,7 @@ template <size_t rows>
 class RowTable {
 public:
     using Record = std::array<Row, rows>;
+
     RowTable() = default;
     explicit RowTable(std::vector<Record> records) : records_(std::move(records))
     {

@@ -225,11 +225,11 @@ inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
 {
     v.first = first, v.count = n;
     now_.load(first, v.path);
-    const HitLanes hits(&w_.hits[first]);
-    const uint32_t all = (1u << n) - 1;
-    v.hit = bits(hits.exist) & all;
+    HitLanes hits(&w_.hits[first]);
+    hits.exist &= first_lanes(n);
+    v.hit = bits(hits.exist);
     v.start = hits.place;
-    add_sky(~v.hit & all, first, v.path);
+    add_sky(~v.hit & ((1u << n) - 1), first, v.path);
     if (v.hit == 0) return false;
     const bool by_table = !looks_up && !scene_.flat.empty() && !are_last();
     std::optional<FlatTable::Found> found;
