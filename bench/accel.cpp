@@ -5,8 +5,8 @@
 
 #include "app/console.h"
 #include "core/parallel.h"
-#include "geometry/bvh2.h"
-#include "geometry/bvh8.h"
+#include "geometry/bvh2/bvh2.h"
+#include "geometry/bvh8/bvh8.h"
 #include "geometry/refine_all.h"
 #include "harness/agreement.h"
 #include "harness/bare_embree.h"
@@ -14,7 +14,7 @@
 #include "harness/batches.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {

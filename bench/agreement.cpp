@@ -7,7 +7,7 @@
 
 #include "app/console.h"
 #include "core/parallel.h"
-#include "geometry/list.h"
+#include "geometry/list/list.h"
 #include "harness/meshes.h"
 #include "harness/program.h"
 #include "harness/reference.h"

@@ -8,7 +8,7 @@
 #include "harness/lamps.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "harness/instructions.h"
 #include "harness/meshes.h"
 #include "harness/stage.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 #include "unused.h"
 
 namespace lancer::bench {

@@ -11,7 +11,7 @@
 #include "harness/inside.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {

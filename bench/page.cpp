@@ -4,14 +4,14 @@
 
 #include "app/console.h"
 #include "app/exit_code.h"
-#include "app/option_parser.h"
+#include "app/options/option_parser.h"
+#include "bench/report/markdown.h"
+#include "bench/report/page.h"
+#include "bench/report/repeat.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/input_text.h"
-#include "report/bench_page.h"
-#include "report/bench_repeat.h"
-#include "report/html.h"
-#include "report/markdown.h"
+#include "report/page/html.h"
 
 namespace lancer {
 namespace {

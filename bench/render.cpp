@@ -1,13 +1,13 @@
 // bench_render: whole pictures with each accelerator. They must have the same bits; what differs is the time.
 #include "app/console.h"
-#include "app/outputs.h"
+#include "app/render/outputs.h"
 #include "core/parallel.h"
 #include "harness/films.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
-#include "io/exr.h"
-#include "report/metrics.h"
-#include "report/statistics.h"
+#include "io/image/exr.h"
+#include "report/metrics/metrics.h"
+#include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {

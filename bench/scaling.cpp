@@ -11,7 +11,7 @@
 #include "harness/lamps.h"
 #include "harness/meshes.h"
 #include "harness/record.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 #include "support/random.h"
 #include "support/scenes.h"
 

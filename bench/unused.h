@@ -2,8 +2,8 @@
 // what features cost that a scene does without. Each draws the same bits there; bench_features looks whether it does.
 #pragma once
 
-#include "render/kernel.h"
-#include "scene/holes.h"
+#include "render/kernel/kernel.h"
+#include "scene/alpha_test.h"
 
 namespace lancer::bench {
 

@@ -1,5 +1,5 @@
 # The program. cpu_check.cpp alone is compiled for any x86-64, so that an older CPU gets a message instead of SIGILL.
-file(GLOB app_sources CONFIGURE_DEPENDS src/app/*.cpp)
+file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "cpu_check.cpp$")
 add_library(lancer_app STATIC ${app_sources})
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
@@ -13,8 +13,8 @@ target_link_libraries(lancer PRIVATE lancer_app)
 set_target_properties(lancer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 # OpenImageIO stands in a module of its own, opened on first need: linking it would cost every start 0.2 s.
-if(LANCER_WITH_OIIO AND EXISTS ${CMAKE_SOURCE_DIR}/src/io/oiio_module.cpp)
-  add_library(lancer_oiio MODULE src/io/oiio_module.cpp)
+if(LANCER_WITH_OIIO AND EXISTS ${CMAKE_SOURCE_DIR}/src/io/image/oiio_module.cpp)
+  add_library(lancer_oiio MODULE src/io/image/oiio_module.cpp)
   target_link_libraries(lancer_oiio PRIVATE lancer_flags lancer_arch lancer_warnings PkgConfig::OIIO Imath::Imath)
   set_target_properties(lancer_oiio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(lancer lancer_oiio)

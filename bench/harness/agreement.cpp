@@ -1,6 +1,6 @@
 #include "harness/agreement.h"
 
-#include "geometry/list.h"
+#include "geometry/list/list.h"
 
 namespace lancer::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/frame.h"
 #include "core/parallel.h"
 #include "core/warp.h"
-#include "integrators/transport.h"
+#include "integrators/path/transport.h"
 
 namespace lancer::bench {
 namespace {

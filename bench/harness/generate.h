@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer::bench {
 

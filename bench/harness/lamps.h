@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer::bench {
 

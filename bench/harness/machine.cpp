@@ -8,7 +8,7 @@
 #include "app/system_info.h"
 #include "app/version.h"
 #include "core/parallel.h"
-#include "geometry/embree.h"
+#include "geometry/embree/embree.h"
 #include "harness/bare_embree.h"
 
 namespace lancer::bench {

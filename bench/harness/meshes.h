@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/program.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer::bench {
 

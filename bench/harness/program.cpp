@@ -4,9 +4,9 @@
 
 #include "app/console.h"
 #include "app/exit_code.h"
-#include "app/option_parser.h"
-#include "app/option_values.h"
-#include "app/settings.h"
+#include "app/options/option_parser.h"
+#include "app/options/option_values.h"
+#include "app/options/settings.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "harness/machine.h"

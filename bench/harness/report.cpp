@@ -1,7 +1,7 @@
 #include "harness/report.h"
 
 #include "io/atomic_file.h"
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {

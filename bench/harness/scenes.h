@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/options/options.h"
 #include "harness/program.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer::bench {
 

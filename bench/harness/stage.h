@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "app/settings.h"
-#include "io/image_source.h"
+#include "app/options/settings.h"
+#include "io/image/source.h"
 #include "render/renderer.h"
 #include "scene/camera.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer {
 

@@ -7,10 +7,10 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/load_scene.h"
-#include "app/options.h"
+#include "app/options/options.h"
 #include "app/prepare.h"
 #include "core/parallel.h"
-#include "io/obj_check.h"
+#include "io/obj/check.h"
 #include "scene/check.h"
 
 namespace lancer {

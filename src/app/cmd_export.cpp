@@ -7,13 +7,13 @@
 #include "app/asset_files.h"
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/options.h"
+#include "app/options/options.h"
 #include "app/prepare.h"
 #include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
-#include "io/obj_write.h"
-#include "io/scene_json.h"
+#include "io/obj/write.h"
+#include "io/scene/scene_json.h"
 
 namespace lancer {
 namespace {

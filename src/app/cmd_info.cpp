@@ -5,17 +5,17 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/left_out.h"
 #include "app/load_scene.h"
-#include "app/options.h"
+#include "app/options/options.h"
 #include "app/paths.h"
 #include "app/prepare.h"
+#include "app/specialisation.h"
 #include "core/names.h"
 #include "core/parallel.h"
-#include "io/exr.h"
-#include "io/image_read.h"
-#include "io/png.h"
-#include "scene/background.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
+#include "io/image/read.h"
+#include "scene/environment/background.h"
 #include "scene/features.h"
 
 namespace lancer {

@@ -5,18 +5,18 @@
 
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/study_lancer.h"
-#include "app/study_peers.h"
-#include "app/study_pictures.h"
+#include "app/study/lancer_runs.h"
+#include "app/study/peers.h"
+#include "app/study/pictures.h"
 #include "app/system_info.h"
 #include "app/version.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
-#include "report/html.h"
-#include "report/study_check.h"
-#include "report/study_csv.h"
-#include "report/study_json.h"
-#include "report/study_page.h"
+#include "report/page/html.h"
+#include "report/study/check.h"
+#include "report/study/csv.h"
+#include "report/study/json.h"
+#include "report/study/page.h"
 
 namespace lancer {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/compared_picture.h"
-#include "report/metrics.h"
-#include "report/noise_test.h"
+#include "report/metrics/metrics.h"
+#include "report/metrics/noise_test.h"
 
 namespace lancer {
 

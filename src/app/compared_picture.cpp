@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/exr.h"
-#include "io/image_read.h"
-#include "io/png.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
+#include "io/image/read.h"
 
 namespace lancer {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/image.h"
-#include "io/metadata.h"
+#include "io/image/metadata.h"
 
 namespace lancer {
 

@@ -9,8 +9,8 @@
 #include "core/names.h"
 #include "io/asset_path.h"
 #include "io/input_file.h"
-#include "io/obj.h"
-#include "io/scene_file.h"
+#include "io/obj/obj.h"
+#include "io/scene/scene_file.h"
 #include "scene/camera.h"
 
 namespace lancer {

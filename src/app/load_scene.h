@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer {
 
@@ -13,7 +13,7 @@ namespace lancer {
 struct SceneChoice {
     std::string file;                      // .toml or .obj
     std::string asset_root;                // empty: the folder of the scene
-    std::vector<std::string> definitions;  // KEY=VALUE, see io/definition.h
+    std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default
 };
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
-#include "app/settings.h"
-#include "io/image_source.h"
+#include "app/options/options.h"
+#include "app/options/settings.h"
+#include "io/image/source.h"
 #include "render/renderer.h"
 
 namespace lancer {

@@ -1,9 +1,9 @@
 #include "app/version.h"
 
 #include "core/parallel.h"
-#include "geometry/embree.h"
-#include "io/exr.h"
-#include "io/png.h"
+#include "geometry/embree/embree.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
 
 namespace lancer {
 

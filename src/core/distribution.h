@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 #include "core/vec.h"
 
 namespace lancer {

@@ -2,7 +2,7 @@
 // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 #pragma once
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 #include "core/vec.h"
 
 namespace lancer {

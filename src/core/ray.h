@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 

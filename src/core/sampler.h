@@ -9,7 +9,7 @@
 #include <span>
 
 #include "core/hash.h"
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 #include "core/vec.h"
 
 namespace lancer {

@@ -17,7 +17,7 @@ enum class Switch {
     soft_shadows,  // spheres of light cast shadows as large as they are; off: as from their centres
     always_nee,    // also where sampling the BSDF finds the same light with the same density
     light_tree,    // of many lights one is chosen by what it may send to the place; off: by power alone
-    split,         // paths split into several where that pays; see render/pilot.h
+    split,         // paths split into several where that pays; see render/estimators/pilot.h
     common,        // half of what a path splits into goes by random numbers that neighbours share, where that pays
     roulette,      // by what the pixel shows; off: by the throughput alone
     stop,          // end a pixel whose mean is known well enough

@@ -2,7 +2,7 @@
 // Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
 #pragma once
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 

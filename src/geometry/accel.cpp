@@ -1,13 +1,13 @@
 #include "geometry/accel.h"
 
-#include "geometry/box.h"
-#include "geometry/bvh2.h"
-#include "geometry/bvh8.h"
-#include "geometry/embree.h"
-#include "geometry/list.h"
-#include "geometry/list8.h"
-#include "geometry/loose_boxes.h"
-#include "geometry/median.h"
+#include "geometry/box_overlap.h"
+#include "geometry/bvh2/bvh2.h"
+#include "geometry/bvh2/median.h"
+#include "geometry/bvh8/bvh8.h"
+#include "geometry/embree/embree.h"
+#include "geometry/list/box.h"
+#include "geometry/list/list.h"
+#include "geometry/list/list8.h"
 #include "geometry/tree_accelerator.h"
 
 namespace lancer {

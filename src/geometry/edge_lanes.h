@@ -1,7 +1,7 @@
 // Triangles on whose edges rays in lanes run, as far as float can tell.
 #pragma once
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 
 namespace lancer {
 

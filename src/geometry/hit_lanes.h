@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 #include "geometry/hit.h"
 
 namespace lancer {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <span>
 
-#include "core/lanes.h"
-#include "core/pack.h"
+#include "core/lanes/lanes.h"
+#include "core/lanes/pack.h"
 #include "core/ray.h"
 
 namespace lancer {

@@ -1,6 +1,6 @@
 #include "geometry/refine_all.h"
 
-#include "core/prefetch.h"
+#include "core/lanes/prefetch.h"
 #include "geometry/ray_lanes.h"
 #include "geometry/triangle_lanes.h"
 

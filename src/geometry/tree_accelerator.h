@@ -8,11 +8,11 @@
 #include <tuple>
 
 #include "geometry/accel.h"
-#include "geometry/binary_builder.h"
-#include "geometry/bvh8_packets.h"
-#include "geometry/bvh8_turns.h"
+#include "geometry/bvh2/builder.h"
+#include "geometry/bvh8/interleaved.h"
+#include "geometry/bvh8/packets.h"
 #include "geometry/object_boxes.h"
-#include "geometry/octet_tree.h"
+#include "geometry/packet_tree.h"
 #include "geometry/refine_all.h"
 
 namespace lancer {

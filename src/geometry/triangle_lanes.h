@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 #include "geometry/hit.h"
 
 namespace lancer {

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 #include "core/sampler.h"
 #include "integrators/steps.h"
 

@@ -1,4 +1,4 @@
-// The list of integrators. A new one is a header, a word here and a file render/kernels_NAME.cpp; the command line, the
+// The list of integrators. A new one is a header, a word here and a file render/kernel/NAME.cpp; the command line, the
 // scene files and the laws in tests/ take it from here.
 #pragma once
 
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "integrators/ao.h"
-#include "integrators/direct.h"
-#include "integrators/legacy_path.h"
-#include "integrators/path.h"
-#include "integrators/random_decision.h"
-#include "integrators/whitted.h"
+#include "integrators/classic/random_decision.h"
+#include "integrators/classic/whitted.h"
+#include "integrators/legacy/path.h"
+#include "integrators/path/direct.h"
+#include "integrators/path/path.h"
 
 namespace lancer {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/sampler.h"
-#include "integrators/path_plan.h"
+#include "integrators/path/sampling_plan.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 

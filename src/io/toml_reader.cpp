@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer {
 namespace {

@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 
 namespace lancer {
 

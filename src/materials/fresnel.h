@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "core/color.h"
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 

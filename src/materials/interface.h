@@ -12,7 +12,7 @@
 #include "materials/fresnel.h"
 #include "materials/microfacet.h"
 #include "materials/phong.h"
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 
 namespace lancer {
 

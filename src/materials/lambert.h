@@ -4,7 +4,7 @@
 #include "core/warp.h"
 #include "materials/bsdf.h"
 #include "materials/phong.h"
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 
 namespace lancer {
 

@@ -3,7 +3,7 @@
 
 #include "materials/bsdf.h"
 #include "materials/phong.h"
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 
 namespace lancer {
 

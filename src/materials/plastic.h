@@ -12,7 +12,7 @@
 
 #include "materials/phong.h"
 #include "materials/plastic_coat.h"
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 
 namespace lancer {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 

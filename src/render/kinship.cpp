@@ -1,6 +1,6 @@
 #include "render/kinship.h"
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "core/lanes.h"
+#include "core/lanes/lanes.h"
 #include "render/workspace.h"
 
 namespace lancer {

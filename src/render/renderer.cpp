@@ -4,8 +4,8 @@
 #include <atomic>
 
 #include "core/parallel.h"
-#include "render/open_sky.h"
-#include "scene/holes.h"
+#include "render/estimators/background_only.h"
+#include "scene/alpha_test.h"
 
 namespace lancer {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "integrators/integrator.h"
-#include "render/pilot.h"
+#include "render/estimators/pilot.h"
 #include "render/specialize.h"
 
 namespace lancer {

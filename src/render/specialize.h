@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "integrators/integrator.h"
-#include "render/kernels.h"
+#include "render/kernel/kernels.h"
 
 namespace lancer {
 

@@ -8,10 +8,10 @@
 #include "geometry/accel.h"
 #include "integrators/steps.h"
 #include "integrators/view.h"
+#include "render/estimators/stop_rule.h"
 #include "render/filter.h"
 #include "render/profile.h"
-#include "render/stop_rule.h"
-#include "render/wide_states.h"
+#include "render/wide/states.h"
 #include "scene/camera.h"
 
 namespace lancer {

@@ -8,7 +8,7 @@
 #include "core/film.h"
 #include "core/switches.h"
 #include "render/workspace.h"
-#include "scene/left_out.h"
+#include "scene/specialisation.h"
 
 namespace lancer {
 

@@ -3,7 +3,7 @@
 
 #include "core/bounds.h"
 #include "core/ray.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 #include "scene/scene.h"
 
 namespace lancer {

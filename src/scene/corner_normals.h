@@ -10,7 +10,7 @@
 
 #include "core/vec.h"
 #include "geometry/shapes.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer {
 

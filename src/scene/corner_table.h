@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/marks.h"
+#include "core/ranked_bitset.h"
 
 namespace lancer {
 

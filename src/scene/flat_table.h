@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/row_table.h"
+#include "core/lanes/row_table.h"
 #include "geometry/hit_lanes.h"
 #include "scene/triangle_place.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace lancer {
 

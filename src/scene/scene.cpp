@@ -5,14 +5,14 @@
 
 #include "core/names.h"
 #include "core/srgb.h"
-#include "scene/background.h"
-#include "scene/environment.h"
-#include "scene/fold.h"
-#include "scene/light_table.h"
-#include "scene/material_table.h"
-#include "scene/mesh_tables.h"
-#include "scene/shapes.h"
-#include "scene/texture_table.h"
+#include "scene/build/fold.h"
+#include "scene/build/light_table.h"
+#include "scene/build/material_table.h"
+#include "scene/build/mesh_tables.h"
+#include "scene/build/shapes.h"
+#include "scene/build/texture_table.h"
+#include "scene/environment/background.h"
+#include "scene/environment/environment.h"
 
 namespace lancer {
 namespace {

@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "core/compact_index_array.h"
 #include "core/error.h"
-#include "core/marks.h"
-#include "core/packed_numbers.h"
+#include "core/ranked_bitset.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/material.h"
 #include "scene/corner_normals.h"
 #include "scene/corner_table.h"
-#include "scene/description.h"
-#include "scene/left_out.h"
-#include "scene/light.h"
+#include "scene/description/description.h"
+#include "scene/lights/light.h"
 #include "scene/placement.h"
+#include "scene/specialisation.h"
 #include "scene/surface.h"
 
 namespace lancer {

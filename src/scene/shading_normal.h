@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 #include "materials/material.h"
 
 namespace lancer {

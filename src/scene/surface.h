@@ -4,7 +4,7 @@
 #include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 #include "scene/triangle_place.h"
 
 namespace lancer {

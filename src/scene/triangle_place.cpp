@@ -1,6 +1,6 @@
 #include "scene/triangle_place.h"
 
-#include "core/prefetch.h"
+#include "core/lanes/prefetch.h"
 #include "geometry/triangle_lanes.h"
 #include "scene/scene.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/row_table.h"
+#include "core/lanes/row_table.h"
 #include "scene/features.h"
 #include "scene/flat_table.h"
 #include "scene/scene.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/run_program.h"
-#include "io/png.h"
+#include "io/image/png.h"
 
 namespace lancer {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "app/run_program.h"
-#include "io/png.h"
+#include "io/image/png.h"
 
 namespace lancer {
 namespace {
@@ -159,7 +159,7 @@ TEST_F(Compare, WithoutVarianceThereIsNoVerdictOnNoise)
     expect_words(verdict_of(run({"compare", "other.exr", "plain.exr"})), "'plain.exr' has no variance channel");
 }
 
-// Seed 4 and 5, chosen before they were looked at; the tests of report/noise_test.cpp count false alarms.
+// Seed 4 and 5, chosen before they were looked at; the tests of tests/report/noise_test.cpp count false alarms.
 TEST_F(Compare, TellsNoiseFromADifference)
 {
     render_noisy("a.exr", {"--seed", "4", "-s", "64"});

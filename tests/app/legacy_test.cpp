@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "app/run_program.h"
-#include "io/image_read.h"
-#include "io/png.h"
+#include "io/image/png.h"
+#include "io/image/read.h"
 
 namespace lancer {
 namespace {

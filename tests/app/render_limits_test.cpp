@@ -1,5 +1,5 @@
 // Where passes end.
-#include "app/render_limits.h"
+#include "app/render/limits.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/exr.h"
+#include "io/image/exr.h"
 #include "io/temp_folder.h"
 
 namespace lancer {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/run_program.h"
-#include "report/study_json.h"
+#include "report/study/json.h"
 #include "support/xml_check.h"
 
 namespace lancer {

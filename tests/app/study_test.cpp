@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/run_program.h"
-#include "report/study_json.h"
+#include "report/study/json.h"
 #include "support/xml_check.h"
 
 namespace lancer {

@@ -4,9 +4,9 @@
 #include <bit>
 
 #include "core/distribution.h"
-#include "core/pack.h"
+#include "core/lanes/pack.h"
+#include "core/lanes/sampler.h"
 #include "core/ray.h"
-#include "core/sampler_lanes.h"
 #include "support/random.h"
 
 namespace lancer {

@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "core/marks.h"
-#include "core/packed_numbers.h"
-#include "core/row_table.h"
+#include "core/compact_index_array.h"
+#include "core/lanes/row_table.h"
+#include "core/ranked_bitset.h"
 
 namespace lancer {
 namespace {

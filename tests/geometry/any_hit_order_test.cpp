@@ -1,7 +1,7 @@
 // What a ray may expect of a box that it meets, and that the eight-wide tree has its children in that order.
-#include "geometry/any_hit_order.h"
+#include "geometry/bvh8/any_hit_order.h"
 
-#include "geometry/bvh8_layout.h"
+#include "geometry/bvh8/layout.h"
 #include "geometry/trees.h"
 #include "geometry/triangle_float.h"
 

@@ -1,6 +1,6 @@
 // Binary trees: what builders promise, on meshes and on what is no mesh worth the name, and that a ray comes by every
 // box that it meets.
-#include "geometry/binary_tree.h"
+#include "geometry/bvh2/tree.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include "core/parallel.h"
 #include "geometry/accelerators.h"
-#include "geometry/box.h"
-#include "geometry/bvh2.h"
-#include "geometry/median.h"
+#include "geometry/bvh2/bvh2.h"
+#include "geometry/bvh2/median.h"
+#include "geometry/list/box.h"
 #include "geometry/tree_accelerator.h"
 
 namespace lancer {

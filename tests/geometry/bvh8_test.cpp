@@ -1,6 +1,6 @@
 // What only the eight-wide tree promises: no ray leaves a closed mesh, wherever it is aimed at; the same bits for any
 // number of threads; bounded depth.
-#include "geometry/bvh8.h"
+#include "geometry/bvh8/bvh8.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/parallel.h"
 #include "geometry/accelerators.h"
-#include "geometry/box.h"
+#include "geometry/list/box.h"
 #include "geometry/trees.h"
 
 namespace lancer {

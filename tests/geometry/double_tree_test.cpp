@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/accelerators.h"
-#include "geometry/list.h"
+#include "geometry/list/list.h"
 
 namespace lancer {
 namespace {

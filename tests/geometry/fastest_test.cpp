@@ -1,8 +1,8 @@
 // Which accelerator is chosen where none is named, and what that is chosen by.
 #include <gtest/gtest.h>
 
-#include "geometry/list8.h"
-#include "geometry/loose_boxes.h"
+#include "geometry/box_overlap.h"
+#include "geometry/list/list8.h"
 #include "geometry/trees.h"
 
 namespace lancer {

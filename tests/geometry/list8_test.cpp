@@ -1,5 +1,5 @@
 // That list8 finds what is there, in batches as singly, the laws of all accelerators show.
-#include "geometry/list8.h"
+#include "geometry/list/list8.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The builder with spatial splits: each part of a triangle is where rays look for it, and splitting pays.
-#include "geometry/split_builder.h"
+#include "geometry/bvh8/split_builder.h"
 
-#include "geometry/bvh8.h"
+#include "geometry/bvh8/bvh8.h"
 #include "geometry/trees.h"
 
 namespace lancer {

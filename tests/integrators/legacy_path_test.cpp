@@ -1,5 +1,5 @@
 // The student's path tracer against what it computed: its room, point by point in double, and its rules one by one.
-#include "integrators/legacy_path.h"
+#include "integrators/legacy/path.h"
 
 #include <gtest/gtest.h>
 

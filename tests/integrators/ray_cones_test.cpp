@@ -2,7 +2,7 @@
 // away and leaves the mean.
 #include <gtest/gtest.h>
 
-#include "render/kernel.h"
+#include "render/kernel/kernel.h"
 #include "support/rasters.h"
 #include "support/shoot.h"
 #include "support/stage.h"

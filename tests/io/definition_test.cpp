@@ -1,5 +1,5 @@
 // Values of scene files that the command line gives.
-#include "io/definition.h"
+#include "io/scene/definition.h"
 
 #include <gtest/gtest.h>
 

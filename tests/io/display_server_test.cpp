@@ -1,6 +1,6 @@
 // Packets to a viewer, and viewers that are not there, leave or do not read. SIGPIPE is not ignored here: it would end
 // the test program.
-#include "io/display_server.h"
+#include "io/net/display_server.h"
 
 #include <gtest/gtest.h>
 

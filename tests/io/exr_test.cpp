@@ -1,4 +1,4 @@
-#include "io/exr.h"
+#include "io/image/exr.h"
 
 #include <cmath>
 #include <cstring>

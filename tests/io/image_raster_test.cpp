@@ -1,10 +1,10 @@
 // Pictures as textures get them: bytes as bytes, with their alpha.
 #include <array>
 
-#include "io/exr.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
+#include "io/image/read.h"
 #include "io/image_files.h"
-#include "io/image_read.h"
-#include "io/png.h"
 #include "io/temp_folder.h"
 
 namespace lancer {

@@ -1,5 +1,5 @@
 // Pictures in the background: each file once, errors through the future, nothing kept, clean ends.
-#include "io/image_source.h"
+#include "io/image/source.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "core/parallel.h"
+#include "io/image/read.h"
 #include "io/image_files.h"
-#include "io/image_read.h"
 #include "io/temp_folder.h"
 
 namespace lancer {

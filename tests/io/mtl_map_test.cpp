@@ -1,7 +1,7 @@
 // Statements of material files: textures with their options and files, and what cannot be used.
 #include "io/asset_path.h"
-#include "io/mtl_scan.h"
-#include "io/scene_file.h"
+#include "io/mtl/scan.h"
+#include "io/scene/scene_file.h"
 #include "obj_test_support.h"
 
 namespace lancer {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "io/mtl_scan.h"
+#include "io/mtl/scan.h"
 #include "obj_test_support.h"
 
 namespace lancer {

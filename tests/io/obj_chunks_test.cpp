@@ -1,6 +1,6 @@
 // Large files are parsed in parts by all threads. In parts of a few lines each, every file gives what it gives when it
 // is parsed as a whole by the other reader: the same mesh, the same warnings, the same errors.
-#include "io/obj_chunks.h"
+#include "io/obj/chunks.h"
 
 #include <cmath>
 

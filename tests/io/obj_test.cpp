@@ -1,6 +1,6 @@
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
-#include "io/obj_scan.h"
+#include "io/obj/scan.h"
 #include "obj_test_support.h"
 
 namespace lancer {

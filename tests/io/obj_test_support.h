@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
 namespace lancer {
 

@@ -1,9 +1,9 @@
-#include "io/ppm.h"
+#include "io/image/ppm.h"
 
 #include <gtest/gtest.h>
 
-#include "io/image_read.h"
-#include "io/png.h"
+#include "io/image/png.h"
+#include "io/image/read.h"
 #include "io/temp_folder.h"
 
 namespace lancer {

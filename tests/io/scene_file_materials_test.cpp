@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "scene/presets.h"
+#include "scene/description/presets.h"
 #include "scene_test_support.h"
 
 namespace lancer {

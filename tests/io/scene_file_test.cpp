@@ -1,5 +1,5 @@
 // What a right scene file means: the effect and the default of every key, and the files it names.
-#include "io/scene_file.h"
+#include "io/scene/scene_file.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene_file.h"
+#include "io/scene/scene_file.h"
 
 namespace lancer {
 

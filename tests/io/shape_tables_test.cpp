@@ -1,5 +1,5 @@
 // [[plane]] with axes and bands, [[water]], [[bubble]], [[triangle]], [[pyramid]], and textures that are formulas.
-#include "io/shape_tables.h"
+#include "io/scene/shape_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/tga.h"
+#include "io/image/tga.h"
 
 #include "io/temp_folder.h"
 

@@ -1,10 +1,10 @@
-#include "io/tonemap.h"
+#include "io/image/tonemap.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "io/png.h"
+#include "io/image/png.h"
 #include "io/temp_folder.h"
 
 namespace lancer {

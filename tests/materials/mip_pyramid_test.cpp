@@ -1,5 +1,5 @@
 // The bytes of coarser levels, one by one.
-#include "materials/mip_pyramid.h"
+#include "materials/textures/mip_pyramid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Grids, rims and waves: their values at points, and their means over footprints against numeric integration.
-#include "materials/procedural.h"
+#include "materials/textures/procedural.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "materials/material.h"
-#include "scene/presets.h"
+#include "scene/description/presets.h"
 #include "support/random.h"
 
 namespace lancer {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 #include "support/random.h"
 
 namespace lancer {

@@ -1,5 +1,5 @@
 // What every texture keeps, whatever its size, storage, channels and wrap.
-#include "materials/texture.h"
+#include "materials/textures/texture.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // are large, so that walks which nothing steers towards them find them.
 #pragma once
 
-#include "scene/presets.h"
+#include "scene/description/presets.h"
 #include "support/scenes.h"
 
 namespace lancer {

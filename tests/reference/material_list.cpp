@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "scene/presets.h"
-#include "scene/shapes.h"
+#include "scene/build/shapes.h"
+#include "scene/description/presets.h"
 
 namespace reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/vector.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace reference {
 

@@ -1,9 +1,9 @@
 // The scenes of scenes/, for tests that compute with them.
 #pragma once
 
-#include "io/image_source.h"
-#include "io/obj.h"
-#include "io/scene_file.h"
+#include "io/image/source.h"
+#include "io/obj/obj.h"
+#include "io/scene/scene_file.h"
 
 namespace lancer {
 

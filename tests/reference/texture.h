@@ -6,7 +6,7 @@
 
 #include "core/raster.h"
 #include "reference/vector.h"
-#include "scene/description.h"
+#include "scene/description/description.h"
 
 namespace reference {
 

@@ -1,4 +1,4 @@
-#include "render/pilot.h"
+#include "render/estimators/pilot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is packed side by side is what was put in: numbers, rays and where these start, of the lanes that were wanted.
-#include "render/wide_states.h"
+#include "render/wide/states.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Estimates of a picture's error, where the truth is known because the samples are made up.
-#include "report/error_estimate.h"
+#include "report/metrics/error_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/error_map.h"
+#include "report/metrics/error_map.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/srgb.h"
-#include "report/flip_color.h"
+#include "report/metrics/flip_color.h"
 
 namespace lancer {
 namespace {

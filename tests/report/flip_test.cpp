@@ -1,5 +1,5 @@
 // FLIP by its laws and closed forms. tests/app/compare_test.cpp has values of NVIDIA's tool.
-#include "report/flip.h"
+#include "report/metrics/flip.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "report/flip_color.h"
+#include "report/metrics/flip_color.h"
 
 namespace lancer {
 namespace {

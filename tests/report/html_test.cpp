@@ -1,13 +1,13 @@
-#include "report/html.h"
+#include "report/page/html.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "bench/report/markdown.h"
 #include "core/error.h"
-#include "report/html_pictures.h"
-#include "report/markdown.h"
-#include "report/svg_plot.h"
+#include "report/page/html_pictures.h"
+#include "report/page/svg_plot.h"
 #include "support/xml_check.h"
 
 namespace lancer {

@@ -1,4 +1,4 @@
-#include "report/metrics.h"
+#include "report/metrics/metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/noise_test.h"
+#include "report/metrics/noise_test.h"
 
 #include <gtest/gtest.h>
 

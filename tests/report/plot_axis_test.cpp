@@ -1,4 +1,4 @@
-#include "report/plot_axis.h"
+#include "report/page/plot_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What benches and studies say of many measurements.
-#include "report/statistics.h"
+#include "report/metrics/statistics.h"
 
 #include <gtest/gtest.h>
 

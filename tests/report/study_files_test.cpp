@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "report/study_csv.h"
-#include "report/study_json.h"
+#include "report/study/csv.h"
+#include "report/study/json.h"
 #include "synthetic_study.h"
 
 namespace lancer {

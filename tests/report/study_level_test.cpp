@@ -1,5 +1,5 @@
 // The level of pictures against pictures of which the truth is known: a part taken off everywhere, and noise.
-#include "report/study_level.h"
+#include "report/study/level.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "report/study_page.h"
+#include "report/study/page.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "report/html.h"
-#include "report/html_pictures.h"
-#include "report/study_json.h"
+#include "report/page/html.h"
+#include "report/page/html_pictures.h"
+#include "report/study/json.h"
 #include "support/xml_check.h"
 #include "synthetic_study.h"
 

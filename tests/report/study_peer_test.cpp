@@ -1,11 +1,11 @@
-#include "report/study_peer.h"
+#include "report/study/peer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.h"
-#include "report/error_rows.h"
+#include "report/study/error_rows.h"
 
 namespace lancer {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/study_ranking.h"
+#include "report/study/ranking.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "report/study_statistics.h"
+#include "report/study/statistics.h"
 
 #include <gtest/gtest.h>
 
-#include "report/study_curve.h"
+#include "report/study/curve.h"
 #include "synthetic_study.h"
 
 namespace lancer {

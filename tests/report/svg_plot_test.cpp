@@ -1,4 +1,4 @@
-#include "report/svg_plot.h"
+#include "report/page/svg_plot.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "report/number_text.h"
+#include "report/page/number_text.h"
 #include "support/xml_check.h"
 
 namespace lancer {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "report/study_results.h"
+#include "report/study/results.h"
 #include "support/random.h"
 
 namespace lancer {

@@ -1,10 +1,10 @@
-#include "report/worst_blocks.h"
+#include "report/metrics/worst_blocks.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "report/metrics.h"
+#include "report/metrics/metrics.h"
 #include "support/random.h"
 
 namespace lancer {

@@ -1,9 +1,9 @@
 // Backgrounds: the named skies and the checker to the letter, lights seen as discs, the table that draws them.
-#include "scene/background.h"
+#include "scene/environment/background.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/environment.h"
+#include "scene/environment/environment.h"
 #include "support/random.h"
 #include "support/rasters.h"
 #include "support/scenes.h"

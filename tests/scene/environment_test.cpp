@@ -1,5 +1,5 @@
 // Environment maps: where a direction is in the picture, and that drawing directions follows what is looked up.
-#include "scene/environment.h"
+#include "scene/environment/environment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // sampling to sum to 1.
 #include <gtest/gtest.h>
 
-#include "integrators/transport.h"
+#include "integrators/path/transport.h"
 #include "support/random.h"
 #include "support/rasters.h"
 #include "support/significance.h"

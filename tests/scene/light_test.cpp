@@ -1,7 +1,7 @@
 // What lights send to a place, against closed forms; and that nothing but other things stands between.
 #include <gtest/gtest.h>
 
-#include "integrators/transport.h"
+#include "integrators/path/transport.h"
 #include "support/lit_places.h"
 #include "support/rasters.h"
 

@@ -1,4 +1,4 @@
-#include "scene/light_tree.h"
+#include "scene/lights/tree.h"
 
 #include <gtest/gtest.h>
 

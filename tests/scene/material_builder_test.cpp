@@ -1,5 +1,5 @@
 // Which parameter of a description goes where.
-#include "scene/material_builder.h"
+#include "scene/build/material_builder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Materials known by name, and what a mix is to the classic integrators.
-#include "scene/presets.h"
+#include "scene/description/presets.h"
 
 #include <gtest/gtest.h>
 

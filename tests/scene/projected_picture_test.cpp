@@ -1,9 +1,9 @@
 // Pictures of the sky: which pixel a direction is shown by, in every projection.
-#include "scene/projected_picture.h"
+#include "scene/environment/projected_picture.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/background.h"
+#include "scene/environment/background.h"
 #include "support/random.h"
 #include "support/rasters.h"
 #include "support/scenes.h"

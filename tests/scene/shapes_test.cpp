@@ -1,5 +1,5 @@
 // Planes with axes, bands and waves, bubbles, triangles and pyramids: where they are and what they show.
-#include "scene/shapes.h"
+#include "scene/build/shapes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/srgb.h"
-#include "scene/material_builder.h"
+#include "scene/build/material_builder.h"
 #include "support/random.h"
 #include "support/stage.h"
 

@@ -1,4 +1,4 @@
-// Rows C5 to C8, run; see camera_rows.cpp.
+// Rows C5 to C8, run; see rows/camera.cpp.
 #pragma once
 
 #include "stability/row.h"

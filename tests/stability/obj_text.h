@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "io/temp_folder.h"
 #include "support/scenes.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "report/number_text.h"
-#include "report/svg_plot.h"
+#include "report/page/number_text.h"
+#include "report/page/svg_plot.h"
 #include "stability/results.h"
 
 namespace lancer::stability {

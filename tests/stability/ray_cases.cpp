@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "core/parallel.h"
-#include "scene/holes.h"
+#include "scene/alpha_test.h"
 #include "stability/exact.h"
 #include "stability/pictures.h"
 #include "support/agreement.h"

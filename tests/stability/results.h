@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/document.h"
+#include "report/page/document.h"
 #include "stability/row.h"
 #include "stability/sweep.h"
 

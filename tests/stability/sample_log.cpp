@@ -7,7 +7,7 @@
 
 #include "io/atomic_file.h"
 #include "io/temp_folder.h"
-#include "report/number_text.h"
+#include "report/page/number_text.h"
 
 namespace lancer::stability {
 namespace {

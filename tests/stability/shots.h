@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/parallel.h"
-#include "report/number_text.h"
+#include "report/page/number_text.h"
 #include "stability/row.h"
 #include "support/shoot.h"
 

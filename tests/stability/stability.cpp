@@ -5,12 +5,12 @@
 
 #include "app/console.h"
 #include "app/exit_code.h"
-#include "app/option_parser.h"
+#include "app/options/option_parser.h"
+#include "bench/report/markdown.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
-#include "report/html.h"
-#include "report/markdown.h"
+#include "report/page/html.h"
 #include "stability/results.h"
 #include "stability/sample_log.h"
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "scene/light.h"
+#include "scene/lights/light.h"
 #include "support/random.h"
 #include "support/significance.h"
 #include "support/stage.h"

@@ -1,7 +1,7 @@
-// The scene of all_test_scenes() that is made of what scene/shapes.h makes.
+// The scene of all_test_scenes() that is made of what scene/build/shapes.h makes.
 #pragma once
 
-#include "scene/shapes.h"
+#include "scene/build/shapes.h"
 #include "support/scenes.h"
 
 namespace lancer {

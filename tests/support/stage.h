@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/ray.h"
-#include "geometry/embree.h"
-#include "geometry/list.h"
-#include "scene/holes.h"
+#include "geometry/embree/embree.h"
+#include "geometry/list/list.h"
+#include "scene/alpha_test.h"
 #include "scene/surface.h"
 #include "support/scenes.h"
 

@@ -1,0 +1,147 @@
+#include "bench/report/results.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace lancer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_at(const Json& object, const char* key)
+{
+    const auto it = object.find(key);
+    return it != object.end() && it->is_string() ? it->get<std::string>() : "";
+}
+
+template <class T>
+std::optional<T> value_at(const Json& object, const char* key)
+{
+    const auto it = object.find(key);
+    if (it == object.end() || (!it->is_number() && !it->is_boolean())) return {};
+    return it->get<T>();
+}
+
+MachineBlock machine_of(const Json& context)
+{
+    MachineBlock m;
+    m.cpu = text_at(context, "cpu"), m.compiler = text_at(context, "compiler"), m.flags = text_at(context, "flags");
+    m.embree = text_at(context, "embree"), m.embree_isa = text_at(context, "embree_isa");
+    m.tbb = text_at(context, "tbb"), m.date = text_at(context, "date");
+    m.executable = text_at(context, "executable"), m.lancer = text_at(context, "lancer");
+    m.num_cpus = value_at<int>(context, "num_cpus"), m.threads = value_at<int>(context, "threads");
+    m.embree_asserts = value_at<bool>(context, "embree_asserts");
+    const auto load = context.find("load_avg");
+    if (load != context.end() && load->is_array() && !load->empty() && load->front().is_number())
+        m.load = load->front().get<double>();
+    return m;
+}
+
+BenchRow row_of(const Json& json)
+{
+    BenchRow row;
+    static constexpr std::array<std::pair<const char*, std::string BenchRow::*>, 6> named{
+        {{"name", &BenchRow::name},
+         {"family", &BenchRow::family},
+         {"mesh", &BenchRow::mesh},
+         {"accel", &BenchRow::accel},
+         {"rays", &BenchRow::rays},
+         {"way", &BenchRow::way}}};
+    for (const auto& [key, value] : json.items()) {
+        const auto member =
+            std::find_if(named.begin(), named.end(), [&, k = key](const auto& n) { return k == n.first; });
+        if (value.is_string() && member != named.end())
+            row.*member->second = value.get<std::string>();
+        else if (value.is_string())
+            row.texts.emplace_back(key, value.get<std::string>());
+        else if (value.is_boolean())
+            row.texts.emplace_back(key, value.get<bool>() ? "yes" : "no");
+        else if (value.is_number())
+            row.numbers.emplace_back(key, value.get<double>());
+    }
+    return row;
+}
+
+}  // namespace
+
+std::optional<double> BenchRow::number(const std::string& key) const
+{
+    for (const auto& [name_of, value] : numbers)
+        if (name_of == key) return value;
+    return {};
+}
+
+std::string BenchRow::text(const std::string& key) const
+{
+    for (const auto& [name_of, value] : texts)
+        if (name_of == key) return value;
+    return "";
+}
+
+Ranged BenchRow::mega_per_second() const
+{
+    Ranged r;
+    if (const auto rate = number("items_per_second")) r.value = *rate / 1e6;
+    // Of times in nanoseconds: the longest is the lowest speed.
+    if (const auto least = number("min"), most = number("max"); least && most)
+        r.low = 1e3 / *most, r.high = 1e3 / *least;
+    return r;
+}
+
+std::optional<Ratio> BenchRow::speed_ratio() const
+{
+    const auto value = number("ratio"), low = number("ratio_min"), high = number("ratio_max");
+    if (!value) return {};
+    return Ratio{*value, low.value_or(*value), high.value_or(*value)};
+}
+
+BenchFile read_bench(const std::string& name, const std::string& json)
+{
+    const auto refuse = [&](const std::string& why) { return Error(ErrorKind::invalid_input, {name, 0, 0}, why); };
+    const Json all = Json::parse(json, nullptr, false);
+    if (all.is_discarded()) throw refuse("not JSON");
+    if (!all.is_object() || !all.contains("context") || !all["context"].is_object() || !all.contains("benchmarks") ||
+        !all["benchmarks"].is_array())
+        throw refuse("no \"context\" or no \"benchmarks\": not a file of a bench program");
+    BenchFile file{name, machine_of(all["context"]), {}, json};
+    for (const Json& row : all["benchmarks"]) {
+        if (!row.is_object()) throw refuse("a row of \"benchmarks\" that is not an object");
+        file.rows.push_back(row_of(row));
+        if (file.rows.back().name.empty() || file.rows.back().family.empty())
+            throw refuse("a row without \"name\" or \"family\"");
+    }
+    if (file.rows.empty()) throw refuse("no row");
+    return file;
+}
+
+BenchRows rows_of(const std::vector<BenchFile>& files, const std::string& family)
+{
+    BenchRows rows;
+    for (const BenchFile& file : files)
+        for (const BenchRow& row : file.rows)
+            if (family.empty() || row.family == family) rows.push_back(&row);
+    return rows;
+}
+
+std::vector<std::string> distinct(const BenchRows& rows, std::string BenchRow::*member)
+{
+    std::vector<std::string> values;
+    for (const BenchRow* row : rows) {
+        const std::string& value = row->*member;
+        if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    }
+    return values;
+}
+
+BenchRows where(const BenchRows& rows, std::string BenchRow::*member, const std::string& value)
+{
+    BenchRows kept;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept),
+                 [&](const BenchRow* row) { return row->*member == value; });
+    return kept;
+}
+
+}  // namespace lancer

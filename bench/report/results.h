@@ -1,0 +1,50 @@
+// What the bench programs measured, read back from their files: JSON in the shape of Google Benchmark's, with a machine
+// block as "context" and one row for each figure. docs/benchmarks.md says what the fields mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/report/comparable.h"
+#include "report/page/svg_plot.h"
+
+namespace lancer {
+
+struct BenchRow {
+    std::string name, family, mesh, accel, rays, way;  // empty where they say nothing
+    std::vector<std::pair<std::string, double>> numbers;
+    std::vector<std::pair<std::string, std::string>> texts;  // and yes and no
+
+    std::optional<double> number(const std::string& key) const;
+    std::string text(const std::string& key) const;  // empty if there is none
+
+    // Items per second, in millions, with the range of the rounds. NaN where the row was not timed.
+    Ranged mega_per_second() const;
+    // How much faster than what `ratio_to` names, with the range of the rounds.
+    std::optional<Ratio> speed_ratio() const;
+};
+
+struct BenchFile {
+    std::string name;
+    MachineBlock machine;
+    std::vector<BenchRow> rows;
+    std::string json;  // as it was read
+};
+
+// name: for messages. Throws Error (invalid_input) if the text is not JSON, not of this shape, or has no row.
+BenchFile read_bench(const std::string& name, const std::string& json);
+
+using BenchRows = std::vector<const BenchRow*>;
+
+// The rows of a family, in their order; all rows for "".
+BenchRows rows_of(const std::vector<BenchFile>& files, const std::string& family);
+
+// The different values of a member, in the order in which they turn up; empty ones are left out.
+std::vector<std::string> distinct(const BenchRows& rows, std::string BenchRow::*member);
+
+// Those that have this value there.
+BenchRows where(const BenchRows& rows, std::string BenchRow::*member, const std::string& value);
+
+}  // namespace lancer

@@ -1,0 +1,144 @@
+#include "app/options/option_values.h"
+
+#include <algorithm>
+
+#include "app/paths.h"
+#include "io/net/display_server.h"
+#include "scene/description/description.h"
+
+namespace lancer {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+void fail_usage(const std::string& message) { throw Error(ErrorKind::usage, {}, message); }
+
+uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most)
+{
+    return to_number<uint32_t>(option, text, least, most, "a whole number");
+}
+
+size_t to_choice(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
+{
+    const auto it = std::find(known.begin(), known.end(), text);
+    if (it == known.end()) fail_usage(option + ": unknown name " + in_quotes(text) + suggestion(text, known));
+    return static_cast<size_t>(it - known.begin());
+}
+
+std::string to_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
+{
+    return std::string(known[to_choice(option, text, known)]);
+}
+
+std::string listed(const std::vector<std::string_view>& names)
+{
+    std::string text;
+    for (const std::string_view name : names) text += (text.empty() ? "" : "|") + std::string(name);
+    return text;
+}
+
+std::array<uint32_t, 2> to_size(const std::string& text)
+{
+    const auto parts = split(text, 'x');
+    if (parts.size() != 2) fail_usage("--size: " + in_quotes(text) + " is not WIDTHxHEIGHT, such as 1280x720");
+    const std::array<uint32_t, 2> size{to_count("--size", parts[0], 1, max_picture_side),
+                                       to_count("--size", parts[1], 1, max_picture_side)};
+    if (uint64_t{size[0]} * size[1] > max_picture_pixels)
+        fail_usage("--size: " + in_quotes(text) + " is too large: at most 2^28 pixels");
+    return size;
+}
+
+Tile to_crop(const std::string& text)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() != 4)
+        fail_usage("--crop: " + in_quotes(text) + " is not x0,y0,x1,y1 (pixels, x1 and y1 exclusive)");
+    std::array<uint32_t, 4> c{};
+    for (size_t i = 0; i < 4; ++i) c[i] = to_count("--crop", parts[i], 0, max_picture_side);
+    if (c[0] >= c[2] || c[1] >= c[3])
+        fail_usage("--crop: " + in_quotes(text) + " is empty: x0 < x1 and y0 < y1 are needed");
+    return {c[0], c[1], c[2], c[3]};
+}
+
+double to_seconds(const std::string& option, const std::string& text)
+{
+    constexpr std::array<std::pair<std::string_view, double>, 4> units{
+        {{"ms", 1e-3}, {"s", 1}, {"m", 60}, {"h", 3600}}};
+    std::string_view digits = text;
+    double unit = 1;
+    for (const auto& [name, seconds] : units)
+        if (text.ends_with(name)) {
+            digits.remove_suffix(name.size()), unit = seconds;
+            break;
+        }
+    double value = 0;
+    const auto [rest, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem != std::errc{} || rest != digits.data() + digits.size() || !(value > 0 && value * unit <= 1e9))
+        fail_usage(option + ": " + in_quotes(text) + " is not a time such as 90s, 1.5m, 2h or 500ms");
+    return value * unit;
+}
+
+void set_switches(const std::string& text, PictureOptions& o)
+{
+    const std::vector<std::string_view> known(switch_names.begin(), switch_names.end());
+    for (const std::string& part : split(text, ',')) {
+        const size_t equals = part.find('=');
+        const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+        const std::string name = to_name("--set", part.substr(0, equals), known);
+        if (value != "true" && value != "false")
+            fail_usage("--set: " + in_quotes(part) + " is not " + name + "=true or =false");
+        for (size_t i = 0; i < switch_names.size(); ++i)
+            if (name == switch_names[i]) o.switches[i] = value == "true";
+    }
+}
+
+std::string to_output(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    if (extension != ".exr" && extension != ".png" && extension != ".ppm")
+        fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png or .ppm");
+    return path;
+}
+
+DisplayAddress to_display_address(const std::string& text)
+{
+    const std::string option = "--display-server";
+    const bool in_brackets = text.starts_with('[');
+    const size_t end = in_brackets ? text.find(']') : text.find(':');
+    const std::string host = in_brackets ? text.substr(1, end - 1) : text.substr(0, end);
+    const std::string rest = end == std::string::npos ? "" : text.substr(end + (in_brackets ? 1 : 0));
+    if (host.empty() || (in_brackets && end == std::string::npos) || (!rest.empty() && rest[0] != ':') ||
+        rest.find(':', 1) != std::string::npos)
+        fail_usage(option + ": " + in_quotes(text) +
+                   " is not HOST or HOST:PORT, such as localhost:14158 or [::1]:14158");
+    if (rest.empty()) return {host, DisplayServer::default_port};
+    return {host, static_cast<uint16_t>(to_count(option, rest.substr(1), 1, 65535))};
+}
+
+void add_aovs(const std::string& text, std::vector<Aov>& aovs)
+{
+    std::vector<std::string_view> known(aov_names.begin(), aov_names.end());
+    known.push_back("all");
+    for (const std::string& part : split(text, ',')) {
+        to_name("--aov", part, known);
+        for (const Aov aov : all_aovs())
+            if (part == "all" || part == aov_names[static_cast<size_t>(aov)]) aovs.push_back(aov);
+    }
+    std::sort(aovs.begin(), aovs.end());
+    aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());
+}
+
+}  // namespace lancer

@@ -1,0 +1,59 @@
+// What the options of the command line say, as values: one function for each kind of text, in the words of our own
+// messages. All throw Error (usage) and name the option.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/console.h"
+#include "app/options/options.h"
+#include "core/names.h"
+
+namespace lancer {
+
+[[noreturn]] void fail_usage(const std::string& message);
+
+// Any of the numbers in [least, most]. what: "a whole number".
+template <class T>
+T to_number(const std::string& option, const std::string& text, T least, T most, const char* what)
+{
+    const auto shown = [](T x) {
+        if constexpr (std::integral<T>)
+            return std::to_string(x);
+        else
+            return shortest(x);
+    };
+    T value{};
+    const char* const end = text.data() + text.size();
+    const char* const begin = text.starts_with('+') ? text.data() + 1 : text.data();
+    const auto [rest, problem] = std::from_chars(begin, end, value);
+    if (problem != std::errc{} || rest != end || begin == end || !(value >= least && value <= most))
+        fail_usage(option + ": " + in_quotes(text) + " is not " + what + " from " + shown(least) + " to " +
+                   shown(most));
+    return value;
+}
+
+inline constexpr uint32_t max_count = (uint32_t{1} << 31) - 1;
+uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most = max_count);
+
+// The text itself, if it is one of the names.
+std::string to_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known);
+// Its place among them.
+size_t to_choice(const std::string& option, const std::string& text, const std::vector<std::string_view>& known);
+// "a|b|c"
+std::string listed(const std::vector<std::string_view>& names);
+
+std::array<uint32_t, 2> to_size(const std::string& text);               // "1280x720"
+Tile to_crop(const std::string& text);                                  // "x0,y0,x1,y1"
+double to_seconds(const std::string& option, const std::string& text);  // "90", "90s", "1.5m", "2h", "500ms"
+void set_switches(const std::string& text, PictureOptions& o);          // "nee=false,mis=true"
+std::string to_output(const std::string& path);                         // ends in .exr, .png or .ppm
+void add_aovs(const std::string& text, std::vector<Aov>& aovs);         // "albedo,normal" or "all"
+DisplayAddress to_display_address(const std::string& text);             // "host", "host:14158" or "[::1]:14158"
+
+}  // namespace lancer

@@ -1,0 +1,329 @@
+#include "app/options/options.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "app/console.h"
+#include "app/options/option_parser.h"
+#include "app/options/option_values.h"
+#include "app/options/settings.h"
+#include "app/paths.h"
+#include "io/scene/definition.h"
+
+namespace lancer {
+namespace {
+
+constexpr uint32_t max_threads = 1024;
+// In the order of ToneMap.
+const std::vector<std::string_view> tonemap_names{"srgb", "agx", "none", "gamma22", "clamped"};
+
+void add_name(OptionParser& p, const std::string& option, const std::string& help,
+              const std::vector<std::string_view>& known, std::optional<std::string>& value)
+{
+    p.value(option, listed(known), help,
+            [=, &known, &value](const std::string& t) { value = to_name(option, t, known); });
+}
+
+void add_scene_options(OptionParser& p, SceneChoice& o,
+                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)")
+{
+    p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
+    p.group("The scene");
+    p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
+    p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
+             [&](const std::string& t) {
+                 parse_definition(t);
+                 o.definitions.push_back(t);
+             });
+    p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (its own folder)",
+            [&](const std::string& t) { o.asset_root = t; });
+}
+
+void add_threads(OptionParser& p, std::optional<uint32_t>& threads)
+{
+    p.value("-t,--threads", "N", "Threads; pictures do not depend on it (LANCER_THREADS, else all CPUs allowed)",
+            [&](const std::string& t) { threads = to_count("--threads", t, 1, max_threads); });
+}
+
+void add_picture_options(OptionParser& p, PictureOptions& o)
+{
+    add_scene_options(p, o.scene);
+    p.group("What decides the picture (over [render] of the scene)");
+    p.value("--size", "WxH", "Size in pixels (1280x720)", [&](const std::string& t) { o.size = to_size(t); });
+    p.value("--seed", "N", "Other random numbers (0)", [&](const std::string& t) {
+        o.seed = to_number<uint64_t>("--seed", t, 0, std::numeric_limits<int64_t>::max(), "a whole number");
+    });
+    add_name(p, "--integrator", "How light is followed (path)", integrator_names, o.integrator);
+    p.value("--max-depth", "N",
+            "Surface vertices of a path; 1 is direct light only, 0 no limit, for whitted and random-decision 7 (0)",
+            [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
+    p.values(
+        "--set", "NAME=true|false,...",
+        "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
+        "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
+        "(choose among many by place), split (into several rays where that pays), common (half of these by random "
+        "numbers that neighbours share, where that pays), roulette (by what the pixel shows), stop (end pixels that "
+        "are known well enough), multiscatter (rough metal loses no light), terminator (softer shadow edges on "
+        "smoothed meshes)",
+        [&](const std::string& t) { set_switches(t, o); });
+    p.value("--stop-error", "X",
+            "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",
+            [&](const std::string& t) { o.stop_error = to_number<double>("--stop-error", t, 1e-9, 1e9, "a number"); });
+    p.value("--replicates", "R",
+            "Deal the samples to R sets of random numbers: gives the error with an interval, may add noise (1)",
+            [&](const std::string& t) { o.replicates = to_count("--replicates", t, 1, 1024); });
+    p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
+    add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
+    add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
+    add_name(
+        p, "--accel",
+        "Who finds what rays meet: Embree, trees of our own, or lists of everything; auto is the fastest: list8 for "
+        "up to 64 triangles, bvh8 for long ones at an angle, else Embree (auto)",
+        accel_names, o.accel);
+    add_name(p, "--isa", "Instructions of Embree; others round differently (avx2)", isa_names, o.isa);
+    p.group("How it runs");
+    add_threads(p, o.threads);
+    p.flag("--strict", "Fail if loading the scene gives a warning", o.strict);
+}
+
+// After the options, so that a wrong value in the environment does not stand in the way of a right one.
+void take_environment(std::optional<uint32_t>& said)
+{
+    const char* const threads = std::getenv("LANCER_THREADS");
+    if (!said && threads && *threads) said = to_count("LANCER_THREADS", threads, 1, max_threads);
+}
+
+ProgressKind to_progress(const std::string& text)
+{
+    // In the order of ProgressKind.
+    return static_cast<ProgressKind>(to_choice("--progress", text, {"auto", "plain", "json", "none"}));
+}
+
+const char* const exit_codes =
+    "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
+    "130 interrupted (the picture so far is written, marked partial).\n";
+
+void add_render_options(OptionParser& p, RenderOptions& o)
+{
+    add_picture_options(p, o.picture);
+    p.value("--progress", "auto|plain|json|none", "auto is a line on a terminal, else plain (auto)",
+            [&](const std::string& t) { o.progress = to_progress(t); });
+    p.value("--display-server", "HOST[:PORT]",
+            "Show the picture while it grows in tev, an image viewer that listens there (port 14158)",
+            [&](const std::string& t) { o.display = to_display_address(t); });
+    p.value("--time", "T", "Stop after T of rendering: 60s, 5m, 2h; loading does not count. Without -s only this stops",
+            [&](const std::string& t) { o.time = to_seconds("--time", t); });
+    p.value("--error", "X",
+            "Stop when the error, the root of the relative mean squared one, is estimated at X or less: 0.02. Without "
+            "-s only this stops",
+            [&](const std::string& t) { o.error = to_number<double>("--error", t, 1e-9, 1e9, "a number"); });
+    p.value("--tile", "N", "Side of a tile in pixels; pictures do not depend on it (16)",
+            [&](const std::string& t) { o.tile = to_count("--tile", t, 1, 4096); });
+    p.value("--batch", "N", "Paths traced together; pictures do not depend on it (256)",
+            [&](const std::string& t) { o.batch = to_count("--batch", t, 1, 1 << 20); });
+    p.flag("-q,--quiet", "Only warnings and errors", o.quiet);
+    p.flag("-v,--verbose", "Also say what was loaded and with what settings", o.verbose);
+    p.group("What is written");
+    p.values("-o,--output", "FILE", "Picture, .exr, .png or .ppm; may be given several times (NAME.exr in this folder)",
+             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+    p.value("-s,--spp", "N", "Samples per pixel (64)",
+            [&](const std::string& t) { o.picture.spp = to_count("--spp", t, 1); });
+    p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
+            [&](const std::string& t) { o.crop = to_crop(t); });
+    p.values("--aov", "NAME,...",
+             "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, "
+             "samples, or all",
+             [&](const std::string& t) { add_aovs(t, o.aovs); });
+    p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
+    p.value("--tonemap", listed(tonemap_names),
+            "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
+            "curve with steps that round down (srgb; with --legacy one of the last two)",
+            [&](const std::string& t) { o.tonemap = static_cast<ToneMap>(to_choice("--tonemap", t, tonemap_names)); });
+    p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
+    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
+            [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
+    p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
+    p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
+            [&](const std::string& t) { o.reference = t; });
+    p.value("--reference2", "FILE", "A second one, independent of the first: their noise then cancels out",
+            [&](const std::string& t) { o.reference2 = t; });
+    p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
+            [&](const std::string& t) { o.error_log = t; });
+    p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
+}
+
+// With links followed as far as there are files: two names of one file are equal. Absolute first: of a relative path
+// that does not exist, weakly_canonical would leave a relative one.
+std::filesystem::path place_of(const std::string& path)
+{
+    std::error_code problem;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
+    return problem ? std::filesystem::path(path).lexically_normal() : place;
+}
+
+void refuse_doubles(const std::vector<std::string>& files)
+{
+    for (size_t i = 0; i < files.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (place_of(files[i]) == place_of(files[j]))
+                fail_usage("--output: " + in_quotes(files[i]) + " is named twice");
+}
+
+}  // namespace
+
+std::optional<RenderOptions> parse_render(int argc, char** argv)
+{
+    RenderOptions o;
+    OptionParser p(
+        "lancer render", "Render a scene into pictures.",
+        exit_codes + std::string("Signals: a second interrupt exits at once; SIGUSR1 writes a snapshot and goes on.\n\n"
+                                 "Examples:\n  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
+                                 "  lancer mesh.obj --size 640x360\n"));
+    add_render_options(p, o);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.picture.threads);
+    if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
+    const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
+    if (!o.aovs.empty() && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+        fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
+    std::vector<std::string> files = o.outputs;
+    if (!o.stats.empty()) files.push_back(o.stats);
+    if (!o.error_log.empty()) files.push_back(o.error_log);
+    refuse_doubles(files);
+    if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
+    for (const std::string& reference : {o.reference, o.reference2})
+        for (const std::string& file : files)
+            if (!reference.empty() && place_of(reference) == place_of(file))
+                fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
+    o.command_line = "lancer render";
+    for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
+    return o;
+}
+
+std::optional<CheckOptions> parse_check(int argc, char** argv)
+{
+    CheckOptions o;
+    OptionParser p(
+        "lancer check", "Print every problem of a scene and its files, one line each, and count them.",
+        "Exit codes: 0 no errors; 2 wrong usage; 65 errors, or with --strict warnings; 66 a file is missing.\n\n"
+        "Example:\n  lancer check scene.toml --strict\n");
+    add_scene_options(p, o.scene);
+    add_threads(p, o.threads);
+    p.flag("--strict", "Exit with 65 if there is a warning", o.strict);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<InfoOptions> parse_info(int argc, char** argv)
+{
+    InfoOptions o;
+    OptionParser p("lancer info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
+                   "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing.\n\n"
+                   "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
+    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<ExportOptions> parse_export(int argc, char** argv)
+{
+    ExportOptions o;
+    OptionParser p(
+        "lancer export",
+        "Write a scene as other renderers can read it: scene.json, with every name resolved, and a plain OBJ "
+        "file of triangles for each mesh. A scene with anything that these cannot say is refused.",
+        "Exit codes: 0 done; 1 cannot write; 2 wrong usage; 65 scene or asset invalid, or more than can be "
+        "exported; 66 input missing.\n\nExample:\n  lancer export scene.toml -o exported --size 512x512\n");
+    add_picture_options(p, o.picture);
+    p.group("What is written");
+    p.value("-o,--output", "FOLDER", "Where to; made if it is not there", [&](const std::string& t) { o.folder = t; });
+    if (!p.parse(argc, argv)) return {};
+    if (o.folder.empty()) fail_usage("--output: no folder to write into; say -o FOLDER");
+    take_environment(o.picture.threads);
+    return o;
+}
+
+std::optional<PixelOptions> parse_pixel(int argc, char** argv)
+{
+    PixelOptions o;
+    OptionParser p("lancer pixel", "Trace one sample of a pixel again, with the same bits, and print every vertex.",
+                   exit_codes + std::string("\nExample:\n  lancer pixel scene.toml 231 40 17 --seed 3\n"));
+    add_picture_options(p, o.picture);
+    p.argument("X", "Pixel, from the left of the whole picture",
+               [&](const std::string& t) { o.x = to_count("X", t, 0); });
+    p.argument("Y", "Pixel, from the top of the whole picture",
+               [&](const std::string& t) { o.y = to_count("Y", t, 0); });
+    p.argument(
+        "SAMPLE", "Number of the sample (0)", [&](const std::string& t) { o.sample = to_count("SAMPLE", t, 0); },
+        false);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.picture.threads);
+    return o;
+}
+
+std::optional<StudyOptions> parse_study(int argc, char** argv)
+{
+    StudyOptions o;
+    OptionParser p("lancer study",
+                   "Measure error against run time: methods on scenes with many seeds, as one HTML page.",
+                   "An interrupt ends a study; the same command goes on where it ended.\n\n"
+                   "Exit codes: 0 done; 1 a run failed; 2 wrong usage; 65 study or scene invalid; 66 input missing;\n"
+                   "130 interrupted.\n\nExample:\n  lancer study study.toml -o study\n");
+    p.argument("STUDY", "Study file (.toml); docs/measuring.md tells its keys",
+               [&](const std::string& t) { o.study = t; });
+    p.value("-o,--output", "FOLDER", "Where pictures, figures and index.html go (named as the study)",
+            [&](const std::string& t) { o.folder = t; });
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    if (o.folder.empty()) o.folder = std::filesystem::path(o.study).stem();
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<CompareOptions> parse_compare(int argc, char** argv)
+{
+    CompareOptions o;
+    OptionParser p(
+        "lancer compare",
+        "Print how far a picture is from a reference, draw where, and say whether it is more than noise.",
+        "Exit codes: 0 done, or within the limit; 1 beyond it; 2 wrong usage; 65 unreadable or not of the same size;\n"
+        "66 missing.\n\nThe last line is a verdict. For more than errors both pictures must be EXR of render --aov "
+        "variance, of\n"
+        "different --seed.\n\nExamples:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n"
+        "  lancer compare picture.exr reference.exr -o where.png\n");
+    p.argument("PICTURE", "Picture: EXR, PNG, HDR, JPEG, TIFF, ...", [&](const std::string& t) { o.picture = t; });
+    p.argument("REFERENCE", "What it should be", [&](const std::string& t) { o.reference = t; });
+    const auto second = [&](const std::string& t) { o.reference2 = t; };
+    p.argument("REFERENCE2", "The same as --reference2", second, false);
+    p.value("--reference2", "FILE", "A second, independent reference: noise of the references cancels out", second);
+    p.value("--metric", "rmse|relmse|smape|flip",
+            "What the limit is for (relmse; with two references its unbiased form)", [&](const std::string& t) {
+                // In the order of Metric.
+                o.metric = static_cast<Metric>(to_choice("--metric", t, {"rmse", "relmse", "smape", "flip"}));
+            });
+    p.flag("--steps", "Compare what 8-bit pictures hold, 0 to 255, as it stands in the files: no linear light",
+           o.steps);
+    p.value("--fail-above", "X", "Exit with 1 if the error is above X or not a number", [&](const std::string& t) {
+        o.fail_above = to_number<double>("--fail-above", t, 0, std::numeric_limits<double>::max(), "a number");
+    });
+    p.values("-o,--output", "FILE",
+             "Map of the errors: .png or .ppm in colours, .exr as numbers; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+    p.value("--map", "flip|relmse",
+            "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "
+            "(flip)",
+            [&](const std::string& t) {
+                // In the order of ErrorMap.
+                o.map = static_cast<ErrorMap>(to_choice("--map", t, {"flip", "relmse"}));
+            });
+    if (!p.parse(argc, argv)) return {};
+    refuse_doubles(o.outputs);
+    return o;
+}
+
+}  // namespace lancer

@@ -1,0 +1,112 @@
+// The command line, as one struct per command.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/load_scene.h"
+#include "core/film.h"
+#include "core/switches.h"
+#include "io/image/tonemap.h"
+#include "render/aov.h"
+
+namespace lancer {
+
+// What decides the value of a pixel. What is not given here is taken from [render] of the scene, else from Settings.
+// Names have been checked against the lists of settings.h.
+struct PictureOptions {
+    SceneChoice scene;
+    std::optional<std::array<uint32_t, 2>> size;
+    std::optional<uint64_t> seed;
+    std::optional<uint32_t> spp, max_depth;
+    std::optional<double> stop_error;
+    std::optional<uint32_t> replicates;
+    std::optional<std::string> integrator, sampler, filter, accel, isa;
+    SaidSwitches switches{};
+    std::optional<uint32_t> threads;
+    bool legacy = false;  // as --set legacy=true
+    bool strict = false;
+};
+
+enum class ProgressKind { automatic, plain, json, none };
+
+struct DisplayAddress {
+    std::string host;  // name or numeric address, without brackets
+    uint16_t port = 0;
+};
+
+struct RenderOptions {
+    PictureOptions picture;
+    std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
+    std::optional<Tile> crop;
+    uint32_t tile = 16;     // side in pixels
+    uint32_t batch = 256;   // paths under way at once
+    std::vector<Aov> aovs;  // each once, in the order of Aov
+    bool half = false;
+    float exposure_stops = 0;
+    std::optional<ToneMap> tonemap;  // else that of the settings
+    bool dither = false;
+    bool ascii_ppm = false;
+    std::string stats;                  // empty: none
+    std::string reference, reference2;  // empty: none
+    std::string error_log;              // likewise
+    std::optional<double> time, error;  // at which the render stops: seconds, square root of the relative error
+    std::optional<DisplayAddress> display;
+    ProgressKind progress = ProgressKind::automatic;
+    bool quiet = false, verbose = false;
+    std::string command_line;  // as it was given
+};
+
+struct CheckOptions {
+    SceneChoice scene;
+    std::optional<uint32_t> threads;
+    bool strict = false;
+};
+
+struct InfoOptions {
+    SceneChoice scene;  // or a picture
+    std::optional<uint32_t> threads;
+};
+
+struct PixelOptions {
+    PictureOptions picture;
+    uint32_t x = 0, y = 0, sample = 0;
+};
+
+struct ExportOptions {
+    PictureOptions picture;
+    std::string folder;
+};
+
+struct StudyOptions {
+    std::string study, folder;
+    std::optional<uint32_t> threads;
+};
+
+enum class Metric { rmse, relmse, smape, flip };
+enum class ErrorMap { flip, relmse };
+
+struct CompareOptions {
+    std::string picture, reference;
+    std::string reference2;  // empty: one reference
+    Metric metric = Metric::relmse;
+    bool steps = false;
+    std::optional<double> fail_above;
+    std::vector<std::string> outputs;  // of the map; each ends in .exr, .png or .ppm
+    ErrorMap map = ErrorMap::flip;
+};
+
+// argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
+// for; it has then been printed. Throws Error (usage).
+std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<CheckOptions> parse_check(int argc, char** argv);
+std::optional<InfoOptions> parse_info(int argc, char** argv);
+std::optional<PixelOptions> parse_pixel(int argc, char** argv);
+std::optional<ExportOptions> parse_export(int argc, char** argv);
+std::optional<StudyOptions> parse_study(int argc, char** argv);
+std::optional<CompareOptions> parse_compare(int argc, char** argv);
+
+}  // namespace lancer

@@ -1,0 +1,134 @@
+#include "app/render/outputs.h"
+
+#include <deque>
+#include <filesystem>
+
+#include "app/asset_files.h"
+#include "app/paths.h"
+#include "core/names.h"
+#include "core/technique.h"
+#include "io/atomic_file.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
+#include "io/image/ppm.h"
+#include "render/estimators/stop_rule.h"
+
+namespace lancer {
+namespace {
+
+Window window_of(const Tile& t)
+{
+    return {static_cast<int32_t>(t.x0), static_cast<int32_t>(t.y0), static_cast<int32_t>(t.x1),
+            static_cast<int32_t>(t.y1)};
+}
+
+ImageRows rows_of(const Film& film)
+{
+    return {window_of({0, 0, film.width, film.height}), window_of(film.crop), [&film](int32_t y, std::span<Color> row) {
+                const size_t first = film.index(film.crop.x0, static_cast<uint32_t>(y));
+                for (size_t i = 0; i < row.size(); ++i) row[i] = film.whole(first + i).mean();
+            }};
+}
+
+// Whatever keeps the mean of the picture from the truth, however many samples it has.
+std::string bias_ledger(const RunStats& s)
+{
+    std::string ledger;
+    const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
+    for (const std::string& bias : s.settings.biases) add(bias);
+    if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
+    for (size_t i = 0; i < switch_names.size(); ++i) {
+        const auto x = static_cast<Switch>(i);
+        const bool is_on = s.settings.switches[x];
+        if (is_technique(x) || is_on == Switches::default_of(x)) continue;
+        if (x == Switch::stop && stop_rule(s.settings.integrator, s.settings.switches) == StopRule::confidence)
+            continue;
+        add((is_on ? "" : "no_") + std::string(switch_names[i]));
+    }
+    if (clamps_samples(s.settings.integrator, s.settings.switches)) add("clamp");
+    if (!s.stopped_by.empty()) add("stopped_by_" + s.stopped_by);
+    if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
+    return ledger.empty() ? "none" : ledger;
+}
+
+}  // namespace
+
+void probe_outputs(const RenderOptions& options)
+{
+    for (const std::string& path : options.outputs) const AtomicFile probe(path);
+    if (!options.stats.empty()) const AtomicFile probe(options.stats);
+    if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
+}
+
+void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
+{
+    const std::vector<std::string> inputs = input_files(scene);
+    const auto check = [&](const std::string& option, const std::string& path) {
+        std::error_code absent;
+        for (const std::string& input : inputs)
+            if (std::filesystem::equivalent(path, input, absent))
+                throw Error(ErrorKind::usage, {},
+                            option + ": " + in_quotes(path) + " would overwrite the input " + in_quotes(input));
+    };
+    for (const std::string& path : options.outputs) check("--output", path);
+    if (!options.stats.empty()) check("--stats", options.stats);
+    if (!options.error_log.empty()) check("--error-log", options.error_log);
+}
+
+Image to_image(const Film& film)
+{
+    const ImageRows rows = rows_of(film);
+    Image image = make_image(rows.display, rows.data);
+    for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.whole(i).mean();
+    return image;
+}
+
+Metadata make_metadata(const RunStats& s)
+{
+    const auto integer = [](uint64_t x) { return static_cast<int64_t>(x); };
+    return {{"software", "lancer " + s.context.version},
+            {"scene", s.scene.file},
+            {"scene_hash", to_hex(s.scene.content_hash)},
+            {"settings_hash", s.settings.hash},
+            {"integrator", s.settings.integrator},
+            {"sampler", s.settings.sampler},
+            {"filter", s.settings.filter},
+            {"accel", s.settings.accel},
+            {"isa", s.settings.isa},
+            {"spp", integer(s.settings.spp)},
+            {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
+            {"seed", integer(s.settings.seed)},
+            {"replicates", integer(s.settings.replicates)},
+            {"max_depth", integer(s.settings.max_depth)},
+            {"threads", integer(s.settings.threads)},
+            {"seconds", s.render_s},
+            {"rays", integer(s.rays())},
+            {"dropped_samples", integer(s.counters.dropped)},
+            {"bias", bias_ledger(s)},
+            {"estimated_error", s.estimated_error},
+            {"partial", integer(s.partial ? 1 : 0)},
+            {"embree", s.context.embree},
+            {"command_line", s.context.command_line}};
+}
+
+void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
+                   const std::vector<ImagePlane>& planes, const Metadata& metadata)
+{
+    // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
+    std::deque<AtomicFile> files;
+    const ByteOptions bytes{.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = tonemap};
+    for (const std::string& path : options.outputs) {
+        AtomicFile& file = files.emplace_back(path);
+        if (extension_of(path) == ".png") {
+            write_png(file, to_image(film), metadata, bytes);
+        } else if (extension_of(path) == ".ppm") {
+            write_ppm(file, to_image(film), metadata, bytes, options.ascii_ppm);
+        } else {
+            write_exr(file, rows_of(film), metadata, {.half = options.half}, planes);
+        }
+        file.finish();
+    }
+    for (AtomicFile& file : files) file.commit();
+}
+
+}  // namespace lancer

@@ -1,0 +1,97 @@
+// The numbers of eight samplers at once, with the bits of each alone.
+#pragma once
+
+#include "core/lanes/vec.h"
+#include "core/sampler.h"
+
+namespace lancer {
+
+// Sampler::key_of() of each lane, by halves.
+struct KeyLanes {
+    UInt8 low, high;
+};
+
+// The address of a group of numbers in each lane, but for the sample.
+class AddressLanes {
+public:
+    AddressLanes(SamplerKind kind, const KeyLanes& key, uint32_t bounce, Dim dim) : kind_(kind)
+    {
+        const auto low = reinterpret_cast<__m256i>(key.low), high = reinterpret_cast<__m256i>(key.high);
+        const auto hash = [&](__m256i keys) {
+            return reinterpret_cast<__m256>(Sampler::hash_of(reinterpret_cast<ULong4>(keys), bounce, dim));
+        };
+        const __m256 a = hash(_mm256_unpacklo_epi32(low, high)), b = hash(_mm256_unpackhi_epi32(low, high));
+        low_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0x88));
+        high_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0xdd));
+    }
+    // As Sampler's; sample: index within the pixel.
+    Vec2x8 get2(UInt8 sample) const
+    {
+        if (kind_ == SamplerKind::independent) {
+            Vec2x8 of;
+            for (uint32_t i = 0; i < float_lanes; ++i) {
+                const Vec2 u = Sampler::independent2(hash(i), sample[i]);
+                of.x[i] = u.x, of.y[i] = u.y;
+            }
+            return of;
+        }
+        const UInt8 i = shuffled(sample);
+        return {first_of(i), second_of(i)};
+    }
+    // The first of get2().
+    Float8 get2_x(UInt8 sample) const
+    {
+        if (kind_ == SamplerKind::independent) return get2(sample).x;
+        return first_of(shuffled(sample));
+    }
+    Float8 get1(UInt8 sample) const
+    {
+        Float8 of;
+        if (kind_ == SamplerKind::independent) {
+            for (uint32_t i = 0; i < float_lanes; ++i) of[i] = Sampler::independent1(hash(i), sample[i]);
+            return of;
+        }
+        return third_of(shuffled(sample));
+    }
+    // get2() and get1() at once.
+    Vec3x8 get3(UInt8 sample) const
+    {
+        if (kind_ == SamplerKind::independent) {
+            const Vec2x8 first = get2(sample);
+            return {first.x, first.y, get1(sample)};
+        }
+        const UInt8 i = shuffled(sample);
+        return {first_of(i), second_of(i), third_of(i)};
+    }
+    // As Sampler's, of lane i.
+    uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
+
+private:
+    uint64_t hash(size_t i) const { return uint64_t{high_[i]} << 32 | low_[i]; }
+    static Float8 to_unit(UInt8 x) { return _mm256_cvtepi32_ps(reinterpret_cast<__m256i>(x >> 8)) * 0x1p-24f; }
+    UInt8 shuffled(UInt8 sample) const
+    {
+        return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), low_));
+    }
+    // Of a shuffled index the coordinates of its point.
+    Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)); }
+    Float8 second_of(UInt8 i) const
+    {
+        return to_unit(sobol::scrambled(sobol::second_reversed(i), high_, UInt8{} + 2u));
+    }
+    Float8 third_of(UInt8 i) const { return to_unit(sobol::scrambled(third_reversed(i), high_, UInt8{} + 3u)); }
+    static UInt8 third_reversed(UInt8 i)
+    {
+        const auto of_byte = [i](int byte) {
+            const UInt8 value = i >> (8 * byte) & 255u;
+            const auto* table = reinterpret_cast<const int*>(sobol::third_table[static_cast<size_t>(byte)].data());
+            return reinterpret_cast<UInt8>(_mm256_i32gather_epi32(table, reinterpret_cast<__m256i>(value), 4));
+        };
+        return of_byte(0) ^ of_byte(1) ^ of_byte(2) ^ of_byte(3);
+    }
+
+    SamplerKind kind_;
+    UInt8 low_, high_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,85 @@
+// Vectors of eight, and of four: what vec.h has for one, with the same bits in each lane.
+#pragma once
+
+#include "core/lanes/lanes.h"
+#include "core/vec.h"
+
+namespace lancer {
+
+using Vec3x8 = Vec3T<Float8>;
+struct Vec2x8 {
+    Float8 x, y;
+};
+
+inline Vec3x8 all_lanes(Vec3 v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }
+inline Float8 length(const Vec3x8& a) { return sqrt(dot(a, a)); }
+inline Vec3x8 normalize(const Vec3x8& a) { return a * (1.0f / length(a)); }
+inline Double4 length(const Vec3T<Double4>& a) { return sqrt(dot(a, a)); }
+inline Vec3T<Double4> normalize(const Vec3T<Double4>& a) { return a * (1.0 / length(a)); }
+inline Vec3x8 abs(const Vec3x8& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+inline Vec3x8 select(Mask8 m, const Vec3x8& yes, const Vec3x8& no)
+{
+    return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+inline Vec3x8 permuted(const Vec3x8& v, UInt8 from)
+{
+    return {permuted(v.x, from), permuted(v.y, from), permuted(v.z, from)};
+}
+inline Vec3T<Float4> abs(const Vec3T<Float4>& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+inline Vec3T<Float4> select(Mask4f m, const Vec3T<Float4>& yes, const Vec3T<Float4>& no)
+{
+    return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+// Each component by its own: colours.
+inline Vec3x8 times(const Vec3x8& a, const Vec3x8& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline Mask8 is_black(const Vec3x8& c)
+{
+    const Float8 zero{};
+    return (c.x == zero) & (c.y == zero) & (c.z == zero);
+}
+inline Vec3 lane(const Vec3x8& v, size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
+inline void set_lane(Vec3x8& v, size_t i, Vec3 to) { v.x[i] = to.x, v.y[i] = to.y, v.z[i] = to.z; }
+
+inline Vec3T<Double4> to_double(const Vec3T<Float4>& v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
+inline Vec3T<Float4> to_float(const Vec3T<Double4>& v) { return {to_float(v.x), to_float(v.y), to_float(v.z)}; }
+inline Vec3T<Float4> lower(const Vec3x8& v) { return {lower(v.x), lower(v.y), lower(v.z)}; }
+inline Vec3T<Float4> upper(const Vec3x8& v) { return {upper(v.x), upper(v.y), upper(v.z)}; }
+inline Vec3x8 joined(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
+{
+    return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+}
+
+// Eight rows of four numbers, the first of all in one register, and so on.
+struct RowLanes {
+    Vec3x8 xyz;
+    Float8 w;
+};
+// row(i): the i-th.
+template <class Row>
+RowLanes turned_rows(const Row& row)
+{
+    const auto pair = [&](size_t i) { return joined(row(i), row(i + 4)); };
+    const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+    const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
+    const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
+    return {{_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xee), _mm256_shuffle_ps(zw0, zw2, 0x44)},
+            _mm256_shuffle_ps(zw0, zw2, 0xee)};
+}
+
+// The same of four rows of doubles.
+struct RowsOfFour {
+    Vec3T<Double4> xyz;
+    Double4 w;
+};
+template <class Row>
+RowsOfFour turned_rows4(const Row& row)
+{
+    const __m256d a = row(0), b = row(1), c = row(2), d = row(3);
+    const __m256d xz0 = _mm256_unpacklo_pd(a, b), yw0 = _mm256_unpackhi_pd(a, b);
+    const __m256d xz2 = _mm256_unpacklo_pd(c, d), yw2 = _mm256_unpackhi_pd(c, d);
+    return {{_mm256_permute2f128_pd(xz0, xz2, 0x20), _mm256_permute2f128_pd(yw0, yw2, 0x20),
+             _mm256_permute2f128_pd(xz0, xz2, 0x31)},
+            _mm256_permute2f128_pd(yw0, yw2, 0x31)};
+}
+
+}  // namespace lancer

@@ -1,0 +1,343 @@
+#include "geometry/bvh2/builder.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+
+#include "core/parallel.h"
+
+namespace lancer {
+namespace {
+
+using Child = BinaryTree::Child;
+using Pair = BinaryTree::Pair;
+
+constexpr uint32_t chunk_size = 1 << 13;  // primitives that one step of a parallel loop handles
+
+// Some of the primitives, and what is known of them.
+struct Bounds {
+    BoxLanes box, centers;
+
+    void grow(const BoxedPrimitive& p)
+    {
+        box.grow(p.box);
+        centers.grow(p.center());
+    }
+    void grow(const Bounds& b)
+    {
+        box.grow(b.box);
+        centers.grow(b.centers);
+    }
+};
+struct Range {
+    uint32_t begin, end, depth;
+    Bounds bounds;
+
+    uint32_t size() const { return end - begin; }
+};
+
+// A plane across an axis. Left is what lies before it by the same arithmetic that counted it there.
+struct Cut {
+    int axis;
+    __m128 origin, scale;
+    float place;
+
+    static __m128 along(__m128 center, __m128 origin, __m128 scale) { return (center - origin) * scale; }
+    bool is_left(const BoxedPrimitive& p) const { return along(p.center(), origin, scale)[axis] < place; }
+};
+
+// Runs `f(begin, end, part)` over chunks of the range, in parallel, and adds up the parts, whatever the order: all that
+// is added are minima, maxima and counts.
+template <class Part, class F>
+Part over_chunks(const Range& r, const F& f)
+{
+    std::vector<Part> parts((r.size() + chunk_size - 1) / chunk_size);
+    parallel_for(parts.size(), [&](size_t k) {
+        const uint32_t begin = r.begin + static_cast<uint32_t>(k) * chunk_size;
+        f(begin, std::min(r.end, begin + chunk_size), parts[k]);
+    });
+    for (size_t k = 1; k < parts.size(); ++k) parts[0].grow(parts[k]);
+    return parts[0];
+}
+
+class MedianCuts {
+public:
+    static std::optional<Cut> choose(const BoxedPrimitive*, const Range& r, bool)
+    {
+        const __m128 d = r.bounds.box.upper - r.bounds.box.lower;
+        const int axis = d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
+        return Cut{axis, BoxedPrimitive{r.bounds.box.box(), 0}.center(), _mm_set1_ps(1), 0};
+    }
+};
+
+class SahCuts {
+public:
+    static std::optional<Cut> choose(const BoxedPrimitive* all, const Range& r, bool parallel)
+    {
+        const uint32_t used = std::min(bins, 4 + r.size() / 2);  // few suffice for few
+        const __m128 extent = r.bounds.centers.upper - r.bounds.centers.lower, zero = _mm_setzero_ps();
+        // A little less than `used`, so that rounding makes no bin behind the last one.
+        const __m128 scale =
+            _mm_and_ps(_mm_set1_ps(static_cast<float>(used) * (1 - gamma(4))) / extent, _mm_cmpgt_ps(extent, zero));
+        const Binning binning{r.bounds.centers.lower, scale, _mm_set1_epi32(static_cast<int>(used - 1))};
+        const auto fill = [&](uint32_t begin, uint32_t end, Bins& b) { binning.fill(all + begin, all + end, b); };
+        if (parallel) return best(over_chunks<Bins>(r, fill), used, binning);
+        Bins b;
+        fill(r.begin, r.end, b);
+        return best(b, used, binning);
+    }
+
+private:
+    static constexpr uint32_t bins = 32;
+
+    struct Bins {
+        BoxLanes box[3][bins];
+        uint32_t count[3][bins] = {};
+
+        void grow(const Bins& b)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+                for (uint32_t k = 0; k < bins; ++k) {
+                    box[axis][k].grow(b.box[axis][k]);
+                    count[axis][k] += b.count[axis][k];
+                }
+        }
+    };
+    struct Binning {
+        __m128 origin, scale;
+        __m128i last;
+
+        void fill(const BoxedPrimitive* p, const BoxedPrimitive* end, Bins& b) const
+        {
+            for (; p != end; ++p) {
+                const __m128i bin = _mm_cvttps_epi32(Cut::along(p->center(), origin, scale));
+                const __m128i in = _mm_min_epi32(_mm_max_epi32(bin, _mm_setzero_si128()), last);
+                add(b, 0, _mm_extract_epi32(in, 0), *p);
+                add(b, 1, _mm_extract_epi32(in, 1), *p);
+                add(b, 2, _mm_extract_epi32(in, 2), *p);
+            }
+        }
+        static void add(Bins& b, int axis, int bin, const BoxedPrimitive& p)
+        {
+            b.box[axis][bin].grow(p.box);
+            ++b.count[axis][bin];
+        }
+    };
+
+    static std::optional<Cut> best(const Bins& b, uint32_t used, const Binning& binning)
+    {
+        std::optional<Cut> cut;
+        float least = FloatBox::inf;
+        for (int axis = 0; axis < 3; ++axis) {
+            float right_cost[bins];  // of the bins from k on; 0 where they are empty
+            BoxLanes box;
+            uint32_t count = 0;
+            for (uint32_t k = used - 1; k > 0; --k) {
+                box.grow(b.box[axis][k]);
+                count += b.count[axis][k];
+                right_cost[k] = cost(box, count);
+            }
+            box = {};
+            count = 0;
+            for (uint32_t k = 1; k < used; ++k) {
+                box.grow(b.box[axis][k - 1]);
+                count += b.count[axis][k - 1];
+                if (count == 0 || right_cost[k] == 0) continue;
+                const float both = cost(box, count) + right_cost[k];
+                if (both < least) {
+                    least = both;
+                    cut = Cut{axis, binning.origin, binning.scale, static_cast<float>(k)};
+                }
+            }
+        }
+        return cut;
+    }
+    // NaN and infinity, of huge boxes, never are the least.
+    static float cost(const BoxLanes& box, uint32_t count)
+    {
+        return count == 0 ? 0 : box.half_area() * static_cast<float>(count);
+    }
+};
+
+template <class Cuts>
+class Builder {
+public:
+    Builder(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
+        : items_(std::move(primitives)), leaf_size_(leaf_size)
+    {
+    }
+
+    BuiltTree build()
+    {
+        BuiltTree built;
+        const auto count = static_cast<uint32_t>(items_.size());
+        if (count == 0) return built;
+        Range whole{0, count, 0, {}};
+        whole.bounds = over_chunks<Bounds>(whole, [&](uint32_t begin, uint32_t end, Bounds& b) {
+            for (uint32_t i = begin; i < end; ++i) b.grow(items_[i]);
+        });
+        // Large nodes are cut one after the other, each by all threads; what they leave are tasks for one thread each.
+        task_size_ = std::max<uint32_t>(1 << 12, count / 64);
+        if (count > task_size_) scratch_.resize(count);
+        std::vector<Pair> pairs;
+        Child root = cut_large(whole, pairs);
+        std::vector<std::vector<Pair>> subtrees(tasks_.size());
+        std::vector<Child> roots(tasks_.size());
+        parallel_for(tasks_.size(), [&](size_t k) {
+            subtrees[k].reserve(tasks_[k].size() / 2);
+            roots[k] = cut_small(tasks_[k], subtrees[k]);
+        });
+        join(subtrees, roots, pairs, root);
+        built.order.resize(count);
+        for (uint32_t i = 0; i < count; ++i) built.order[i] = items_[i].number();
+        built.tree = BinaryTree(whole.bounds.box.box(), root, std::move(pairs));
+        return built;
+    }
+
+private:
+    // Task k, until join() puts its root there.
+    static constexpr uint32_t is_task = UINT32_MAX;
+
+    Child cut_large(const Range& r, std::vector<Pair>& pairs)
+    {
+        if (r.size() <= task_size_) {
+            tasks_.push_back(r);
+            return {static_cast<uint32_t>(tasks_.size() - 1), is_task};
+        }
+        return inner(r, pairs, true, [&](const Range& part) { return cut_large(part, pairs); });
+    }
+    Child cut_small(const Range& r, std::vector<Pair>& pairs)
+    {
+        if (r.size() <= leaf_size_) return {r.begin, r.size()};
+        return inner(r, pairs, false, [&](const Range& part) { return cut_small(part, pairs); });
+    }
+    template <class Below>
+    Child inner(const Range& r, std::vector<Pair>& pairs, bool parallel, const Below& below)
+    {
+        auto [left, right] = cut(r, parallel);
+        if (left.bounds.box.half_area() < right.bounds.box.half_area()) std::swap(left, right);
+        const auto number = static_cast<uint32_t>(pairs.size());
+        pairs.emplace_back();
+        const Child first = below(left), second = below(right);
+        pairs[number].set(0, left.bounds.box.box(), first);
+        pairs[number].set(1, right.bounds.box.box(), second);
+        return {number, 0};
+    }
+
+    // depth + log2(size), rounded up, never exceeds max_depth: halving keeps the sum, and any other cut is made only
+    // where one more is allowed.
+    std::pair<Range, Range> cut(const Range& r, bool parallel)
+    {
+        const auto levels = static_cast<uint32_t>(std::bit_width(r.size() - 1));
+        if (r.depth + levels < BinaryTree::max_depth)
+            if (const auto cut = Cuts::choose(items_.data(), r, parallel)) {
+                Range left{r.begin, r.begin, r.depth + 1, {}}, right{r.end, r.end, r.depth + 1, {}};
+                parallel ? partition_large(*cut, r, left, right) : partition(*cut, left, right);
+                if (left.size() != 0 && right.size() != 0) return {left, right};
+            }
+        const uint32_t middle = r.begin + (r.size() + 1) / 2;
+        return {part_of(r, r.begin, middle), part_of(r, middle, r.end)};
+    }
+    Range part_of(const Range& r, uint32_t begin, uint32_t end) const
+    {
+        Range part{begin, end, r.depth + 1, {}};
+        for (uint32_t i = begin; i < end; ++i) part.bounds.grow(items_[i]);
+        return part;
+    }
+    void partition(const Cut& cut, Range& left, Range& right)
+    {
+        while (left.end < right.begin) {
+            BoxedPrimitive& p = items_[left.end];
+            if (cut.is_left(p)) {
+                left.bounds.grow(p);
+                ++left.end;
+            } else {
+                right.bounds.grow(p);
+                std::swap(p, items_[--right.begin]);
+            }
+        }
+    }
+    // In chunks: count what goes left, then move all to the scratch space, in order, and back.
+    void partition_large(const Cut& cut, const Range& r, Range& left, Range& right)
+    {
+        struct Part {
+            uint32_t left = 0;
+            Bounds bounds[2];
+        };
+        std::vector<Part> parts((r.size() + chunk_size - 1) / chunk_size);
+        const auto each_chunk = [&](const auto& f) {
+            parallel_for(parts.size(), [&](size_t k) {
+                const uint32_t begin = r.begin + static_cast<uint32_t>(k) * chunk_size;
+                f(parts[k], begin, std::min(r.end, begin + chunk_size));
+            });
+        };
+        each_chunk([&](Part& part, uint32_t begin, uint32_t end) {
+            for (uint32_t i = begin; i < end; ++i) {
+                const bool is_left = cut.is_left(items_[i]);
+                part.bounds[is_left ? 0 : 1].grow(items_[i]);
+                part.left += is_left ? 1 : 0;
+            }
+        });
+        for (Part& part : parts) {
+            left.bounds.grow(part.bounds[0]);
+            right.bounds.grow(part.bounds[1]);
+            left.end += std::exchange(part.left, left.end);  // from here on where the chunk's left ones go
+        }
+        right.begin = left.end;
+        each_chunk([&](const Part& part, uint32_t begin, uint32_t end) {
+            uint32_t to_left = part.left, to_right = right.begin + (begin - r.begin) - (part.left - r.begin);
+            for (uint32_t i = begin; i < end; ++i)
+                scratch_[cut.is_left(items_[i]) ? to_left++ : to_right++] = items_[i];
+        });
+        each_chunk([&](const Part&, uint32_t begin, uint32_t end) {
+            std::copy(scratch_.begin() + begin, scratch_.begin() + end, items_.begin() + begin);
+        });
+    }
+
+    // Appends the subtrees to the nodes above them and enters where they begin.
+    static void join(const std::vector<std::vector<Pair>>& subtrees, const std::vector<Child>& roots,
+                     std::vector<Pair>& pairs, Child& root)
+    {
+        std::vector<uint32_t> first(subtrees.size());
+        const auto above = static_cast<uint32_t>(pairs.size());
+        uint32_t size = above;
+        for (size_t k = 0; k < subtrees.size(); ++k) {
+            first[k] = size;
+            size += static_cast<uint32_t>(subtrees[k].size());
+        }
+        pairs.resize(size);
+        const auto shifted = [](Child c, uint32_t by) { return c.count == 0 ? Child{c.first + by, 0} : c; };
+        const auto enter = [&](Child& c) {
+            if (c.count == is_task) c = shifted(roots[c.first], first[c.first]);
+        };
+        enter(root);
+        for (uint32_t i = 0; i < above; ++i)
+            for (Child& c : pairs[i].child) enter(c);
+        parallel_for(subtrees.size(), [&](size_t k) {
+            for (size_t i = 0; i < subtrees[k].size(); ++i) {
+                Pair p = subtrees[k][i];
+                for (Child& c : p.child) c = shifted(c, first[k]);
+                pairs[first[k] + i] = p;
+            }
+        });
+    }
+
+    std::vector<BoxedPrimitive> items_, scratch_;
+    std::vector<Range> tasks_;
+    uint32_t leaf_size_, task_size_ = 0;
+};
+
+}  // namespace
+
+BuiltTree build_median(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
+{
+    return Builder<MedianCuts>(std::move(primitives), leaf_size).build();
+}
+
+BuiltTree build_sah(std::vector<BoxedPrimitive> primitives, uint32_t leaf_size)
+{
+    return Builder<SahCuts>(std::move(primitives), leaf_size).build();
+}
+
+}  // namespace lancer

@@ -1,0 +1,125 @@
+// Rays that go through a Bvh8 in turns, a step of each at a time: what the next step of one reads is asked for while
+// the others have theirs, so that memory is not waited for, and which step comes next is no branch. Each ray goes as it
+// does alone. After Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", SIGGRAPH 2014, but that each ray
+// keeps an order of its own.
+#pragma once
+
+#include <utility>
+
+#include "geometry/bvh8/bvh8.h"
+
+namespace lancer {
+
+class Bvh8Turns {
+public:
+    static constexpr size_t most = 128;  // rays
+
+    explicit Bvh8Turns(const Bvh8& tree) : tree_(tree) {}
+
+    // Bvh8::closest() of each of at most `most` rays; those with a t_max below 0 are left out. found(i, number, t).
+    // places[i]: what it says. At first: none.
+    template <class Found>
+    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+                 const Found& found)
+    {
+        const auto of_ray = [&](uint32_t i) {
+            return [&, i](uint32_t number, float t) { return found(i, number, t); };
+        };
+        const auto go_alone = [&](uint32_t i) {
+            places[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
+            searches_[i].last = {};
+            return Bvh8Child::none();
+        };
+        Lists one, other;
+        for (uint32_t i = 0; i < rays.size(); ++i) {
+            if (t_max[i] < 0) continue;
+            bool is_crowded = false;
+            const Bvh8Child next = begin(i, rays[i], t_max[i], is_crowded);
+            put(i, is_crowded ? go_alone(i) : next, one);
+        }
+        for (Lists *now = &one, *next = &other; !now->empty(); std::swap(now, next)) {
+            next->clear();
+            for (const uint32_t i : now->leaves.all()) {
+                Search& s = searches_[i];
+                if (Bvh8::closest_in(tree_.leaf(s.next), s.leaf_ray, s.nearest, of_ray(i))) {
+                    s.last = s.next, s.reach = s.nearest.high * Bvh8::beyond;
+                    tree_.fetch_place_of(s.last);
+                }
+                put(i, s.stack.pop(s.reach), *next);
+            }
+            for (const uint32_t i : now->nodes.all()) put(i, has_room(i) ? step(searches_[i]) : go_alone(i), *next);
+        }
+        for (uint32_t i = 0; i < rays.size(); ++i)
+            if (!(t_max[i] < 0) && searches_[i].last.is_leaf()) places[i] = tree_.place_of(searches_[i].last).bits();
+    }
+
+private:
+    struct Search {
+        NodeRayInMemory node_ray;
+        LeafRay leaf_ray;
+        Bvh8NearStack stack;
+        float reach;
+        Bvh8Nearest nearest;
+        Bvh8Child next, last;  // last: the leaf of the nearest triangle yet; or the root
+    };
+    // Which rays have their next step where.
+    struct List {
+        std::array<uint32_t, most> rays;
+        size_t count = 0;
+
+        std::span<const uint32_t> all() const { return std::span(rays).first(count); }
+    };
+    struct Lists {
+        List nodes, leaves;
+
+        bool empty() const { return (nodes.count | leaves.count) == 0; }
+        void clear() { nodes.count = leaves.count = 0; }
+    };
+
+    // is_crowded: its stack has not room enough.
+    Bvh8Child begin(uint32_t i, const Ray& ray, float t_max, bool& is_crowded)
+    {
+        Search& s = searches_[i];
+        s.node_ray = NodeRayInMemory(ray), s.leaf_ray = LeafRay(ray);
+        s.stack = Bvh8NearStack(entries_[i].data());
+        s.reach = t_max * Bvh8::beyond;
+        s.nearest = {t_max, t_max}, s.last = {};
+        return tree_.begin(ray, [&](const Bvh8Node& n, uint32_t but) {
+            if (!has_room(i)) [[unlikely]] {
+                is_crowded = true;
+                return;
+            }
+            Float8 near;
+            const uint32_t met = s.node_ray.meets(n, all_lanes(s.reach), near);
+            s.stack.push_all(n, met & but, near);
+        });
+    }
+    Bvh8Child step(Search& s) const
+    {
+        const Bvh8Node& n = tree_.node(s.next);
+        Float8 near;
+        const uint32_t met = s.node_ray.meets(n, all_lanes(s.reach), near);
+        return met ? s.stack.push(n, met, near) : s.stack.pop(s.reach);
+    }
+    // In both lists, but only counted where it belongs.
+    void put(uint32_t i, Bvh8Child next, Lists& lists)
+    {
+        searches_[i].next = next;
+        const bool is_leaf = next.is_leaf(), is_none = next.is_none();
+        tree_.fetch(is_none ? Bvh8Child{} : next);
+        lists.nodes.rays[lists.nodes.count] = lists.leaves.rays[lists.leaves.count] = i;
+        lists.nodes.count += size_t{!(is_leaf | is_none)}, lists.leaves.count += size_t{is_leaf};
+    }
+    bool has_room(uint32_t i) const
+    {
+        return searches_[i].stack.room(entries_[i].data() + entries_[i].size()) >= 2 * bvh8_node_entries;
+    }
+
+    const Bvh8& tree_;
+    std::array<Search, most> searches_;
+    // Of their stacks, for as much as nearly all rays need; the others go on alone. Not a power of two, or all stacks
+    // would share a few lines of the cache.
+    std::array<std::array<Bvh8Entry, 72>, most> entries_;
+};
+
+}  // namespace lancer

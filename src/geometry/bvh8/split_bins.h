@@ -1,0 +1,118 @@
+// How a builder finds where to divide a set of references: by the surface area heuristic over bins, of the centres of
+// boxes (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007) or of space itself, where a
+// reference that crosses the plane goes to both sides (Stich, Friedrich, Dietrich, "Spatial Splits in Bounding Volume
+// Hierarchies", HPG 2009).
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "geometry/bvh8/split_reference.h"
+#include "geometry/triangle_set.h"
+
+namespace lancer {
+
+inline constexpr int max_bins = 16;
+
+// Cost: number of references times area of their box, of both sides. Sides are the bins before and from `bin` on.
+struct Division {
+    float cost = FloatBox::inf;
+    int axis = -1, bin = 0;
+    uint32_t count_below = 0, count_above = 0;
+    Box4 below, above;
+
+    explicit operator bool() const { return axis >= 0; }
+};
+
+// The box of references and that of their centres, in doubled coordinates.
+struct Spread {
+    Box4 box, centers;
+
+    void add(const Reference& r)
+    {
+        box.grow(r.box);
+        centers.grow(r.box.lower + r.box.upper);
+    }
+    void add(const Spread& s)
+    {
+        box.grow(s.box);
+        centers.grow(s.centers);
+    }
+};
+
+// Bins of centres, of all axes at once. Those of parts of a set can be added up, in any order.
+class ObjectBins {
+public:
+    // count: of references that there will be; few need few bins.
+    ObjectBins(const Spread& spread, size_t count);
+
+    void add(const Reference& r)
+    {
+        const auto k = bins_of(r);
+        for (size_t axis = 0; axis < 3; ++axis) {
+            boxes_[axis][k[axis]].grow(r.box);
+            ++counts_[axis][k[axis]];
+        }
+    }
+    void add(const ObjectBins& b);
+    // None where all centres are one.
+    Division best() const;
+    bool is_below(const Division& d, const Reference& r) const
+    {
+        return bins_of(r)[static_cast<size_t>(d.axis)] < d.bin;
+    }
+
+private:
+    std::array<int, 4> bins_of(const Reference& r) const
+    {
+        const __m128i last = _mm_set1_epi32(bins_ - 1);
+        const __m128i k = _mm_cvttps_epi32((r.box.lower + r.box.upper - origin_) * scale_);
+        std::array<int, 4> bins;
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(bins.data()),
+                         _mm_min_epi32(_mm_max_epi32(k, _mm_setzero_si128()), last));
+        return bins;
+    }
+
+    int bins_;
+    Float4 origin_, scale_;  // scale: 0 of axes along which all centres are one
+    std::array<std::array<Box4, max_bins>, 3> boxes_;
+    std::array<std::array<uint32_t, max_bins>, 3> counts_{};
+};
+
+// Bins of space along each axis.
+class SpaceBins {
+public:
+    explicit SpaceBins(const Box4& box);
+
+    void add(const TriangleSet& triangles, const Reference& r);
+    void add(const SpaceBins& b);
+    // Of the divisions that cost less, that leave fewer than all `count` references on either side, and no more than
+    // `room` besides these on both. The counts are upper bounds.
+    Division best(float cost, size_t count, size_t room) const;
+
+    // Which sides of a division a reference goes to, and the plane.
+    bool ends_below(const Division& d, const Reference& r) const { return bins_of(r.box.upper)[at(d)] < d.bin; }
+    bool starts_above(const Division& d, const Reference& r) const { return bins_of(r.box.lower)[at(d)] >= d.bin; }
+    float plane(const Division& d) const { return plane(at(d), d.bin); }
+
+private:
+    static size_t at(const Division& d) { return static_cast<size_t>(d.axis); }
+    // Nothing certain of axes that are not usable.
+    std::array<int, 4> bins_of(Float4 p) const
+    {
+        const Float4 last{max_bins - 1, max_bins - 1, max_bins - 1, max_bins - 1};
+        std::array<int, 4> bins;
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(bins.data()),
+                         _mm_cvttps_epi32(min(max((p - origin_) * scale_, Float4{}), last)));
+        return bins;
+    }
+    float plane(size_t axis, int bin) const { return origin_[axis] + width_[axis] * static_cast<float>(bin); }
+    void add_parts(size_t axis, const Corners& triangle, const Reference& r, int first, int last);
+
+    Float4 origin_, width_, scale_;
+    std::array<bool, 3> usable_;  // whether the bins are wider than what float can tell apart
+    std::array<std::array<Box4, max_bins>, 3> boxes_;
+    std::array<std::array<uint32_t, max_bins>, 3> enter_{}, leave_{};  // how many begin and end in each bin
+};
+
+}  // namespace lancer

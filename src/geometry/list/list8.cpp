@@ -1,0 +1,86 @@
+#include "geometry/list/list8.h"
+
+#include <algorithm>
+
+#include "geometry/triangle_float.h"
+
+namespace lancer {
+
+List8::List8(const TriangleSet& triangles)
+{
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        if (!triangles.is_finite(i)) continue;
+        if (parts_.empty() || parts_.back().triangles.size() == part_size) parts_.emplace_back();
+        Part& part = parts_.back();
+        Triangle t{{}, {}, i, triangles.corners(i)};
+        const auto& [a, b, c] = t.places;
+        const Vec3 e = b - a, g = c - a;
+        for (int k = 0; k < 3; ++k) {
+            const int x = (k + 1) % 3, y = (k + 2) % 3;
+            const float first = e[x] * g[y], second = e[y] * g[x];
+            t.along[static_cast<size_t>(k)] = {a[k], first - second, std::abs(first) + std::abs(second)};
+        }
+        for (size_t k = 0; k < 3; ++k) t.corners[k] = part.add_corner(t.places[k]);
+        part.triangles.push_back(t);
+    }
+}
+
+uint32_t List8::Part::add_corner(Vec3 p)
+{
+    const auto count = static_cast<uint32_t>(corners[0].size());
+    for (uint32_t i = 0; i < count; ++i)
+        if (corners[0][i] == p.x && corners[1][i] == p.y && corners[2][i] == p.z) return i;
+    corners[0].push_back(p.x), corners[1].push_back(p.y), corners[2].push_back(p.z);
+    return count;
+}
+
+uint64_t List8::bytes() const
+{
+    uint64_t sum = parts_.size() * sizeof(Part);
+    for (const Part& part : parts_)
+        sum += part.triangles.size() * sizeof(Triangle) + 3 * part.corners[0].size() * sizeof(float);
+    return sum;
+}
+
+double List8::sah_cost() const
+{
+    double sum = 0;
+    for (const Part& part : parts_) sum += static_cast<double>(part.triangles.size());
+    return sum;
+}
+
+Mask8 List8::confirmed(const Triangle& t, const Points& points, Mask8 inside)
+{
+    const Mask8 on_edge = inside & Edges(t, points).touch();
+    if (bits(on_edge) == 0) return inside;
+    const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
+    return inside & (~on_edge | lanes_of(contain_origin(bits(on_edge), {a.x, a.y, b.x, b.y, c.x, c.y})));
+}
+
+const List8::Triangle& List8::numbered(uint32_t number) const
+{
+    const auto ends_before = [](const Part& part, uint32_t n) { return part.triangles.back().number < n; };
+    const Part& part = *std::lower_bound(parts_.begin(), parts_.end(), number, ends_before);
+    return *std::lower_bound(part.triangles.begin(), part.triangles.end(), number,
+                             [](const Triangle& t, uint32_t n) { return t.number < n; });
+}
+
+uint32_t List8::decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+                       Float8& t) const
+{
+    const auto distance = [&r](const Triangle& to, size_t i) {
+        const auto& [a, b, c] = to.places;
+        return distance_to_plane(lane(r.rays.org, i), lane(r.rays.dir, i), static_cast<int>(r.axes[2]), a, b, c);
+    };
+    uint32_t met = 0;
+    for_bits(lanes, [&](uint32_t i) {
+        t[i] = distance(triangle, i);
+        const bool is_first = best.number[i] == NearestOctet::none;
+        // What is compared is rounded alike: of two in one place the first stays.
+        if (!is_first) best.t[i] = distance(numbered(best.number[i]), i);
+        met |= uint32_t{t[i] >= r.rays.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;
+    });
+    return met;
+}
+
+}  // namespace lancer

@@ -1,0 +1,163 @@
+// The list of all triangles, each against eight rays at once: of a few dozen faster than any tree, as there are no
+// boxes and no branches that nobody can predict. Watertight, by the test of bvh8/leaf.h with rays and triangles in each
+// other's place.
+#pragma once
+
+#include "geometry/edge_lanes.h"
+#include "geometry/packet_tree.h"
+
+namespace lancer {
+
+// An OctetTree.
+class List8 {
+public:
+    // So many triangles at a time; each corner that several have is sheared once.
+    static constexpr size_t part_size = 64;
+
+    explicit List8(const TriangleSet& triangles);
+
+    template <class Found>
+    void closest(const Ray& ray, float& t_max, const Found& found) const
+    {
+        const uint32_t first = 0;
+        const ShearedOctet r({&ray, 1}, {&first, 1});
+        NearestOctet best{.t = all_lanes(t_max)};
+        closest(r, best, [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); });
+        t_max = best.t[0];
+    }
+    template <class Found>
+    bool any(const Ray& ray, const Found& found) const
+    {
+        const uint32_t first = 0;
+        return any(ShearedOctet({&ray, 1}, {&first, 1}),
+                   [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); }) != 0;
+    }
+
+    template <class Counts>
+    void closest(const ShearedOctet& r, NearestOctet& best, const Counts& counts) const
+    {
+        for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
+            Float8 t;
+            Mask8 met = reached(triangle, r, inside, best, t);
+            met = counts(met, triangle.number, t);
+            best.t = select(met, t, best.t);
+            best.number = select(met, UInt8{} + triangle.number, best.number);
+            return true;
+        });
+    }
+    template <class Counts>
+    uint32_t any(const ShearedOctet& r, const Counts& counts) const
+    {
+        NearestOctet reach{.t = r.rays.t_max};
+        Mask8 open = r.valid;
+        for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
+            Float8 t;
+            const Mask8 met = reached(triangle, r, inside & open, reach, t);
+            open &= ~counts(met, triangle.number, t);
+            return bits(open) != 0;
+        });
+        return bits(r.valid & ~open);
+    }
+
+    uint64_t bytes() const;
+    double sah_cost() const;
+
+private:
+    struct Triangle {
+        struct Along {
+            float a, normal, size;  // the first corner; the cross product of two sides, and the same of their lengths
+        };
+        std::array<Along, 3> along;  // each axis
+        std::array<uint32_t, 3> corners;
+        uint32_t number;
+        std::array<Vec3, 3> places;  // of the corners
+    };
+    struct Part {
+        std::array<std::vector<float>, 3> corners;  // along each axis
+        std::vector<Triangle> triangles;
+
+        uint32_t add_corner(Vec3 p);
+    };
+    struct Point {
+        Float8 x, y;
+    };
+    using Points = std::array<Point, 3 * part_size>;
+    struct Edges {
+        Float8 least, most;  // of the three edge functions
+
+        Edges(const Triangle& t, const Points& points)
+        {
+            const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
+            const Float8 u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
+            least = min(u, min(v, w)), most = max(u, max(v, w));
+        }
+        Mask8 contain() const { return (least >= Float8{}) | (most <= Float8{}); }
+        Mask8 touch() const { return (least == Float8{}) | (most == Float8{}); }
+    };
+
+    // f(triangle, lanes) for the triangles, in order, that the lines of some rays go through: of those lanes. Until f
+    // says false. First which they are, of many, then what is to be done with them: so no branch waits for arithmetic.
+    template <class F>
+    void for_candidates(const ShearedOctet& r, const F& f) const
+    {
+        Points points;
+        std::array<Mask8, part_size> lanes;
+        std::array<const Triangle*, part_size> which;
+        for (const Part& part : parts_) {
+            shear(part, r, points);
+            size_t count = 0;
+            Mask8 touched{};
+            for (const Triangle& t : part.triangles) {
+                const Edges edges(t, points);
+                const Mask8 inside = edges.contain() & r.valid;
+                touched |= inside & edges.touch();
+                lanes[count] = inside, which[count] = &t;
+                count += bits(inside) != 0;
+            }
+            if (bits(touched) != 0)
+                for (size_t i = 0; i < count; ++i) lanes[i] &= confirmed(*which[i], points, lanes[i]);
+            for (size_t i = 0; i < count; ++i)
+                if (!f(*which[i], lanes[i])) return;
+        }
+    }
+    static void shear(const Part& part, const ShearedOctet& r, Points& points)
+    {
+        const float *x = part.corners[r.axes[0]].data(), *y = part.corners[r.axes[1]].data(),
+                    *z = part.corners[r.axes[2]].data();
+        for (size_t i = 0; i < part.corners[0].size(); ++i) {
+            const Float8 height = all_lanes(z[i]) - r.org.z;
+            points[i] = {minus_product(r.sx, height, all_lanes(x[i]) - r.org.x),
+                         minus_product(r.sy, height, all_lanes(y[i]) - r.org.y)};
+        }
+    }
+    static Mask8 confirmed(const Triangle& t, const Points& points, Mask8 inside);
+
+    // Those of the lanes inside that meet the triangle in [t_min, best.t], or before it where best.t is of another one:
+    // see LeafRay.
+    Mask8 reached(const Triangle& triangle, const ShearedOctet& r, Mask8 lanes, NearestOctet& best, Float8& t) const
+    {
+        const Triangle::Along &x = triangle.along[r.axes[0]], &y = triangle.along[r.axes[1]],
+                              &z = triangle.along[r.axes[2]];
+        const Float8 px = all_lanes(x.a) - r.org.x, py = all_lanes(y.a) - r.org.y, pz = all_lanes(z.a) - r.org.z;
+        const Float8 slope = all_lanes(x.normal) * r.sx + all_lanes(y.normal) * r.sy + all_lanes(z.normal);
+        const Float8 scale = r.sz / slope;
+        t = (all_lanes(x.normal) * px + all_lanes(y.normal) * py + all_lanes(z.normal) * pz) * scale;
+        const Float8 of_place = all_lanes(x.size) * abs(px) + all_lanes(y.size) * abs(py) + all_lanes(z.size) * abs(pz);
+        const Float8 of_slope = all_lanes(x.size) * abs(r.sx) + all_lanes(y.size) * abs(r.sy) + all_lanes(z.size);
+        const Float8 error = gamma(8) * abs(scale) * (of_place + abs(t) * of_slope * r.length_z);
+        const Float8 low = t - error, high = t + error;
+        lanes &= ~((high < r.rays.t_min) | (low > best.t));
+        const Mask8 sure = (error < t * 0x1p-17f) & (low > r.rays.t_min) & (high < best.t);
+        const uint32_t unsure = bits(lanes & ~sure);
+        if (unsure == 0) return lanes;
+        return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, t));
+    }
+    // The same of what float cannot tell.
+    uint32_t decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+                    Float8& t) const;
+    const Triangle& numbered(uint32_t number) const;
+
+    std::vector<Part> parts_;
+};
+
+}  // namespace lancer

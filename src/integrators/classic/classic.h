@@ -1,0 +1,165 @@
+// What the classic integrators (whitted.h, random_decision.h) share: their settings, and a vertex of the illumination
+// model of Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980: lit by the lights, with a
+// reflected and a refracted ray. Here with a BSDF that keeps energy; legacy/classic.h has the one of the past.
+#pragma once
+
+#include <array>
+
+#include "integrators/legacy/classic.h"
+#include "integrators/path/transport.h"
+#include "integrators/settings.h"
+#include "materials/interface.h"
+
+namespace lancer {
+
+// A vertex: the Phong parameters of the place as a BSDF, so that the same light is found that direct.h finds.
+template <class V>
+class ClassicVertex {
+public:
+    ClassicVertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler)
+        : view_(view),
+          s_(s),
+          surface_(surface),
+          sampler_(sampler),
+          phong_(view.phong(surface)),
+          bsdf_(phong_, surface.front),
+          frame_(surface.ns),
+          wo_(frame_.to_local(-s.ray.dir))
+    {
+    }
+
+    // The rays that go on by mirror and refraction, if there are any.
+    std::optional<State> reflection() const { return sent(reflected()); }
+    std::optional<State> refraction() const { return sent(refracted()); }
+
+    ClassicParts parts() const
+    {
+        const auto part = [](const std::optional<BsdfSample>& b) {
+            return b ? max_component(b->weight) * b->eta * b->eta : 0;
+        };
+        const bool is_lit = !bsdf_.only_delta() || !is_black(phong_.ambient);
+        return {is_lit ? phong_.diffusion : 0, part(reflected()), part(refracted())};
+    }
+
+    // Adds what the lights give, times factor: each point and direction of light for itself, without any choice, and
+    // one of the others by chance.
+    void illuminate(float factor, Steps& steps) const
+    {
+        const Color throughput = s_.throughput * factor;
+        steps.add(throughput * phong_.ambient * phong_.diffusion);
+        if (bsdf_.only_delta()) return;
+        const uint32_t key = view_.ray_key(sampler_, s_.depth, Dim::shadow_hole);
+        const uint32_t deltas = view_.delta_lights();
+        for (uint32_t i = 0; i < deltas; ++i) add_light(view_.delta_light(surface_, i), throughput, key + i, steps);
+        add_light(view_.sample_extended_light(surface_, sampler_, s_.depth), throughput, key + deltas, steps);
+        add_environment_seen(throughput, key + deltas + 1, steps);
+    }
+
+private:
+    std::optional<BsdfSample> reflected() const
+    {
+        return wo_.z > 0 ? bsdf_.reflection(wo_) : std::optional<BsdfSample>();
+    }
+    std::optional<BsdfSample> refracted() const
+    {
+        return wo_.z > 0 ? bsdf_.refraction(wo_) : std::optional<BsdfSample>();
+    }
+    std::optional<State> sent(const std::optional<BsdfSample>& b) const
+    {
+        State n = s_;
+        return send_on(view_, s_, n, surface_, frame_, b, sampler_) ? std::optional(n) : std::nullopt;
+    }
+    void add_light(const std::optional<LightSample>& light, Color throughput, uint32_t key, Steps& steps) const
+    {
+        if (!light) return;
+        const Vec3 wi = frame_.to_local(light->wi);
+        if (!sides_agree(surface_, light->wi, wi)) return;
+        const BsdfValue f = bsdf_.eval(wo_, wi);
+        if (is_black(f.f_cos)) return;
+        Ray ray = shadow_ray(surface_, *light);
+        ray.key = key;
+        const float weight = light->infinite && !light->delta ? power_heuristic(light->pdf, f.pdf) : 1;
+        steps.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
+    }
+    // The environment once more, in a direction that the surface chooses: a narrow highlight hardly meets a direction
+    // that the sky chose. Other lights are small, and left to their own samples.
+    void add_environment_seen(Color throughput, uint32_t key, Steps& steps) const
+    {
+        if (view_.scene.environment_light == Scene::none) return;
+        const float u = sampler_.get1(s_.depth, Dim::roulette);
+        const auto b = bsdf_.sample(wo_, u, sampler_.get2(s_.depth, Dim::bsdf));
+        if (!b || b->delta) return;
+        const Vec3 wi = normalize(frame_.to_world(b->wi));
+        if (!sides_agree(surface_, wi, b->wi)) return;
+        const Color radiance = view_.environment(wi);
+        if (is_black(radiance)) return;
+        const float pdf = view_.pdf_extended_environment(surface_.ns, wi);
+        const Ray ray{.org = ray_origin(surface_, wi), .dir = wi, .key = key};
+        const float weight = pdf > 0 ? power_heuristic(b->pdf, pdf) : 1;
+        steps.tinted_shadow(ray, throughput * b->weight * radiance * weight, radiance);
+    }
+
+    const V& view_;
+    const State& s_;
+    const Surface& surface_;
+    const Sampler& sampler_;
+    Phong phong_;
+    InterfaceBsdf bsdf_;
+    Frame frame_;
+    Vec3 wo_;
+};
+
+// What a shadow ray keeps that goes straight through a surface: what the boundary refracts at that angle, seen from its
+// thinner side. From within glass the straight ray would often be reflected totally, while the bent one that it stands
+// for had entered, so it leaves as it came in.
+inline Color straight_through(const Phong& p, Vec3 wo)
+{
+    const InterfaceBsdf bsdf(p, p.inside_ior >= p.outside_ior);
+    const auto b = wo.z > 0 ? bsdf.refraction(wo) : std::optional<BsdfSample>();
+    return b ? b->weight * (b->eta * b->eta) : Color{};
+}
+
+// The settings of both integrators, and what does not depend on how they follow the rays.
+struct Classic {
+    // What their pictures lack of what a path tracer finds, see docs/architecture.md.
+    static constexpr std::array<const char*, 2> biases{"no_diffuse_bounces", "straight_shadows"};
+
+    uint32_t max_depth = 7;  // surface vertices, >= 1
+    bool legacy = false;     // the course's formulas
+
+    void take(const IntegratorSettings& settings)
+    {
+        if (settings.max_depth) max_depth = settings.max_depth;
+        legacy = settings.switches[Switch::legacy];
+    }
+
+    // f(vertex) with what the mode says of the place.
+    template <class V, class F>
+    void with_vertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, F&& f) const
+    {
+        if (legacy)
+            f(LegacyVertex<V>(view, s, surface, sampler, s.depth + 1 >= max_depth));
+        else
+            f(ClassicVertex<V>(view, s, surface, sampler));
+    }
+    // In the mode of the past nothing is traced from the last vertex; else what emits is still seen from there.
+    bool is_last(const State& next) const { return next.depth >= max_depth; }
+
+    // The part of a shadow ray's light that a surface on its way lets pass.
+    template <class V>
+    Color through(const V& view, const Ray& ray, const Surface& surface) const
+    {
+        const Phong p = view.phong(surface);
+        if (!(p.refraction > 0)) return {};
+        return legacy ? p.diffuse * p.refraction : straight_through(p, Frame(surface.ns).to_local(-ray.dir));
+    }
+    bool is_spent(Color light) const { return legacy && !(max_component(light) > least_part); }
+
+    template <class V>
+    void miss(const V& view, const State& s, Steps& steps) const
+    {
+        add_environment(view, s, DirectLight{}, LightParts{}, steps);
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,47 @@
+// Recursive ray tracing: at each vertex the light of every lamp, and both rays of what mirrors and refracts.
+// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
+#pragma once
+
+#include "integrators/classic/classic.h"
+
+namespace lancer {
+
+struct Whitted : Classic {
+    static constexpr const char* name = "whitted";
+    static constexpr bool branches = true;
+
+    template <class V>
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    {
+        add_emission(view, s, surface, DirectLight{}, LightParts{}, steps);
+        if (s.last) return;
+        const Vec2 u = sampler.get2(s.depth, Dim::roulette);
+        with_vertex(view, s, surface, sampler, [&](const auto& vertex) {
+            vertex.illuminate(1, steps);
+            follow(vertex.reflection(), 0, u.x, steps);
+            follow(vertex.refraction(), 1, u.y, steps);
+        });
+    }
+
+private:
+    // child: 0 or 1. Branches of equal depth are told apart by the ways they went.
+    void follow(std::optional<State> n, uint32_t child, float u, Steps& steps) const
+    {
+        if (!n || !stays(*n, u)) return;
+        n->branch = 2 * n->branch + child;
+        n->ray.key ^= child;
+        n->last = is_last(*n);
+        steps.next(*n);
+    }
+    // Whether a branch is worth following: by roulette, so that the mean stays.
+    bool stays(State& n, float u) const
+    {
+        const float part = max_component(n.throughput) * n.eta_scale;
+        if (!(part < least_part)) return true;
+        if (legacy || !(u * least_part < part)) return false;
+        n.throughput *= least_part / part;
+        return true;
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,264 @@
+// The student's path tracer, one of the two programs that lancer grew from, with its faults: light sampling alone, so
+// that light that comes through glass or off a mirror onto something diffuse is lost; five vertices at most; a light
+// that is seen has its intensity in place of its radiance; shadow rays that stop a little early; glass by Schlick's
+// approximation with the cosine of the side that the ray comes from; rays that start a fixed length along the shading
+// normal, which is never turned towards the ray. Takes the place of Path where legacy is switched on.
+#pragma once
+
+#include <cmath>
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "integrators/ahead.h"
+#include "integrators/path/transport.h"
+#include "integrators/settings.h"
+
+namespace lancer {
+
+struct LegacyPath {
+    static constexpr const char* name = "path";
+    static constexpr bool is_legacy = true;
+    static constexpr uint32_t usual_depth = 5;
+    static constexpr double offset = 0.01;      // units of the file, of every ray from its surface
+    static constexpr float shadow_end = 0.99f;  // part of the way to a light, or of its square, that is looked at
+
+    uint32_t max_depth = usual_depth;  // surface vertices, mirrors and glass included
+    bool indirect = true, emitters = true, fresnel = true, soft_shadows = true;
+
+    void take(const IntegratorSettings& settings)
+    {
+        max_depth = settings.max_depth ? settings.max_depth : usual_depth;
+        indirect = settings.switches[Switch::indirect];
+        emitters = settings.switches[Switch::emitters];
+        fresnel = settings.switches[Switch::fresnel];
+        soft_shadows = settings.switches[Switch::soft_shadows];
+    }
+
+    // A shadow ray to a sphere of light.
+    template <class T>
+    struct ToSphere {
+        Vec3T<T> wi, from_center{};
+        T reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
+    };
+    struct Ahead {
+        Vec3T<Float8> wi;           // by the cosine
+        ToSphere<Float8> to_light;  // where there is but one, a sphere
+
+        ToSphere<float> to_light_at(uint32_t i) const
+        {
+            return {lane(to_light.wi, i), lane(to_light.from_center, i), to_light.reach[i], to_light.geometry[i]};
+        }
+    };
+    template <class V>
+    void ahead(const V& view, const Vertices& vertices, Ahead& a) const
+    {
+        const auto n = gather(vertices, [](const VertexAhead& v) { return v.surface->ns_front; });
+        const auto u = gather(vertices, Dim::bsdf);
+        a.wi = FrameT<Float8>(n).to_world(square_to_cosine_hemisphere(u.x, u.y));
+        if (const Sphere* only = only_sphere(view.scene); only && soft_shadows) {
+            const auto p = gather(vertices, [](const VertexAhead& v) { return v.surface->p; });
+            const auto on_light = gather(vertices, Dim::light);
+            a.to_light = to_its_half(*only, p, n, on_light.x, on_light.y);
+        }
+    }
+
+    // State::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees lights.
+    template <class V>
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, const Ahead& ahead,
+             uint32_t lane, Steps& steps) const
+    {
+        if (surface.light != Scene::none && s.specular) {
+            if (emitters) steps.add(s.throughput * seen(view.scene, surface));
+            return;
+        }
+        const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale), ahead, lane};
+        if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, steps);
+        // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
+        if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
+            return diffuse(view, v, matt->albedo.value * surface.vertex_color, steps);
+        // The program had one kind of reflection for each object: here the largest part. Its textures were not
+        // filtered.
+        ShadingPoint point = view.scene.shading_point(surface);
+        point.uv_width = 0;
+        const Phong p = view.scene.phong(surface.material, point);
+        if (p.refraction > std::max(p.diffusion, p.reflexion)) return glass(view, v, p, steps);
+        if (p.reflexion > p.diffusion) return mirror(view, v, p, steps);
+        diffuse(view, v, p.diffuse, steps);
+    }
+    template <class V>
+    void miss(const V& view, const State& s, Steps& steps) const
+    {
+        if (s.specular && emitters) steps.add(s.throughput * view.environment(s.ray.dir));
+    }
+
+private:
+    struct Vertex {
+        const State& s;
+        const Surface& surface;
+        const Sampler& sampler;
+        float offset;  // scene units
+        const Ahead& ahead;
+        uint32_t lane;
+
+        Vec3 n() const { return surface.ns_front; }
+        Vec3 origin(float side) const { return surface.p + n() * (side * offset); }
+    };
+
+    static const Sphere* only_sphere(const Scene& scene)
+    {
+        return scene.lights.pick.size() == 1 ? sphere_of(scene, 0) : nullptr;
+    }
+    static const Sphere* sphere_of(const Scene& scene, uint32_t light)
+    {
+        if (light == Scene::none) return nullptr;
+        const auto* sphere = std::get_if<SphereLight>(&scene.lights.lights[light]);
+        return sphere ? &scene.geometry.spheres[sphere->sphere] : nullptr;
+    }
+    static const Lambert* lambert(const Scene& scene, uint32_t material)
+    {
+        if (!scene.mix_of.empty() && scene.mix_of[material] != Scene::none) return nullptr;
+        return std::get_if<Lambert>(&scene.materials[material]);
+    }
+    // Of a sphere the intensity that would light as it does, in units of the file: 4 pi^2 R^2 times too much.
+    static Color seen(const Scene& scene, const Surface& surface)
+    {
+        const Color e = scene.emission[surface.material].towards(surface.front, scene.shading_point(surface));
+        const Sphere* sphere = sphere_of(scene, surface.light);
+        if (!sphere) return e;
+        const double r = sphere->radius / scene.normalisation.scale;
+        return e * static_cast<float>(4 * pi_d * pi_d * r * r);
+    }
+
+    template <class V>
+    void send(const V& view, const Vertex& v, const Vec3& org, const Vec3& wi, const Color& weight, bool sees_lights,
+              Steps& steps) const
+    {
+        if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
+        steps.next_from(v.s, [&](State& next) {
+            next.ray = {.org = org, .dir = wi};
+            view.give_key(next.ray, v.sampler, v.s.depth + 1, Dim::hole);
+            next.throughput *= weight;
+            next.specular = sees_lights;
+            ++next.depth;
+            return true;
+        });
+    }
+
+    template <class V>
+    void mirror(const V& view, const Vertex& v, const Phong& p, Steps& steps) const
+    {
+        const Vec3 d = v.s.ray.dir;
+        send(view, v, v.origin(1), normalize(d - v.n() * (2 * dot(d, v.n()))), p.specular, v.s.specular, steps);
+    }
+
+    template <class V>
+    void glass(const V& view, const Vertex& v, const Phong& p, Steps& steps) const
+    {
+        const Vec3 d = v.s.ray.dir;
+        const bool leaves = dot(d, v.n()) > 0;
+        const float side = leaves ? -1 : 1;
+        const Vec3 n = v.n() * side;
+        const float from = leaves ? p.inside_ior : p.outside_ior, to = leaves ? p.outside_ior : p.inside_ior;
+        const float cos = -dot(d, n), ratio = from / to, cos2_t = 1 - ratio * ratio * (1 - cos * cos);
+        const auto reflects = [&] {
+            if (cos2_t < 0) return true;
+            if (!fresnel) return false;
+            const float root = (from - to) / (from + to), k0 = root * root, grazing = 1 - cos, g2 = grazing * grazing;
+            return v.sampler.get1(v.s.depth, Dim::bsdf) < k0 + (1 - k0) * g2 * g2 * grazing;
+        };
+        if (reflects()) return send(view, v, v.origin(side), normalize(d + n * (2 * cos)), p.specular, false, steps);
+        const Vec3 refracted = (d + n * cos) * ratio - n * std::sqrt(cos2_t);
+        send(view, v, v.origin(-side), normalize(refracted), p.diffuse, false, steps);
+    }
+
+    template <class V>
+    void diffuse(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
+    {
+        light(view, v, albedo, steps);
+        if (!indirect) return;
+        send(view, v, v.origin(1), lane(v.ahead.wi, v.lane), albedo, false, steps);
+    }
+
+    // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
+    // they do without legacy.
+    template <class V>
+    void light(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
+    {
+        const Scene& scene = view.scene;
+        if (const Sphere* only = only_sphere(scene); only && soft_shadows)
+            return shadow(view, v, albedo, *only, v.ahead.to_light_at(v.lane), steps);
+        const Discrete& pick = scene.lights.pick;
+        if (pick.empty()) return;
+        const float u = pick.size() > 1 ? v.sampler.get1(v.s.depth, Dim::light) : 0;
+        const Vec2 on_light = v.sampler.get2(v.s.depth, Dim::light);
+        const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light)) : 0;
+        if (const Sphere* sphere = sphere_of(scene, id)) {
+            auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light.x, on_light.y)
+                                   : to_its_center(*sphere, v.surface.p, v.n());
+            if (pick.size() > 1) to.geometry /= pick.probability(id);
+            return shadow(view, v, albedo, *sphere, to, steps);
+        }
+        const auto sample = sample_light(scene, v.surface, u, on_light);
+        if (!sample) return;
+        const float cos = std::max(0.0f, dot(v.n(), sample->wi));
+        send_shadow(view, v, albedo, sample->radiance * (cos / (pi * sample->pdf)), steps,
+                    [&](Ray& ray) { ray = shadow_ray(v.surface, *sample); });
+    }
+    template <class V>
+    static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere,
+                       const ToSphere<float>& to, Steps& steps)
+    {
+        if (!(to.geometry > 0)) return;
+        const Scene& scene = view.scene;
+        const Emission& e = scene.emission[scene.sphere_material[&sphere - scene.geometry.spheres.data()]];
+        ShadingPoint place{.textures = scene.textures.data()};
+        if (e.radiance.texture != no_texture) place.uv = sphere_uv(to.from_center);
+        send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, steps,
+                    [&](Ray& ray) { ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach; });
+    }
+    // aim(ray) says where it goes.
+    template <class V, class Aim>
+    static void send_shadow(const V& view, const Vertex& v, const Color& albedo, const Color& arriving, Steps& steps,
+                            const Aim& aim)
+    {
+        const Color radiance = v.s.throughput * albedo * arriving;
+        if (is_black(radiance)) return;
+        steps.shadow_from(
+            [&](Ray& ray) {
+                aim(ray);
+                view.give_key(ray, v.sampler, v.s.depth, Dim::shadow_hole);
+            },
+            radiance);
+    }
+    // To a point of the half that faces the surface, drawn by the cosine from the middle of that half. p, n: the place
+    // and its normal.
+    template <class T>
+    static ToSphere<T> to_its_half(const Sphere& sphere, Vec3T<T> p, Vec3T<T> n, T u, T v)
+    {
+        const auto same = [](float x) { return T{} + x; };
+        const Vec3 c = to_float(sphere.center);
+        const T radius = same(static_cast<float>(sphere.radius));
+        const Vec3T<T> h = square_to_cosine_hemisphere(u, v), axis = p - Vec3T<T>{same(c.x), same(c.y), same(c.z)};
+        const Vec3T<T> from_center = FrameT<T>(axis * (1.0f / sqrt(dot(axis, axis)))).to_world(h);
+        const Vec3T<T> d = from_center * radius - axis;
+        const T d2 = dot(d, d);
+        const Vec3T<T> wi = d * (1.0f / sqrt(d2));
+        const T cos = dot(n, wi), cos_light = -dot(from_center, wi);
+        const T geometry = cos * cos_light * radius * radius / (d2 * h.z);
+        return {wi, from_center, sqrt(shadow_end * d2),
+                select((cos > 0.0f) & (cos_light > 0.0f) & (h.z > 0.0f), geometry, T{})};
+    }
+    // As from a point at the center, of the intensity that lights places far away as the sphere would.
+    static ToSphere<float> to_its_center(const Sphere& sphere, Vec3 p, Vec3 n)
+    {
+        const Vec3 d = to_float(sphere.center) - p;
+        const auto radius = static_cast<float>(sphere.radius);
+        const float d2 = dot(d, d), distance = std::sqrt(d2);
+        const Vec3 wi = d / distance;
+        // Up to the sphere, which a place on the sphere itself need not be in front of.
+        const float reach = std::max(0.0f, shadow_end * (distance - radius));
+        return {wi, -wi, reach, reach > 0 ? std::max(0.0f, dot(n, wi)) * radius * radius / d2 : 0};
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,37 @@
+// Direct light only: emission, and light that reaches the first surface that is not a mirror or glass; those are
+// followed.
+#pragma once
+
+#include "integrators/path/transport.h"
+#include "integrators/settings.h"
+
+namespace lancer {
+
+struct Direct {
+    static constexpr const char* name = "direct";
+
+    uint32_t max_depth = 0;       // surface vertices, mirrors and glass included; 0: no limit
+    uint32_t roulette_depth = 5;  // vertices before roulette may end a chain of mirrors
+    DirectLight direct{};
+    LightParts parts{};
+
+    void take(const IntegratorSettings& settings)
+    {
+        max_depth = settings.max_depth;
+        direct = DirectLight::of(settings.switches);
+        parts = LightParts(settings.switches);
+    }
+    template <class V>
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    {
+        const auto is_last = [&](const State& n) { return !n.specular || n.depth == max_depth; };
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, steps);
+    }
+    template <class V>
+    void miss(const V& view, const State& s, Steps& steps) const
+    {
+        add_environment(view, s, direct, parts, steps);
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,41 @@
+// Path tracing with next-event estimation and multiple importance sampling.
+// Kajiya 1986; Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., chapter 13.
+#pragma once
+
+#include "integrators/path/transport.h"
+#include "integrators/settings.h"
+
+namespace lancer {
+
+struct Path {
+    static constexpr const char* name = "path";
+
+    uint32_t max_depth = 0;       // surface vertices that scatter light; 1 is direct light only; 0: no limit
+    uint32_t roulette_depth = 5;  // vertices before roulette by the throughput may end the path
+    DirectLight direct{};
+    LightParts parts{};
+    bool split = true, common = true, roulette_by_pixel = true;  // whether a pilot may plan for them; common: if split
+
+    void take(const IntegratorSettings& settings)
+    {
+        max_depth = settings.max_depth;
+        direct = DirectLight::of(settings.switches);
+        parts = LightParts(settings.switches);
+        split = settings.switches[Switch::split];
+        common = settings.switches[Switch::common];
+        roulette_by_pixel = settings.switches[Switch::roulette];
+    }
+    template <class V>
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    {
+        const auto is_last = [&](const State& n) { return n.depth == max_depth; };
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, steps);
+    }
+    template <class V>
+    void miss(const V& view, const State& s, Steps& steps) const
+    {
+        add_environment(view, s, direct, parts, steps);
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,55 @@
+// How a picture's paths are to spend their rays: into how many a path splits, and which of them roulette may end. Found
+// out by a pilot before the first sample; see render/estimators/pilot.h. Whatever it says, pictures converge to the
+// same.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/color.h"
+
+namespace lancer {
+
+struct PathPlan {
+    // Rays that a path sends on from the first vertex that spreads light, each with its share of the throughput.
+    uint32_t split = 1;
+    // In how many parts the random numbers from there on are dealt: `split`, but in a pilot, where the parts of a path
+    // are samples of their own. Part j of sample i has the numbers of sample i * parts + j, so that all of a pixel's
+    // are still one low-discrepancy sequence; where there are numbers of two kinds, those of each kind are one.
+    uint32_t parts = 1;
+
+    // Whether the second half of those rays, and all that follow them, go by random numbers that squares of
+    // square x square pixels have in common, the first half by the pixel's own: see render/common_numbers.h. If so,
+    // split is even.
+    bool has_common_numbers = false;
+    static constexpr uint32_t square = 8;
+    // Rays of a path that go by numbers of one kind, and samples that they are numbered by: see `parts`.
+    uint32_t split_of_kind() const { return has_common_numbers ? split / 2 : split; }
+    uint32_t parts_of_kind() const { return has_common_numbers ? parts / 2 : parts; }
+
+    // Samples that share the first vertices of a path: those of number i / of_path().
+    uint32_t of_path() const { return parts / split; }
+
+    // Of each cell of cell x cell pixels, row by row, and each colour channel: about how much light comes along a ray,
+    // as a part of what the pixel shows of it. Empty: roulette knows nothing of pixels.
+    uint32_t cell = 0, columns = 0;
+    std::vector<Color> worth;
+
+    // Squares of open_cell pixels, row by row, in which no camera ray of the picture meets anything, and what it sees
+    // instead is the same everywhere: 1 where that is so. Empty: nowhere.
+    uint32_t open_cell = 0, open_columns = 0;
+    std::vector<uint8_t> open;
+    bool is_open(uint32_t x, uint32_t y) const
+    {
+        return !open.empty() && open[size_t{y / open_cell} * open_columns + x / open_cell] != 0;
+    }
+
+    // Of a pixel; negative if it is not known.
+    Color worth_at(uint32_t x, uint32_t y) const
+    {
+        if (worth.empty()) return {-1, -1, -1};
+        return worth[size_t{y / cell} * columns + x / cell];
+    }
+};
+
+}  // namespace lancer

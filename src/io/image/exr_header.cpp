@@ -1,0 +1,142 @@
+#include "io/image/exr_header.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace lancer {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the format's byte order is read as it stands");
+
+constexpr uint32_t magic = 20000630;
+constexpr uint32_t flag_deep = 0x800, flag_multipart = 0x1000;
+
+constexpr int64_t max_block_bytes = int64_t{1} << 30;  // one compressed block, all channels, uncompressed
+
+// What of the header decides how much the library allocates.
+struct Extent {
+    bool has_window = false, has_channels = false;
+    int64_t width = 0, height = 0;
+    int64_t tile_width = 0, tile_height = 0;  // 0: scan lines
+    int64_t pixel_bytes = 0;
+    int64_t block_rows = 1;
+};
+
+class HeaderReader {
+public:
+    explicit HeaderReader(InputFile& file) : file_(file) {}
+
+    template <class T>
+    T value()
+    {
+        T v;
+        if (file_.read(&v, sizeof v) != sizeof v)
+            throw file_.invalid("not a valid OpenEXR file: the header ends early");
+        return v;
+    }
+    std::string name()
+    {
+        std::string s;
+        for (char c = value<char>(); c != 0; c = value<char>()) {
+            if (s.size() == 255) throw file_.invalid("not a valid OpenEXR file: a name in the header is too long");
+            s += c;
+        }
+        return s;
+    }
+    InputFile& file() { return file_; }
+
+private:
+    InputFile& file_;
+};
+
+void read_window(HeaderReader& in, Extent& extent)
+{
+    const auto box = in.value<std::array<int32_t, 4>>();
+    extent.width = int64_t{box[2]} - box[0] + 1;
+    extent.height = int64_t{box[3]} - box[1] + 1;
+    extent.has_window = true;
+}
+
+void read_channels(HeaderReader& in, Extent& extent)
+{
+    extent.pixel_bytes = 0;
+    for (std::string name = in.name(); !name.empty(); name = in.name()) {
+        const auto fields = in.value<std::array<int32_t, 4>>();  // type, linear, sampling in x and in y
+        extent.pixel_bytes += fields[0] == 1 ? 2 : 4;
+    }
+    extent.has_channels = true;
+}
+
+int64_t rows_of_block(uint8_t compression)
+{
+    constexpr uint8_t rows[] = {1, 1, 1, 16, 32, 16, 32, 32, 32};
+    return compression < std::size(rows) ? rows[compression] : 256;  // the last one, DWAB, and what may follow it
+}
+
+void read_attribute(HeaderReader& in, const std::string& name, int32_t size, Extent& extent)
+{
+    if (name == "dataWindow" && size == 16) read_window(in, extent);
+    if (name == "channels") read_channels(in, extent);
+    if (name == "compression" && size == 1) extent.block_rows = rows_of_block(in.value<uint8_t>());
+    if (name == "tiles" && size == 9) {
+        const auto sides = in.value<std::array<uint32_t, 2>>();
+        extent.tile_width = sides[0];
+        extent.tile_height = sides[1];
+        if (sides[0] == 0 || sides[1] == 0) throw in.file().invalid("not a valid OpenEXR file: tiles of size 0");
+    }
+}
+
+void check_extent(const InputFile& file, const Extent& e, bool tiled)
+{
+    if (!e.has_window || !e.has_channels || (tiled && e.tile_width == 0)) {
+        throw file.invalid("not a valid OpenEXR file: the header lacks a required attribute");
+    }
+    const std::string size = std::to_string(e.width) + " x " + std::to_string(e.height);
+    if (e.width <= 0 || e.height <= 0) throw file.invalid("not a valid OpenEXR file: the picture is " + size);
+    if (e.width > max_image_side || e.height > max_image_side || e.width * e.height > max_image_pixels) {
+        throw file.invalid("picture too large: " + size + " pixels");
+    }
+    const int64_t block_width = tiled ? e.tile_width : e.width;
+    const int64_t block_rows = tiled ? e.tile_height : e.block_rows;
+    if (block_width > max_image_side || block_rows > max_image_side ||
+        block_width * block_rows > max_block_bytes / std::max(e.pixel_bytes, int64_t{1})) {
+        throw file.invalid("blocks of " + std::to_string(block_width) + " x " + std::to_string(block_rows) +
+                           " pixels of " + std::to_string(e.pixel_bytes) + " bytes are too large");
+    }
+    // Each block has at least its place in the table of offsets, its coordinates and its size.
+    const int64_t across = (e.width + block_width - 1) / block_width;
+    const int64_t down = (e.height + block_rows - 1) / block_rows;
+    if (static_cast<uint64_t>(across * down) * 16 > file.size()) {
+        throw file.invalid("the file is too short for a picture of " + size + " pixels");
+    }
+}
+
+}  // namespace
+
+void check_exr_header(InputFile& file)
+{
+    HeaderReader in(file);
+    file.seek(0);
+    if (in.value<uint32_t>() != magic) throw file.invalid("not an OpenEXR file");
+    const uint32_t version = in.value<uint32_t>();
+    if (version & flag_deep) throw file.invalid("deep OpenEXR files are not read");
+    if (version & flag_multipart) throw file.invalid("has several parts; only single-part pictures are read");
+    Extent extent;
+    for (std::string name = in.name(); !name.empty(); name = in.name()) {
+        in.name();  // the type; the library checks it
+        const int32_t size = in.value<int32_t>();
+        const uint64_t start = file.tell();
+        if (size < 0 || static_cast<uint64_t>(size) > file.size() - std::min(start, file.size())) {
+            throw file.invalid("not a valid OpenEXR file: attribute " + name + " is longer than the file");
+        }
+        read_attribute(in, name, size, extent);
+        file.seek(start + static_cast<uint64_t>(size));
+    }
+    check_extent(file, extent, (version & 0x200) != 0);
+}
+
+}  // namespace lancer

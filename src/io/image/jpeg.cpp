@@ -1,0 +1,113 @@
+// libjpeg reports errors by whatever error_exit does, which must not return: a longjmp. So that no destructor is jumped
+// over, everything with a destructor lives in the callers of the functions that call setjmp.
+#include "io/image/jpeg.h"
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdio>  // jpeglib.h wants it
+#include <string>
+#include <vector>
+
+#include <jpeglib.h>
+
+namespace lancer {
+namespace {
+
+struct Reader {
+    jpeg_error_mgr errors;  // first: libjpeg hands out its address
+    std::jmp_buf out;
+    std::array<char, JMSG_LENGTH_MAX> message = {};  // of the first error or warning
+    jpeg_decompress_struct jpeg = {};
+
+    Reader();
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    ~Reader() { jpeg_destroy_decompress(&jpeg); }
+};
+
+Reader& reader_of(j_common_ptr jpeg) { return *reinterpret_cast<Reader*>(jpeg->err); }
+
+[[noreturn]] void on_error(j_common_ptr jpeg)
+{
+    Reader& r = reader_of(jpeg);
+    if (r.message[0] == 0) r.errors.format_message(jpeg, r.message.data());
+    std::longjmp(r.out, 1);
+}
+
+// Negative levels are of files that are broken and may be read nevertheless: cut short, for one. The others are gossip.
+void on_message(j_common_ptr jpeg, int level)
+{
+    Reader& r = reader_of(jpeg);
+    if (level >= 0) return;
+    ++r.errors.num_warnings;
+    if (r.message[0] == 0) r.errors.format_message(jpeg, r.message.data());
+}
+
+Reader::Reader()
+{
+    jpeg.err = jpeg_std_error(&errors);
+    errors.error_exit = on_error;
+    errors.emit_message = on_message;
+}
+
+// Each false after an error; what it is stands in the message.
+bool read_header(Reader& r, const std::vector<unsigned char>& bytes)
+{
+    if (setjmp(r.out)) return false;
+    jpeg_create_decompress(&r.jpeg);
+    jpeg_mem_src(&r.jpeg, bytes.data(), bytes.size());
+    jpeg_read_header(&r.jpeg, TRUE);
+    return true;
+}
+bool start(Reader& r)
+{
+    if (setjmp(r.out)) return false;
+    jpeg_start_decompress(&r.jpeg);
+    return true;
+}
+bool read_row(Reader& r, unsigned char* row)
+{
+    if (setjmp(r.out)) return false;
+    return jpeg_read_scanlines(&r.jpeg, &row, 1) == 1;
+}
+bool finish(Reader& r)
+{
+    if (setjmp(r.out)) return false;
+    return jpeg_finish_decompress(&r.jpeg) == TRUE;
+}
+
+}  // namespace
+
+std::optional<Raster> read_jpeg(InputFile& file)
+{
+    Reader r;
+    const auto broken = [&] {
+        return file.invalid("not a valid jpeg file: " + std::string(r.message[0] ? r.message.data() : "damaged"));
+    };
+    std::vector<unsigned char> stored(file.size());
+    file.seek(0);
+    stored.resize(file.read(stored.data(), stored.size()));
+    if (!read_header(r, stored)) throw broken();
+    if (r.jpeg.num_components != 1 && r.jpeg.num_components != 3) return {};
+    const uint32_t width = r.jpeg.image_width, height = r.jpeg.image_height;
+    if (int64_t{width} * height > max_image_pixels) {
+        throw file.invalid("picture too large: " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    }
+    if (!start(r)) throw broken();
+    Raster raster = {.width = width,
+                     .height = height,
+                     .channels = static_cast<uint32_t>(r.jpeg.output_components),
+                     .bytes = {},
+                     .floats = {}};
+    const size_t row = size_t{width} * raster.channels;
+    raster.bytes.reserve(row * height);  // costs nothing until it is filled, which is as far as the file has rows
+    for (uint32_t y = 0; y < height; ++y) {
+        raster.bytes.resize(row * (y + 1));
+        if (!read_row(r, &raster.bytes[row * y]) || r.errors.num_warnings > 0) throw broken();
+    }
+    if (!finish(r) || r.errors.num_warnings > 0) throw broken();
+    return raster;
+}
+
+}  // namespace lancer

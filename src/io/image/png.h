@@ -1,0 +1,41 @@
+// PNG pictures: the 8-bit view of a render, and textures.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "core/raster.h"
+#include "core/srgb.h"
+#include "io/image/metadata.h"
+#include "io/image/to_bytes.h"
+
+namespace lancer {
+
+class AtomicFile;
+
+// 8 bit, see to_bytes.h. Tagged as sRGB; without
+// a tone map as linear, gamma 1. Only the data window is
+// written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata pairs become text chunks
+// "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
+void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
+               const ByteOptions& options = {});
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ByteOptions& options = {});
+
+// Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
+// partial picture; a missing one missing_input.
+Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
+
+// The same as its file stores it: palettes looked up, fewer than 8 bits widened, a transparent colour made alpha.
+Raster read_png_raster(const std::string& path);
+
+// What a PNG says besides its pixels. Throws as read_png.
+struct PngInfo {
+    uint32_t width = 0, height = 0, bits = 0, channels = 0;
+    Metadata metadata;  // text chunks "lancer:NAME", without the prefix
+};
+PngInfo read_png_info(const std::string& path);
+
+// "1.6.39", of the library that is loaded.
+std::string png_version();
+
+}  // namespace lancer

@@ -1,0 +1,22 @@
+// From linear light to the steps of 8 bits: what the writers of PNG and PPM share.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image.h"
+#include "io/image/tonemap.h"
+
+namespace lancer {
+
+struct ByteOptions {
+    float exposure_stops = 0;  // pixels are scaled by 2^stops
+    bool dither = false;       // hides banding with a fixed pattern of +- half a step
+    ToneMap tonemap = ToneMap::srgb;
+};
+
+// Three bytes for each pixel of the data window: code values below 0 and NaN become 0, above 1 they become 255, else
+// the nearest step, or the one below where the tone map is of the kind that rounds down and nothing is dithered.
+std::vector<uint8_t> to_bytes(const Image& image, const ByteOptions& options);
+
+}  // namespace lancer

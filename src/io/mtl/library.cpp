@@ -1,0 +1,113 @@
+#include "io/mtl/library.h"
+
+#include <algorithm>
+
+#include "core/names.h"
+#include "io/text_file.h"
+
+namespace lancer {
+namespace {
+
+class LibraryFinder {
+public:
+    LibraryFinder(const std::string& obj_file, const AssetFolder* assets, Diagnostics& diagnostics)
+        : obj_file_(obj_file), finder_(obj_file, assets), diagnostics_(diagnostics)
+    {
+    }
+
+    void add(const ObjSummary::Name& library)
+    {
+        std::string names = library.name;
+        std::replace(names.begin(), names.end(), '\\', '/');
+        const Location where{obj_file_, library.line, 0};
+        if (try_add(names, where)) return;
+        std::vector<std::string> words;
+        constexpr size_t most_words = 16;  // of one statement; every start and end among them is tried as a name
+        std::string_view rest = names;
+        for (std::string_view w = take_word(rest); !w.empty() && words.size() < most_words; w = take_word(rest))
+            words.emplace_back(w);
+        for (size_t begin = 0; begin < words.size();) {
+            size_t end = words.size();
+            while (end > begin && !(words.size() > 1 && try_add(join(words, begin, end), where))) --end;
+            if (end == begin) {  // not found: up to the next word that looks like the end of a name
+                while (end < words.size() && !to_lower(words[end]).ends_with(".mtl")) ++end;
+                end = std::min(end + 1, words.size());
+                warn_missing(join(words, begin, end), where);
+            }
+            begin = end;
+        }
+        if (words.empty()) diagnostics_.warning(where, "mtllib without a file name");
+    }
+
+    std::vector<std::string> take() { return std::move(files_); }
+
+private:
+    static std::string join(const std::vector<std::string>& words, size_t begin, size_t end)
+    {
+        std::string s = words[begin];
+        for (size_t i = begin + 1; i < end; ++i) s += ' ' + words[i];
+        return s;
+    }
+
+    // True as well for a file that may not be read: there is nothing else to look for.
+    bool try_add(const std::string& name, const Location& where)
+    {
+        if (name.empty()) return false;
+        const FileFinder::Found found = finder_.find(name);
+        if (!found.problem.empty())
+            diagnostics_.warning(where, "material file " + in_quotes(name) + " " + found.problem + "; not used");
+        if (found.path.empty()) return !found.problem.empty();
+        if (found.other_case)
+            diagnostics_.warning(where, "material file " + in_quotes(name) + " not found; " +
+                                            in_quotes(std::filesystem::path(found.path).filename().string()) +
+                                            " is used");
+        if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) files_.push_back(found.path);
+        return true;
+    }
+
+    void warn_missing(const std::string& name, const Location& where)
+    {
+        constexpr int most_named = 10;
+        if (++missing_ <= most_named)
+            diagnostics_.warning(where, "material file " + in_quotes(name) + " not found");
+        else
+            diagnostics_.warning(where, "other material files not found");
+    }
+
+    const std::string& obj_file_;
+    FileFinder finder_;
+    Diagnostics& diagnostics_;
+    std::vector<std::string> files_;
+    uint64_t missing_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> find_material_files(const std::string& obj_file,
+                                             const std::vector<ObjSummary::Name>& libraries, const AssetFolder* assets,
+                                             Diagnostics& diagnostics)
+{
+    LibraryFinder finder(obj_file, assets, diagnostics);
+    for (const ObjSummary::Name& library : libraries) finder.add(library);
+    return finder.take();
+}
+
+void MaterialLibrary::add_file(const std::string& path, std::string_view text, const AssetFolder* assets,
+                               Diagnostics& diagnostics)
+{
+    files_.push_back({{path, FileFinder(path, assets)}, scan_mtl(text, path, diagnostics)});
+    const std::vector<MtlEntry>& entries = files_.back().entries;
+    for (size_t i = 0; i < entries.size(); ++i)
+        if (!index_.try_emplace(entries[i].name, Place{files_.size() - 1, i}).second)
+            diagnostics.warning({path, entries[i].line, 0}, "material of this name exists already; the first is used");
+}
+
+std::optional<MaterialDescription> MaterialLibrary::describe(const std::string& name, Diagnostics& diagnostics)
+{
+    const auto found = index_.find(name);
+    if (found == index_.end()) return {};
+    Content& content = files_[found->second.file];
+    return describe_mtl(content.entries[found->second.entry], content.file, diagnostics);
+}
+
+}  // namespace lancer

@@ -1,0 +1,42 @@
+// The material files of an OBJ file: where they are and what materials they define.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "io/mtl/material.h"
+#include "io/obj/scan.h"
+
+namespace lancer {
+
+// The files named by mtllib statements, each once, relative to the OBJ file. A name may contain spaces, be one of
+// several, or differ in upper and lower case; what is not found or lies outside of `assets` becomes a warning.
+std::vector<std::string> find_material_files(const std::string& obj_file,
+                                             const std::vector<ObjSummary::Name>& libraries, const AssetFolder* assets,
+                                             Diagnostics& diagnostics);
+
+class MaterialLibrary {
+public:
+    // Of two materials with one name the first counts.
+    void add_file(const std::string& path, std::string_view text, const AssetFolder* assets, Diagnostics& diagnostics);
+    // Looks for its textures; nothing if no file defines it.
+    std::optional<MaterialDescription> describe(const std::string& name, Diagnostics& diagnostics);
+
+private:
+    struct Place {
+        size_t file, entry;
+    };
+    struct Content {
+        MtlFile file;
+        std::vector<MtlEntry> entries;
+    };
+    std::deque<Content> files_;
+    std::unordered_map<std::string, Place> index_;
+};
+
+}  // namespace lancer

@@ -1,0 +1,48 @@
+// Material files (MTL): which keys each material gives, with checked values. What they mean together is decided in
+// mtl/material.h. tinyobjloader reads these files too, but has no "was it given" (an absent Kd is black) and takes any
+// text for a number.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/color.h"
+#include "core/error.h"
+#include "io/mtl/map.h"
+
+namespace lancer {
+
+template <class T>
+struct MtlValue {
+    T value{};
+    uint32_t line = 0;  // 0: not given, or not usable and warned about
+    explicit operator bool() const { return line != 0; }
+};
+
+enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, bump, normal };
+
+struct MtlEntry {
+    std::string name;
+    uint32_t line = 0;
+    MtlValue<Color> kd, ks, tf;                       // in [0, 1]
+    MtlValue<Color> ke;                               // finite, >= 0
+    MtlValue<float> ns;                               // finite, >= 0
+    MtlValue<float> ni;                               // in [0.001, 10]
+    MtlValue<float> d, tr, pr, pm;                    // in [0, 1]
+    MtlValue<int> illum;                              // 0 to 10
+    std::vector<std::pair<MtlMapKind, MtlMap>> maps;  // each kind at most once
+
+    const MtlMap* map(MtlMapKind kind) const
+    {
+        for (const auto& [k, m] : maps)
+            if (k == kind) return &m;
+        return nullptr;
+    }
+};
+
+// The materials in the order of the file.
+std::vector<MtlEntry> scan_mtl(std::string_view text, const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace lancer

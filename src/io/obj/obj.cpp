@@ -1,0 +1,167 @@
+// tinyobjloader does the parsing, through its callbacks: they keep the order of faces and materials, cost no memory
+// per face and do not wrap the number of corners at 256. What it is fed has been checked in obj_scan. Files so large
+// that this would take long are parsed by all threads (obj_chunks), if nothing in them needs a closer look.
+#include "io/obj/obj.h"
+
+#include <tiny_obj_loader.h>
+
+#include <istream>
+
+#include "core/hash.h"
+#include "core/names.h"
+#include "io/file_content.h"
+#include "io/mtl/library.h"
+#include "io/obj/chunks.h"
+#include "io/obj/colors.h"
+#include "io/obj/mesh.h"
+#include "io/obj/scan.h"
+#include "io/text_file.h"
+
+namespace lancer {
+namespace {
+
+static_assert(sizeof(tinyobj::real_t) == sizeof(double), "the library for double must be linked");
+
+// Who hears the parser.
+struct Listener {
+    ObjMeshBuilder& builder;
+    std::vector<ObjCorner> corners;
+};
+
+void feed(std::string_view text, const ObjSummary& summary, ObjFeed::Part part, ObjMeshBuilder& builder)
+{
+    builder.restart();
+    tinyobj::callback_t callbacks;
+    using Real = tinyobj::real_t;
+    callbacks.vertex_cb = [](void* self, Real x, Real y, Real z, Real) {
+        static_cast<Listener*>(self)->builder.add_vertex({x, y, z});
+    };
+    callbacks.normal_cb = [](void* self, Real x, Real y, Real z) {
+        static_cast<Listener*>(self)->builder.add_normal({x, y, z});
+    };
+    if (builder.keeps_uvs())
+        callbacks.texcoord_cb = [](void* self, Real u, Real v, Real) {
+            static_cast<Listener*>(self)->builder.add_uv(u, v);
+        };
+    callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int n) {
+        auto& listener = *static_cast<Listener*>(self);
+        listener.corners.clear();
+        for (int i = 0; i < n; ++i)
+            listener.corners.push_back({corners[i].vertex_index, corners[i].texcoord_index, corners[i].normal_index});
+        listener.builder.add_face(listener.corners);
+    };
+    callbacks.usemtl_cb = [](void* self, const char* number, int) {
+        static_cast<Listener*>(self)->builder.use_material(std::stoul(number));
+    };
+    ObjFeed buffer(text, summary, part, builder.keeps_uvs());
+    std::istream stream(&buffer);
+    std::string warnings, errors;
+    Listener listener{builder, {}};
+    tinyobj::LoadObjWithCallback(stream, callbacks, &listener, nullptr, &warnings, &errors);
+}
+
+// None for each name that no material file defines, with a warning.
+UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& library, const std::string& file,
+                                 Diagnostics& diagnostics)
+{
+    UsedMaterials used;
+    used.reserve(summary.materials.size());
+    constexpr uint64_t most_named = 10;
+    uint64_t unknown = 0;
+    for (const ObjSummary::Name& use : summary.materials) {
+        used.push_back(library.describe(use.name, diagnostics));
+        if (used.back()) continue;
+        const std::string what =
+            ++unknown <= most_named ? "unknown material " + in_quotes(use.name) : "unknown material";
+        diagnostics.warning({file, use.line, 0}, what + "; the default grey is used", use.count);
+    }
+    return used;
+}
+
+// What its material files say, and where they are.
+MaterialLibrary read_materials(const std::string& path, const ObjSummary& summary, const MeshOptions& options,
+                               MeshData& mesh, Diagnostics& diagnostics)
+{
+    MaterialLibrary library;
+    for (const std::string& file : find_material_files(path, summary.libraries, options.assets, diagnostics)) {
+        const FileContent content(file);
+        if (!content.problem().empty() || !content.is_text()) {
+            diagnostics.warning({file, 0, 0},
+                                "ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem()));
+            continue;
+        }
+        mesh.material_files.push_back(file);
+        mesh.content_hash = hash_bytes(content.bytes(), mesh.content_hash);
+        library.add_file(file, content.text(), options.assets, diagnostics);
+    }
+    return library;
+}
+
+// The mesh of a file of which all is known that stands in the summary. chunks: null, or who parses it; the memory of
+// the content is then given back meanwhile, so that the mesh may have it.
+std::shared_ptr<const MeshData> build(const std::string& path, const FileContent& content, const ObjSummary& summary,
+                                      const ObjChunks* chunks, const MeshOptions& options, Diagnostics& diagnostics)
+{
+    auto mesh = std::make_shared<MeshData>();
+    mesh->file = path;
+    mesh->content_hash = content.hash();
+    MaterialLibrary library = read_materials(path, summary, options, *mesh, diagnostics);
+    const UsedMaterials materials = describe_materials(summary, library, path, diagnostics);
+    bool textured = false;
+    for (const auto& m : materials) {
+        if (!m || !reads_textures(*m)) continue;
+        textured = true;
+        if (!options.pictures) continue;
+        // Pictures are read beside the faces.
+        for (const TextureUse* use : textures_of(*m))
+            if (*use && (*use)->type == TextureType::image) options.pictures((*use)->file);
+    }
+    ObjMeshBuilder builder(summary, materials, summary.texcoords > 0 && (options.uvs || textured), *mesh);
+    const std::string_view text = content.text();
+    if (chunks) {
+        if (!chunks->feed(builder, give_back)) return nullptr;
+    } else {
+        // A face that is cut into triangles must know its vertices; a second round counts them for relative indices.
+        if (summary.forward_references) feed(text, summary, ObjFeed::Part::vertices, builder);
+        feed(text, summary, ObjFeed::Part::all, builder);
+    }
+    if (!builder.finish(text, diagnostics)) return nullptr;
+    if (summary.vertex_colors) mesh->colors = read_vertex_colors(text, path, diagnostics);
+    return mesh;
+}
+
+}  // namespace
+
+std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
+{
+    std::optional<FileContent> content(std::in_place, path);
+    const auto fail = [&](const std::string& message, ErrorKind kind) {
+        diagnostics.error({path, 0, 0}, message, kind);
+        return nullptr;
+    };
+    if (content->missing()) return fail(content->problem(), ErrorKind::missing_input);
+    if (!content->problem().empty()) return fail(content->problem(), ErrorKind::invalid_input);
+    if (!content->is_text()) return fail("not an OBJ file: it holds NUL bytes", ErrorKind::invalid_input);
+
+    if (content->bytes().size() >= options.parallel_from) {
+        // Whatever is wrong is found again, and said, by those who look closer.
+        Diagnostics said;
+        const std::optional<ObjChunks> chunks = ObjChunks::survey(content->text(), options.chunk);
+        auto mesh = chunks ? build(path, *content, chunks->summary(), &*chunks, options, said) : nullptr;
+        if (mesh) {
+            diagnostics.append(said);
+            return mesh;
+        }
+        if (chunks) {
+            content.reset();  // its first part is gone
+            MeshOptions whole = options;
+            whole.parallel_from = SIZE_MAX;
+            return load_obj(path, diagnostics, whole);
+        }
+    }
+    const std::optional<ObjSummary> summary = scan_obj(content->text(), path, diagnostics);
+    if (!summary) return nullptr;
+    return build(path, *content, *summary, nullptr, options, diagnostics);
+}
+
+}  // namespace lancer

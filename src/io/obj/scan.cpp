@@ -1,0 +1,336 @@
+#include "io/obj/scan.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "core/names.h"
+
+namespace lancer {
+namespace {
+
+// A comment after numbers may stand close, but "1.#QNAN" is one word, so that the message can name it.
+std::string_view without_comment(std::string_view s)
+{
+    size_t at = s.find('#');
+    while (at != std::string_view::npos && at > 0 && s[at - 1] == '.') at = s.find('#', at + 1);
+    return trim(s.substr(0, at));
+}
+
+// A slash without a number behind it is left out: the parser would take the next corner's number instead.
+void assign_face(std::string& out, std::string_view corners)
+{
+    out = 'f';
+    for (std::string_view word = take_word(corners); !word.empty(); word = take_word(corners)) {
+        while (word.ends_with('/')) word.remove_suffix(1);
+        (out += ' ') += word;
+    }
+}
+
+// One or two numbers; a third is for solid textures.
+void assign_uv(std::string& out, std::string_view arguments)
+{
+    const std::string_view u = take_word(arguments), v = take_word(arguments);
+    const bool usable =
+        classify_number(u) == NumberKind::finite && (v.empty() || classify_number(v) == NumberKind::finite);
+    if (usable)
+        out.assign("vt ").append(u).append(" ").append(v.empty() ? "0" : v);
+    else
+        out = "vt 1e300 0";
+}
+
+// The same warning of many lines.
+struct Tally {
+    const char* message;
+    uint32_t line = 0;
+    uint64_t count = 0;
+};
+
+class Scanner {
+public:
+    Scanner(std::string_view text, const std::string& file, Diagnostics& diagnostics, const ObjLimits& limits)
+        : text_(text), file_(file), diagnostics_(diagnostics), limits_(limits)
+    {
+    }
+    std::optional<ObjSummary> scan();
+
+private:
+    struct Kind {
+        const char *index, *one, *many;
+        uint64_t so_far = 0, all = 0;
+    };
+
+    void count_elements();
+    void check_line(const ObjStatementText& statement);
+    void check_vertex(std::string_view arguments);
+    bool check_numbers(std::string_view& arguments, const char* statement);
+    void check_face(std::string_view corners);
+    bool check_corner(std::string_view corner);
+    bool check_index(std::string_view digits, Kind& kind);
+    void use_material(std::string_view name);
+    void add_library(std::string_view names);
+    void check_limits();
+    void count(Tally& tally)
+    {
+        if (tally.count++ == 0) tally.line = line_;
+    }
+    bool error(const std::string& message)
+    {
+        diagnostics_.error({file_, line_, 0}, message);
+        ++errors_;
+        return false;
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    Diagnostics& diagnostics_;
+    const ObjLimits limits_;
+    ObjSummary summary_;
+    uint32_t line_ = 0;
+    uint64_t errors_ = 0;
+    Kind vertex_{"face index ", "vertex", "vertices"};
+    Kind texcoord_{"face texture index ", "texture coordinate", "texture coordinates"};
+    Kind normal_{"face normal index ", "normal", "normals"};
+    Tally unknown_{"statement of an unknown kind ignored"};
+    Tally skipped_{"line or point ignored"};
+    Tally short_{"face with fewer than 3 corners dropped"};
+};
+
+std::optional<ObjSummary> Scanner::scan()
+{
+    count_elements();
+    constexpr uint64_t enough_errors = 1000;
+    TextLines lines(text_);
+    while (errors_ < enough_errors && lines.next()) {
+        line_ = lines.number();
+        check_line(parse_statement(lines.line()));
+    }
+    line_ = 0;
+    if (errors_ == 0) check_limits();
+    for (const Tally* t : {&unknown_, &skipped_, &short_})
+        if (t->count) diagnostics_.warning({file_, t->line, 0}, t->message, t->count);
+    if (errors_) return {};
+    return std::move(summary_);
+}
+
+// First of all, because a positive index may refer to what comes later in the file.
+void Scanner::count_elements()
+{
+    TextLines lines(text_);
+    while (lines.next()) {
+        std::string_view line = lines.line();
+        if (line.empty() || line[0] != 'v') continue;
+        const std::string_view word = take_word(line);
+        if (word == "v") ++vertex_.all;
+        if (word == "vn") ++normal_.all;
+        if (word == "vt") ++texcoord_.all;
+    }
+    summary_.vertices = vertex_.all;
+    summary_.normals = normal_.all;
+    summary_.texcoords = texcoord_.all;
+}
+
+void Scanner::check_line(const ObjStatementText& statement)
+{
+    switch (statement.kind) {
+        case ObjStatement::vertex:
+            ++vertex_.so_far;
+            return check_vertex(statement.arguments);
+        case ObjStatement::normal: {
+            ++normal_.so_far;
+            std::string_view arguments = statement.arguments;
+            check_numbers(arguments, "vn");
+            return;
+        }
+        case ObjStatement::texcoord:
+            ++texcoord_.so_far;
+            return;
+        case ObjStatement::face:
+            return check_face(statement.arguments);
+        case ObjStatement::use_material:
+            return use_material(statement.arguments);
+        case ObjStatement::library:
+            return add_library(statement.arguments);
+        case ObjStatement::line_or_point:
+            return count(skipped_);
+        case ObjStatement::unknown:
+            return count(unknown_);
+        case ObjStatement::ignored:
+            return;
+    }
+}
+
+// A single number after the three coordinates is a weight and not used, three are a colour.
+void Scanner::check_vertex(std::string_view arguments)
+{
+    if (!check_numbers(arguments, "v") || summary_.vertex_colors) return;
+    take_word(arguments);
+    take_word(arguments);
+    summary_.vertex_colors = !take_word(arguments).empty();
+}
+
+// Takes them off the arguments.
+bool Scanner::check_numbers(std::string_view& arguments, const char* statement)
+{
+    for (int i = 0; i < 3; ++i) {
+        const std::string_view word = take_word(arguments);
+        if (word.empty()) {
+            return error(std::string(statement) + " needs 3 numbers, has " + std::to_string(i));
+        }
+        const NumberKind kind = classify_number(word);
+        if (kind == NumberKind::finite) continue;
+        return error(in_quotes(word) +
+                     (kind == NumberKind::not_finite ? " is not a finite number" : " is not a number"));
+    }
+    return true;
+}
+
+void Scanner::check_face(std::string_view corners)
+{
+    uint64_t n = 0;
+    for (std::string_view word = take_word(corners); !word.empty(); word = take_word(corners), ++n)
+        if (!check_corner(word)) return;
+    if (n > 0) ++summary_.faces;
+    if (n < 3) return count(short_);
+    if (n > limits_.corners_of_face)
+        error("a face with " + std::to_string(n) + " corners; at most " + std::to_string(limits_.corners_of_face) +
+              " are supported");
+    summary_.triangles += n - 2;
+}
+
+// i, i/j, i//k or i/j/k, where j and k may be left out: some programs write "1//" for "1".
+bool Scanner::check_corner(std::string_view corner)
+{
+    std::array<std::string_view, 3> parts;
+    size_t part = 0, begin = 0;
+    for (size_t i = 0; i <= corner.size(); ++i) {
+        if (i < corner.size() && corner[i] != '/') continue;
+        if (part == 3) return error("face corner " + in_quotes(corner) + " is not an index like 1, 1/2, 1//3 or 1/2/3");
+        parts[part++] = corner.substr(begin, i - begin);
+        begin = i + 1;
+    }
+    if (parts[0].empty())
+        return error("face corner " + in_quotes(corner) + " is not an index like 1, 1/2, 1//3 or 1/2/3");
+    if (!check_index(parts[0], vertex_)) return false;
+    if (!parts[1].empty() && !check_index(parts[1], texcoord_)) return false;
+    if (parts[2].empty()) return true;
+    summary_.face_normals = true;
+    return check_index(parts[2], normal_);
+}
+
+bool Scanner::check_index(std::string_view digits, Kind& kind)
+{
+    int64_t index = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, problem] = std::from_chars(digits.data(), end, index);
+    if (stop != end || problem == std::errc::invalid_argument)
+        return error(kind.index + in_quotes(digits) + " is not an integer");
+    if (problem == std::errc() && index == 0) return error(std::string(kind.index) + "0: indices start at 1");
+    const bool negative = digits[0] == '-';
+    const uint64_t distance = negative ? 0 - static_cast<uint64_t>(index) : static_cast<uint64_t>(index);
+    const uint64_t there = negative ? kind.so_far : kind.all;
+    if (problem != std::errc() || distance > there) {
+        const std::string name = there == 1 ? kind.one : kind.many;
+        std::string text = in_quotes(digits);
+        text = text.substr(1, text.size() - 2);
+        return error(kind.index + text + " is out of range: " +
+                     (negative ? std::to_string(there) + " " + name + (there == 1 ? " comes" : " come") + " before it"
+                               : "the file has " + std::to_string(there) + " " + name));
+    }
+    if (!negative && distance > kind.so_far) summary_.forward_references = true;
+    return true;
+}
+
+void Scanner::use_material(std::string_view name)
+{
+    const auto found = summary_.material_index.find(name);
+    if (found != summary_.material_index.end()) {
+        ++summary_.materials[found->second].count;
+        return;
+    }
+    summary_.material_index.emplace(std::string(name), static_cast<uint32_t>(summary_.materials.size()));
+    summary_.materials.push_back({std::string(name), line_, 1});
+}
+
+void Scanner::add_library(std::string_view names)
+{
+    auto& all = summary_.libraries;
+    const auto same = [&](const ObjSummary::Name& l) { return l.name == names; };
+    if (const auto l = std::find_if(all.begin(), all.end(), same); l != all.end()) {
+        ++l->count;
+        return;
+    }
+    all.push_back({std::string(names), line_, 1});
+    if (all.size() == limits_.libraries + 1) error("more than " + std::to_string(limits_.libraries) + " mtllib files");
+    if (all.size() > limits_.libraries) all.pop_back();
+}
+
+void Scanner::check_limits()
+{
+    if (summary_.triangles == 0) error(text_.empty() ? "the file is empty" : "the file has no face");
+    if (std::max({summary_.vertices, summary_.normals, summary_.texcoords}) > limits_.vertices)
+        error("more than " + std::to_string(limits_.vertices) + " vertices, normals or texture coordinates");
+    if (summary_.triangles > limits_.triangles) error("more than " + std::to_string(limits_.triangles) + " triangles");
+}
+
+}  // namespace
+
+ObjStatementText parse_statement(std::string_view line)
+{
+    const std::string_view word = take_word(line);
+    if (word == "v") return {ObjStatement::vertex, without_comment(line)};
+    if (word == "f") return {ObjStatement::face, without_comment(line)};
+    if (word == "vn") return {ObjStatement::normal, without_comment(line)};
+    if (word == "vt") return {ObjStatement::texcoord, without_comment(line)};
+    if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
+    if (word == "usemtl") return {ObjStatement::use_material, name_argument(line)};
+    if (word == "mtllib") return {ObjStatement::library, name_argument(line)};
+    if (word == "l" || word == "p") return {ObjStatement::line_or_point, {}};
+    for (const char* known : {"g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
+        if (word == known) return {ObjStatement::ignored, {}};
+    return {ObjStatement::unknown, word};
+}
+
+std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& file, Diagnostics& diagnostics,
+                                   const ObjLimits& limits)
+{
+    return Scanner(text, file, diagnostics, limits).scan();
+}
+
+uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
+{
+    TextLines lines(text);
+    while (lines.next()) {
+        const ObjStatementText s = parse_statement(lines.line());
+        const bool counts = !s.arguments.empty() || kind == ObjStatement::texcoord;
+        if (s.kind == kind && counts && index-- == 0) return lines.number();
+    }
+    return 0;
+}
+
+ObjFeed::int_type ObjFeed::underflow()
+{
+    while (lines_.next()) {
+        const ObjStatementText s = parse_statement(lines_.line());
+        const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord;
+        if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv) continue;
+        const bool coordinates = s.kind == ObjStatement::vertex || s.kind == ObjStatement::normal;
+        if (part_ == Part::vertices && !coordinates && !is_uv) continue;
+        if (is_uv)
+            assign_uv(buffer_, s.arguments);
+        else if (coordinates)
+            buffer_.assign(s.kind == ObjStatement::vertex ? "v " : "vn ").append(s.arguments);
+        else if (s.kind == ObjStatement::face)
+            assign_face(buffer_, s.arguments);
+        else if (s.kind == ObjStatement::use_material)
+            buffer_.assign("usemtl ").append(std::to_string(summary_->material_index.find(s.arguments)->second));
+        else
+            continue;
+        buffer_ += '\n';
+        setg(buffer_.data(), buffer_.data(), buffer_.data() + buffer_.size());
+        return traits_type::to_int_type(buffer_[0]);
+    }
+    return traits_type::eof();
+}
+
+}  // namespace lancer

@@ -1,0 +1,17 @@
+// A mesh as the plainest OBJ file there is, for readers that know only v, vn, usemtl and f with three corners.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "io/atomic_file.h"
+#include "scene/description/description.h"
+
+namespace lancer {
+
+// Positions in the units of the mesh with digits that give the very same double back. Triangles in their order, each
+// run of one material after "usemtl mN"; N: material_of the triangle. Throws Error (failed) if it cannot be written;
+// the caller commits.
+void write_obj(AtomicFile& file, const MeshData& mesh, const std::function<uint32_t(uint32_t)>& material_of);
+
+}  // namespace lancer

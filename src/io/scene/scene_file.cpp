@@ -1,0 +1,98 @@
+#include "io/scene/scene_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/hash.h"
+#include "core/names.h"
+#include "io/input_text.h"
+#include "io/scene/definition.h"
+#include "io/scene/scene_tables.h"
+#include "io/toml_file.h"
+
+namespace lancer {
+namespace {
+
+void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& scene_options, const AssetFolder& assets,
+                 SceneDescription& scene, Diagnostics& diagnostics)
+{
+    // What an override gives to a material of a mesh is known only when it is applied.
+    const bool uvs =
+        !scene.overrides.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), reads_textures);
+    MeshOptions options{.assets = &assets, .pictures = {}, .uvs = uvs};
+    // Materials of files that every mesh replaces by its own are not worn, and their pictures not read.
+    std::set<std::string> worn;
+    for (size_t i = 0; i < files.size(); ++i)
+        if (scene.meshes[i].material.empty()) worn.insert(files[i].file.identity);
+    std::map<std::string, std::shared_ptr<const MeshData>> loaded;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const AssetFolder::Found& file = files[i].file;
+        if (file.path.empty()) continue;
+        const auto [entry, is_new] = loaded.try_emplace(file.identity);
+        options.pictures = worn.count(file.identity) ? scene_options.pictures : RasterSource{};
+        if (is_new) entry->second = scene_options.mesh_loader(file.path, diagnostics, options);
+        scene.meshes[i].data = entry->second;
+        // No caller should meet a null that nobody has reported.
+        if (!entry->second && !diagnostics.has_errors()) {
+            diagnostics.error(files[i].where, "mesh file " + in_quotes(file.path) + " could not be loaded");
+        }
+    }
+}
+
+// Fills the description from the tree of values, with the definitions put over it.
+void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
+               Diagnostics& diagnostics)
+{
+    std::vector<std::string> sources{scene.file};
+    for (const std::string& text : options.definitions) sources.push_back("-D " + on_one_line(text));
+    TomlProblems problems(std::move(sources));
+    uint32_t source = 0;
+    for (const std::string& text : options.definitions) {
+        const Definition definition = parse_definition(text);
+        TomlValue value = parse_toml_value(definition.value);
+        set_source(value, ++source);
+        define(root, definition, std::move(value), problems);
+        scene.content_hash = hash_bytes(text, scene.content_hash);
+    }
+    const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
+    problems.report(diagnostics);
+    load_meshes(files, options, assets, scene, diagnostics);
+}
+
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
+                             Diagnostics& diagnostics)
+{
+    SceneDescription scene;
+    scene.file = path;
+    scene.content_hash = hash_bytes(text);
+    const AssetFolder assets(path, options.asset_root);
+    if (std::optional<TomlValue> root = parse_toml(text, path, diagnostics))
+        read_tree(std::move(*root), assets, options, scene, diagnostics);
+    return scene;
+}
+
+SceneDescription load_scene_file(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics)
+{
+    return parse_scene(read_input_text(path), path, options, diagnostics);
+}
+
+SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics)
+{
+    SceneDescription scene;
+    scene.file = path;
+    AssetFolder assets(path, options.asset_root);
+    const std::string name = std::filesystem::path(path).filename().string();
+    assets.admit(name);
+    const TomlValue::Table mesh{{.key = "file", .value = {.data = name}}};
+    TomlValue root{.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
+    read_tree(std::move(root), assets, options, scene, diagnostics);
+    return scene;
+}
+
+}  // namespace lancer

@@ -1,0 +1,242 @@
+#include "io/scene/scene_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "io/scene/background_tables.h"
+#include "io/scene/camera_tables.h"
+#include "io/scene/material_tables.h"
+#include "io/scene/shape_tables.h"
+#include "scene/description/presets.h"
+
+namespace lancer {
+namespace {
+
+constexpr int64_t max_int = 2147483647;
+
+class SceneReader {
+public:
+    SceneReader(const TomlTable& root, const AssetFolder& assets, SceneDescription& scene)
+        : root_(root), assets_(assets), scene_(scene)
+    {
+    }
+    std::vector<MeshFile> read();
+
+private:
+    const TomlTable& root_;
+    const AssetFolder& assets_;
+    SceneDescription& scene_;
+    std::vector<MeshFile> mesh_files_;
+    std::vector<NameUse> material_uses_, mesh_uses_;
+    std::map<std::string, uint32_t> mesh_lines_;  // of the names
+
+    void read_version();
+    void read_render(const TomlTable& table);
+    void read_mesh(const TomlTable& table);
+    void read_instance(const TomlTable& table);
+    void read_sphere(const TomlTable& table);
+    void read_light(const TomlTable& table);
+    void read_picture_of(const TomlTable& table, LightDescription& light);
+    TransformDescription read_transform(const TomlTable& table);
+    void check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
+                    const std::string& none = "");
+};
+
+void SceneReader::read_version()
+{
+    const std::optional<int64_t> version = root_.integer("version", INT64_MIN, INT64_MAX);
+    if (version && *version != 1) {
+        root_.error(root_.where("version"),
+                    "version " + std::to_string(*version) + " of scene files is unknown; known: 1");
+    }
+}
+
+void SceneReader::read_render(const TomlTable& table)
+{
+    NameList keys{"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler", "stop_error"};
+    keys.insert(keys.end(), switch_names.begin(), switch_names.end());
+    table.allow(keys);
+    RenderDescription& render = scene_.render;
+    render.where = table.where();
+    render.integrator = table.text("integrator");
+    render.filter = table.text("filter");
+    render.sampler = table.text("sampler");
+    render.spp = table.integer("spp", 1, max_int);
+    render.max_depth = table.integer("max_depth", 0, max_int);
+    render.seed = table.integer("seed", 0, INT64_MAX);
+    render.size = table.size("size");
+    render.stop_error = table.number("stop_error", above_zero);
+    for (size_t i = 0; i < switch_names.size(); ++i) render.switches[i] = table.boolean(std::string(switch_names[i]));
+}
+
+TransformDescription SceneReader::read_transform(const TomlTable& table)
+{
+    TransformDescription transform;
+    transform.translate = table.vector("translate").value_or(transform.translate);
+    transform.rotate_deg = table.vector("rotate").value_or(transform.rotate_deg);
+    transform.scale = table.number_or_vector("scale", not_zero).value_or(transform.scale);
+    return transform;
+}
+
+void SceneReader::read_mesh(const TomlTable& table)
+{
+    table.allow({"name", "file", "material", "vertex_colors", "translate", "rotate", "scale"});
+    MeshDescription mesh;
+    mesh.where = table.where();
+    mesh.name = table.text("name").value_or("");
+    if (!mesh.name.empty()) {
+        const Location where = table.where("name");
+        const auto [first, is_new] = mesh_lines_.try_emplace(mesh.name, where.line);
+        if (!is_new) {
+            table.error(where, "another [[mesh]] is named " + in_quotes(mesh.name) + " already, in line " +
+                                   std::to_string(first->second));
+        }
+    }
+    mesh.material = read_material_use(table, material_uses_);
+    mesh.vertex_colors =
+        static_cast<VertexColors>(table.choice("vertex_colors", {"srgb", "linear", "none"}, 0).value_or(0));
+    mesh.transform = read_transform(table);
+    scene_.meshes.push_back(std::move(mesh));
+
+    MeshFile& mesh_file = mesh_files_.emplace_back();
+    const std::optional<std::string> name = table.require("file") ? table.text("file") : std::nullopt;
+    if (!name) return;
+    const AssetFolder::Found found = assets_.find(*name);
+    if (found.problem.empty()) {
+        mesh_file = {table.where("file"), found};
+    } else {
+        table.error(table.where("file"), "mesh file " + in_quotes(*name) + " " + found.problem, found.kind);
+    }
+}
+
+void SceneReader::read_instance(const TomlTable& table)
+{
+    table.allow({"mesh", "translate", "rotate", "scale"});
+    InstanceDescription instance;
+    instance.where = table.where();
+    if (table.require("mesh")) {
+        if (const std::optional<std::string> name = table.text("mesh")) {
+            instance.mesh = *name;
+            mesh_uses_.push_back({table.where("mesh"), *name});
+        }
+    }
+    instance.transform = read_transform(table);
+    scene_.instances.push_back(std::move(instance));
+}
+
+void SceneReader::read_sphere(const TomlTable& table)
+{
+    table.allow({"center", "radius", "material"});
+    SphereDescription sphere;
+    sphere.where = table.where();
+    sphere.center = table.vector("center").value_or(sphere.center);
+    sphere.radius = table.number("radius", above_zero).value_or(sphere.radius);
+    sphere.material = read_material_use(table, material_uses_);
+    scene_.spheres.push_back(std::move(sphere));
+}
+
+void SceneReader::read_light(const TomlTable& table)
+{
+    const NameList types{"point", "directional", "sphere", "environment"};
+    const std::vector<TypedKey> keys{{"position", {"point"}},
+                                     {"intensity", {"point"}},
+                                     {"direction", {"directional"}},
+                                     {"irradiance", {"directional"}},
+                                     {"center", {"sphere"}},
+                                     {"radius", {"sphere"}},
+                                     {"radiance", {"sphere", "environment"}}};
+    const std::vector<TypedKey> of_pictures{
+        {"file", {"environment"}}, {"scale", {"environment"}}, {"rotate", {"environment"}}};
+    NameList known{"type"};
+    for (const auto* list : {&keys, &of_pictures})
+        for (const TypedKey& k : *list) known.push_back(k.key);
+    table.allow(known);
+
+    LightDescription light;
+    light.where = table.where();
+    const std::optional<size_t> type = table.require("type") ? table.choice("type", types, 0) : std::nullopt;
+    if (type) {
+        light.type = static_cast<LightType>(*type);
+        for (const auto* list : {&keys, &of_pictures}) table.reject_keys_of_other_types(types[*type], *list);
+        for (const auto& [key, owners] : keys) {
+            const bool is_mine = std::find(owners.begin(), owners.end(), types[*type]) != owners.end();
+            if (is_mine && !(key == "radiance" && table.has("file"))) table.require(key, types[*type]);
+        }
+    }
+    light.position = table.vector("position").value_or(table.vector("center").value_or(light.position));
+    light.radius = table.number("radius", above_zero).value_or(light.radius);
+    if (const std::optional<Vec3d> direction = table.vector("direction")) {
+        light.direction = *direction;
+        if (*direction == Vec3d{}) table.error("direction", " must not be the zero vector");
+    }
+    for (const char* key : {"intensity", "irradiance", "radiance"})
+        light.power = table.color(key, brightness).value_or(light.power);
+    if (table.has("file")) {
+        read_picture_of(table, light);
+    } else {
+        for (const char* key : {"scale", "rotate"})
+            if (type && light.type == LightType::environment && table.has(key)) table.error(key, " needs 'file'");
+    }
+    scene_.lights.push_back(light);
+}
+
+void SceneReader::read_picture_of(const TomlTable& table, LightDescription& light)
+{
+    if (table.has("radiance")) table.error("radiance", " cannot stand beside 'file'; 'scale' is a factor on a picture");
+    light.power = table.color("scale", brightness).value_or(Color{1, 1, 1});
+    light.rotate_deg = table.vector("rotate").value_or(light.rotate_deg);
+    const std::optional<std::string> name = table.text("file");
+    if (!name) return;
+    const AssetFolder::Found found = assets_.find(*name);
+    light.file = found.path;
+    if (!found.problem.empty())
+        table.error(table.where("file"), "picture " + in_quotes(*name) + " " + found.problem, found.kind);
+}
+
+void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
+                             const std::string& none)
+{
+    NameList sorted = known;
+    std::sort(sorted.begin(), sorted.end());
+    for (const NameUse& use : uses) {
+        if (std::binary_search(sorted.begin(), sorted.end(), std::string_view(use.name))) continue;
+        root_.error(use.where, "unknown " + what + " " + in_quotes(use.name) +
+                                   (known.empty() ? "; " + none : suggestion(use.name, known)));
+    }
+}
+
+std::vector<MeshFile> SceneReader::read()
+{
+    root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
+                 "pyramid", "light", "background", "material", "material_override", "texture"});
+    read_version();
+    if (const std::optional<TomlTable> render = root_.table("render")) read_render(*render);
+    read_cameras(root_, scene_);
+    material_uses_ = read_materials(root_, assets_, scene_);
+    for (const TomlTable& mesh : root_.tables("mesh")) read_mesh(mesh);
+    for (const TomlTable& instance : root_.tables("instance")) read_instance(instance);
+    for (const TomlTable& sphere : root_.tables("sphere")) read_sphere(sphere);
+    for (NameUse& use : read_shapes(root_, scene_)) material_uses_.push_back(std::move(use));
+    for (const TomlTable& light : root_.tables("light")) read_light(light);
+    read_background(root_, assets_, scene_);
+
+    NameList meshes;
+    for (const MeshDescription& mesh : scene_.meshes) {
+        if (!mesh.name.empty()) meshes.push_back(mesh.name);
+    }
+    check_uses(material_uses_, names_of_materials(scene_), "material");
+    check_uses(mesh_uses_, meshes, "mesh", "the file has no [[mesh]] with a name");
+    return std::move(mesh_files_);
+}
+
+}  // namespace
+
+std::vector<MeshFile> read_scene_tables(const TomlTable& root, const AssetFolder& assets, SceneDescription& scene)
+{
+    return SceneReader(root, assets, scene).read();
+}
+
+}  // namespace lancer

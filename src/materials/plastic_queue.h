@@ -1,0 +1,177 @@
+// Plastic at many places at once, with the bits of PlasticBsdf at each. Of eight places that are shaded together few
+// are of plastic, and of doubles four are computed together: the places of many eights stand side by side.
+#pragma once
+
+#include <cassert>
+
+#include "core/lanes/vec.h"
+#include "materials/plastic.h"
+
+namespace lancer {
+
+// As in BsdfValue, but for colours as vectors.
+struct BsdfValueLanes {
+    Vec3x8 f_cos;
+    Float8 pdf;
+};
+// As in BsdfSample, in the lanes that `found` names; eta is 1.
+struct BsdfSampleLanes {
+    Vec3x8 wi, weight;
+    Float8 pdf;
+    uint32_t found, delta;
+};
+
+// Each question takes three steps: what is asked is put down for eight lanes after eight, in the order in which these
+// were added; all is computed; what came out is taken for eight lanes. What goes in and out is by lane; in lanes that
+// are not plastic it is anything. Directions are local and unit.
+class PlasticList {
+public:
+    static constexpr size_t most = 128;  // places
+
+    // The places of eight lanes, one behind the other.
+    struct Eight {
+        uint32_t first = 0, count = 0;
+        uint32_t lanes = 0;  // that are plastic
+        UInt8 from{}, to{};  // lane of each place, place of each lane
+    };
+    void clear() { count_ = 0; }
+    Eight begin_eight() const { return {.first = count_}; }
+    // of: the last that was begun, as its places stand one behind the other.
+    void add(Eight& of, uint32_t lane, const PlasticBsdf& bsdf)
+    {
+        assert(of.first + of.count == count_);
+        const PlasticBsdf::Coat& coat = bsdf.coat();
+        const uint32_t k = count_++;
+        of.lanes |= 1u << lane;
+        of.from[of.count] = lane, of.to[lane] = of.count++;
+        base_.set(k, bsdf.base()), specular_.set(k, bsdf.specular());
+        eta_[k] = coat.eta, alpha_[k] = coat.alpha, mean_through_[k] = coat.mean_through;
+        facets_[k / 4][k % 4] = coat.facets;
+    }
+
+    // Before anything else is asked.
+    void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
+    void see()
+    {
+        const auto largest = [](const Vec3T<Float4>& c) { return larger(c.x, larger(c.y, c.z)); };
+        for (size_t k = 0; k < count_; k += 4)
+            seen_[k / 4] = coat(k).seen(wo_.four(k), largest(specular_.four(k)), largest(base_.four(k)));
+    }
+
+    void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
+    void eval()
+    {
+        const Float8 zero{};
+        for (size_t k = 0; k < count_; k += float_lanes) {
+            const Vec3x8 wi = wi_.eight(k);
+            const Mask8 is_lit =
+                (wo_.z.eight(k) > zero) & (wi.z > zero) & (~is_black(base_.eight(k)) | (alpha_.eight(k) > zero));
+            const BsdfValueLanes f = eval_lobes(k, wi);
+            color_.set_eight(k, select(is_lit, f.f_cos, {zero, zero, zero}));
+            pdf_.set_eight(k, select(is_lit, f.pdf, zero));
+        }
+    }
+    BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
+
+    // u chooses the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
+    void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
+    {
+        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y), wi_.put(of, cosine);
+    }
+    void sample()
+    {
+        const Float8 zero{};
+        for (size_t k = 0; k < count_; k += float_lanes) {
+            const Float8 choice = joined(seen_[k / 4].choice, seen_[k / 4 + 1].choice);
+            const Mask8 by_coat = u_.eight(k)<choice, is_rough = alpha_.eight(k)> zero, is_delta = by_coat & ~is_rough;
+            const Vec3x8 wo = wo_.eight(k);
+            Vec3x8 wi = wi_.eight(k);
+            if (bits(by_coat & is_rough) != 0) wi = select(by_coat, reflected(k), wi);
+            const BsdfValueLanes f = eval_lobes(k, wi);
+            const Float8 sent = (1.0f - joined(seen_[k / 4].through, seen_[k / 4 + 1].through)) / choice;
+            wi_.set_eight(k, select(is_delta, {-wo.x, -wo.y, wo.z}, wi));
+            color_.set_eight(k, select(is_delta, specular_.eight(k) * sent, f.f_cos / f.pdf));
+            pdf_.set_eight(k, select(is_delta, choice, f.pdf));
+            found_.set_eight(k, (wo.z > zero) & (is_delta | ((wi.z > zero) & (f.pdf > zero))));
+            delta_.set_eight(k, is_delta);
+        }
+    }
+    BsdfSampleLanes sampled(const Eight& of) const
+    {
+        const uint32_t found = bits(found_.of(of)) & of.lanes;
+        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & bits(delta_.of(of))};
+    }
+
+private:
+    // A number of each place. put() writes all eight: those of the next lanes are put over what is behind its own.
+    template <class Lanes>
+    struct alignas(sizeof(Lanes)) Numbers : std::array<float, most + float_lanes> {
+        Float4 four(size_t k) const { return _mm_load_ps(&(*this)[k]); }
+        Lanes eight(size_t k) const { return reinterpret_cast<Lanes>(_mm256_load_ps(&(*this)[k])); }
+        void set_eight(size_t k, Lanes x) { _mm256_store_ps(&(*this)[k], reinterpret_cast<__m256>(x)); }
+        void put(const Eight& of, Lanes x)
+        {
+            _mm256_storeu_ps(&(*this)[of.first], reinterpret_cast<__m256>(permuted(x, of.from)));
+        }
+        Lanes of(const Eight& of) const
+        {
+            return permuted(reinterpret_cast<Lanes>(_mm256_loadu_ps(&(*this)[of.first])), of.to);
+        }
+    };
+    struct Vectors {
+        Numbers<Float8> x, y, z;
+
+        Vec3T<Float4> four(size_t k) const { return {x.four(k), y.four(k), z.four(k)}; }
+        Vec3x8 eight(size_t k) const { return {x.eight(k), y.eight(k), z.eight(k)}; }
+        void set_eight(size_t k, const Vec3x8& v) { x.set_eight(k, v.x), y.set_eight(k, v.y), z.set_eight(k, v.z); }
+        void set(size_t k, Color c) { x[k] = c.r, y[k] = c.g, z[k] = c.b; }
+        void put(const Eight& of, const Vec3x8& v) { x.put(of, v.x), y.put(of, v.y), z.put(of, v.z); }
+        Vec3x8 of(const Eight& of) const { return {x.of(of), y.of(of), z.of(of)}; }
+    };
+    using Facets = std::array<AlbedoTable::Row, 4>;
+    using Coat = PlasticCoat<Float4, Facets>;
+
+    // f(fours before k, from k on or from k + 4 on, takes four of eight), for those of the eight from k on that are
+    // there.
+    template <class F>
+    void for_fours(size_t k, const F& f) const
+    {
+        f(size_t{0}, k, [](const auto& x) { return lower(x); });
+        if (k + 4 < count_) f(size_t{1}, k + 4, [](const auto& x) { return upper(x); });
+    }
+    Coat coat(size_t k) const { return {eta_.four(k), alpha_.four(k), mean_through_.four(k), facets_[k / 4]}; }
+    BsdfValueLanes eval_lobes(size_t k, const Vec3x8& wi) const
+    {
+        std::array<Coat::Value, 2> of{};
+        for_fours(k, [&](size_t i, size_t at, auto four) { of[i] = coat(at).eval(seen_[at / 4], four(wi)); });
+        return {base_.eight(k) * joined(of[0].base, of[1].base) + specular_.eight(k) * joined(of[0].coat, of[1].coat),
+                joined(of[0].pdf, of[1].pdf)};
+    }
+    // Directions that facets send the light to; some lie below the surface.
+    Vec3x8 reflected(size_t k) const
+    {
+        const SinCosT<Float8> phi = sin_cos_2pi(v_x_.eight(k));
+        std::array<Vec3T<Float4>, 2> wi{};
+        for_fours(k, [&](size_t i, size_t at, auto four) {
+            const GgxT<Double4> facets{to_double(alpha_.four(at))};
+            const Vec3T<Double4>& wo = seen_[at / 4].wo;
+            const Vec3T<Double4> h = facets.sample_visible(wo, to_double(v_y_.four(at)),
+                                                           {to_double(four(phi.sin)), to_double(four(phi.cos))});
+            wi[i] = to_float(mirrored(wo, h));
+        });
+        return joined(wi[0], wi[1]);
+    }
+
+    uint32_t count_ = 0;
+    Vectors base_{}, specular_{};  // the base as it is under the coat
+    Numbers<Float8> eta_{}, alpha_{}, mean_through_{};
+    std::array<Facets, most / 4> facets_{};
+    Vectors wo_{}, wi_{};
+    std::array<Coat::Seen, most / 4> seen_{};
+    Numbers<Float8> u_{}, v_x_{}, v_y_{};
+    Vectors color_{};  // f cos, or the weight
+    Numbers<Float8> pdf_{};
+    Numbers<Mask8> found_{}, delta_{};
+};
+
+}  // namespace lancer

@@ -1,0 +1,219 @@
+#include "render/estimators/pilot.h"
+
+#include <cmath>
+
+#include "core/parallel.h"
+#include "render/common_numbers.h"
+#include "render/estimators/stop_rule.h"
+#include "render/kernel/kernels.h"
+
+namespace lancer {
+namespace {
+
+constexpr uint32_t most_cells = 64;    // in a row or column
+constexpr uint32_t least_cell = 8;     // pixels
+constexpr uint32_t paths = 8;          // of each pixel that is looked at
+constexpr uint32_t parts = 2;          // of each path, which share it up to where it splits
+constexpr uint32_t most_split = 4;     // beyond, edges of shapes would want for samples before the light does
+constexpr double dark = 0.1;           // parts of the mean below which errors count as if it were so bright
+constexpr double packed = 0.4;         // time of a camera ray, which goes with its neighbours, by that of a bounce
+constexpr double occlusion = 0.6;      // likewise of a shadow ray
+constexpr double common_wanted = 0.9;  // of the error is to be left, or less, for numbers in common
+constexpr double stratified = 0.12;    // what is left, about, of variance in the few dimensions of a camera ray; fitted
+constexpr double unsorted = 1;         // likewise in which of very many lights is chosen, which has no smooth order
+
+// What a pixel's samples tell, in sums of doubles.
+struct Look {
+    std::array<double, 3> mean{};
+    double among_paths = 0, among_parts = 0;  // variance of the luminance: of whole paths, of the parts of one
+};
+
+Look look_at(std::span<const RadianceSum> samples)
+{
+    Look look;
+    double sum = 0, squares = 0;
+    for (uint32_t i = 0; i < paths; ++i) {
+        const Color a = samples[parts * i].color(), b = samples[parts * i + 1].color();
+        const auto y = [](Color c) { return luminance(double{c.r}, double{c.g}, double{c.b}); };
+        const double mean = 0.5 * (y(a) + y(b)), difference = y(a) - y(b);
+        if (!is_finite(a) || !is_finite(b)) return {};
+        look.mean[0] += 0.5 * (double{a.r} + double{b.r}) / paths;
+        look.mean[1] += 0.5 * (double{a.g} + double{b.g}) / paths;
+        look.mean[2] += 0.5 * (double{a.b} + double{b.b}) / paths;
+        sum += mean, squares += mean * mean;
+        look.among_parts += 0.5 * difference * difference / paths;
+    }
+    look.among_paths = (squares - sum * sum / paths) / (paths - 1) - look.among_parts / parts;
+    return look;
+}
+
+// To a power of two: what differs in its last bits, as between accelerators that disagree on a ray, gives one plan.
+float rounded(double x)
+{
+    if (!(x > 0)) return 0;
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return static_cast<float>(std::ldexp(1.0, mantissa < 0.70710678118654752 ? exponent - 1 : exponent));
+}
+
+// A grid of looks over the picture.
+struct Survey {
+    uint32_t cell, columns, rows;
+    std::vector<Look> looks;
+    std::array<double, 3> mean{};
+    Counters counters;
+
+    double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
+    double floor() const { return dark * brightness(); }  // as bright as what is darker counts
+};
+
+Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+              const Camera& camera, uint32_t width, uint32_t height)
+{
+    // Light that mirrors or the camera see straight is none that a path could spend more or less on. Of the other parts
+    // all count, wanted or not: they add up to the whole only with one plan.
+    Path pilot = path;
+    pilot.parts = {};
+    pilot.parts.emitters = false;
+    PathPlan shared;
+    shared.parts = parts;
+    Survey s;
+    s.cell = std::max(least_cell, (std::max(width, height) + most_cells - 1) / most_cells);
+    s.columns = (width + s.cell - 1) / s.cell, s.rows = (height + s.cell - 1) / s.cell;
+    s.looks.resize(size_t{s.columns} * s.rows);
+    std::vector<Counters> counters(s.rows);
+    parallel_for(s.rows, [&](size_t row) {
+        Workspace w;
+        w.is_pilot = true;
+        for (uint32_t first = 0; first < s.columns; first += paths) {
+            const uint32_t end = std::min(s.columns, first + paths);
+            const auto middle = [&](size_t cell, uint32_t size) {
+                return std::min(static_cast<uint32_t>(cell) * s.cell + s.cell / 2, size - 1);
+            };
+            w.slots.clear();
+            for (uint32_t column = first; column < end; ++column)
+                for (uint32_t i = 0; i < paths * parts; ++i)
+                    w.slots.push_back({middle(column, width), middle(row, height), i});
+            Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row]);
+            for (uint32_t column = first; column < end; ++column)
+                s.looks[row * s.columns + column] =
+                    look_at(std::span<const RadianceSum>(w.queue.radiance)
+                                .subspan(size_t{column - first} * paths * parts, paths * parts));
+        }
+    });
+    for (const Counters& c : counters) s.counters += c;
+    for (const Look& look : s.looks)
+        for (size_t c = 0; c < 3; ++c) s.mean[c] += look.mean[c] / static_cast<double>(s.looks.size());
+    return s;
+}
+
+// The split that has the least error at equal time: with paths of variance v and cost c up to the split, and of
+// variance v', cost c' below it, sqrt(v' c / (v c')). Bolin and Meyer, "An Error Metric for Monte Carlo Ray Tracing",
+// 1997, after Arvo and Kirk.
+uint32_t best_split(const Survey& s, const LightTable& lights)
+{
+    // Of the variance above the split, when samples are spread well.
+    const double by_tree = lights.tree ? lights.tree_share : 0;
+    const double left = unsorted * by_tree + stratified * (1 - by_tree);
+    const double floor = s.floor();
+    double above = 0, below = 0;
+    for (const Look& look : s.looks) {
+        const double y = luminance(look.mean[0], look.mean[1], look.mean[2]), weight = y * y + floor * floor;
+        if (!(weight > 0)) continue;
+        above += look.among_paths / weight;
+        below += look.among_parts / weight;
+    }
+    const auto count = [](uint64_t n) { return static_cast<double>(n); };
+    const double camera = count(s.counters.camera_rays), bounce = count(s.counters.bounce_rays);
+    const double shadow = occlusion * count(s.counters.shadow_rays) / (camera + bounce);
+    const double first = (packed + shadow) * camera, rest = (1 + shadow) * bounce;
+    if (!(below > 0) || !(rest > 0)) return 1;
+    if (!(above > 0)) return most_split;
+    const double best = std::sqrt(below * first / (left * above * rest));
+    return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
+}
+
+// Of the cell and its neighbours: one look alone is noisy.
+std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t row)
+{
+    std::array<double, 3> shown{};
+    double count = 0;
+    for (uint32_t y = row == 0 ? 0 : row - 1; y < std::min(s.rows, row + 2); ++y)
+        for (uint32_t x = column == 0 ? 0 : column - 1; x < std::min(s.columns, column + 2); ++x, ++count)
+            for (size_t c = 0; c < 3; ++c) shown[c] += s.looks[size_t{y} * s.columns + x].mean[c];
+    for (double& c : shown) c /= count;
+    return shown;
+}
+
+// PathPlan::worth.
+void tell_worth(const Survey& s, PathPlan& plan)
+{
+    if (!(s.brightness() > 0)) return;
+    plan.cell = s.cell, plan.columns = s.columns;
+    const double floor = s.floor();
+    for (uint32_t row = 0; row < s.rows; ++row)
+        for (uint32_t column = 0; column < s.columns; ++column) {
+            const std::array<double, 3> shown = shown_around(s, column, row);
+            const auto worth = [&](size_t c) {
+                return rounded(s.mean[c] / std::sqrt(shown[c] * shown[c] + floor * floor));
+            };
+            plan.worth.push_back({worth(0), worth(1), worth(2)});
+        }
+}
+
+// Whether numbers in common leave less of the error than the pilot would want. At most 8 x 8 cells of the survey are
+// asked, in one square each; by the root of what each errs by, lest the few sparks that these see decide.
+bool common_numbers_pay(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                        const Camera& camera, const Tile& picture, const Survey& s, PathPlan plan)
+{
+    plan.has_common_numbers = true;
+    Path pilot = path;
+    pilot.parts = {};  // as in survey()
+    struct Errors {
+        double told = 0, found = 0;
+    };
+    const uint32_t step = (std::max(s.columns, s.rows) + 7) / 8;
+    std::vector<Errors> errors((s.rows + step - 1) / step);
+    const double floor = s.floor();
+    const auto corner = [&](uint32_t cell) { return corner_of_square(cell * s.cell + s.cell / 2); };
+    parallel_for(errors.size(), [&](size_t i) {
+        Workspace w;
+        w.is_pilot = true;
+        Counters counters;
+        const uint32_t y0 = corner(step * static_cast<uint32_t>(i));
+        for (uint32_t column = 0; column < s.columns; column += step)
+            for_square(picture, corner(column), y0, [&](uint32_t x, uint32_t y) { w.slots.push_back({x, y, 0}); });
+        Kernels<Path>::trace({scene, plan}, accel, camera, picture.width(), settings, pilot, w, counters);
+        for (size_t slot = 0; slot < w.slots.size(); ++slot) w.found.push_back(found_of(w, slot));
+        for_squares(w.found, [&](std::span<const Found> square) {
+            double light = 0;
+            for (const Found& f : square) light += double{luminance(f.light)} / static_cast<double>(square.size());
+            const SquareLight told = light_of_square(square);
+            const double weight = 1 / std::sqrt((light * light + floor * floor) * told.found_variance);
+            if (!std::isfinite(weight)) return;
+            errors[i].told += weight * told.variance, errors[i].found += weight * told.found_variance;
+        });
+    });
+    Errors all;
+    for (const Errors& row : errors) all.told += row.told, all.found += row.found;
+    return all.told < common_wanted * all.found;
+}
+
+}  // namespace
+
+PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                   const Camera& camera, uint32_t width, uint32_t height)
+{
+    PathPlan plan;
+    if (!path.split && !path.roulette_by_pixel) return plan;
+    const Survey s = survey(scene, accel, path, settings, camera, width, height);
+    if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
+    if (path.roulette_by_pixel) tell_worth(s, plan);
+    // Not where pixels may end before their neighbours, or samples are changed.
+    if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)
+        plan.has_common_numbers =
+            common_numbers_pay(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan);
+    return plan;
+}
+
+}  // namespace lancer

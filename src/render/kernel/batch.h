@@ -1,0 +1,187 @@
+// The one loop over rays. A batch of paths of one tile advances in lockstep: their rays are traced together, each end
+// is handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
+// A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+
+#include "integrators/ahead.h"
+#include "integrators/media.h"
+#include "render/common_numbers.h"
+#include "render/kernel/tinted_shadows.h"
+#include "render/workspace.h"
+
+namespace lancer {
+
+// Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
+template <class Integrator>
+uint32_t batch_of(const KernelSettings& settings)
+{
+    if constexpr (requires { Integrator::branches; })
+        return std::min(settings.batch, 16u);
+    else
+        return settings.batch;
+}
+
+// So many surfaces and random numbers are computed before the first of them is put to use: no one waits for another, so
+// the processor works on several at once.
+inline constexpr size_t looked_ahead = 32;
+
+template <class Integrator>
+struct AheadOf {
+    struct type {};
+};
+template <LooksAhead Integrator>
+struct AheadOf<Integrator> {
+    using type = typename Integrator::Ahead;
+};
+
+// For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
+// in parts would wait for all that came before.
+template <class F>
+struct Made {
+    const F& f;
+    operator std::invoke_result_t<F>() const { return f(); }
+};
+
+// Where on the film a sample is. offset: from the middle of its pixel.
+inline Vec2 on_film(const SampleId& id, Vec2 offset)
+{
+    return {static_cast<float>(id.x) + 0.5f + offset.x, static_cast<float>(id.y) + 0.5f + offset.y};
+}
+// The ray of a sample. A bench has views whose cameras know less.
+template <class V>
+Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
+{
+    return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens));
+}
+
+// Traces the samples in w.slots to their end; light_of() then tells their radiance, and found_of() more.
+template <class V, class Integrator, class Listener>
+void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                 const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
+                 const Listener& listener)
+{
+    const uint32_t of_path = view.plan.of_path();
+    const auto sampler = [&](uint32_t slot, uint32_t sample, uint32_t branch) {
+        const SampleId& id = w.slots[slot];
+        const uint64_t seed = w.seed_of(settings, id.sample / of_path);
+        return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
+    };
+    begin_batch(view.plan, settings, width, w);
+    const auto sampler_of = [&](const State& s) {
+        if (s.numbers == Numbers::common) return Sampler(settings.sampler, w.queue.common_keys[s.slot], s.sample);
+        return sampler(s.slot, s.sample, s.branch);
+    };
+    const auto sum_of = [&](const State& s) {
+        return s.slot + static_cast<uint32_t>(s.numbers) * static_cast<uint32_t>(w.slots.size());
+    };
+    // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
+    // first to ask for so many, and allocate.
+    const size_t most = w.slots.size() * view.plan.split;
+    w.queue.next.reserve(most);
+    w.queue.shadow_rays.reserve(most);
+    w.queue.shadows.reserve(most);
+    w.occluded.reserve(most);
+    w.states.clear();
+    std::array<std::optional<Sampler>, looked_ahead> samplers;
+    const auto prepare_camera = [&](uint32_t first) {
+        AskedNumbers<looked_ahead> asked(Dim::pixel);
+        for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
+            asked.add(samplers[i - first].emplace(sampler(i, settings.sample_of(w.slots[i].sample / of_path), 0)), 0);
+        asked.prepare();
+    };
+    for (uint32_t i = 0; i < w.slots.size(); ++i) {
+        if (i % looked_ahead == 0) prepare_camera(i);
+        State& s = w.states.emplace_back();
+        s.slot = i;
+        s.sample = settings.sample_of(w.slots[i].sample / of_path);
+        s.part = w.slots[i].sample % of_path;
+        s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
+        const Sampler& numbers = *samplers[i % looked_ahead];
+        s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
+        view.give_key(s.ray, numbers, 0, Dim::hole);
+        s.cone = {0, camera.pixel_spread()};
+        s.media = view.scene.camera_media;
+    }
+    counters.camera_rays += w.slots.size();
+
+    std::array<std::optional<Surface>, looked_ahead> surfaces;
+    std::array<TrianglePlace, looked_ahead> places;
+    std::array<typename AheadOf<Integrator>::type, looked_ahead / float_lanes> aheads;
+    const auto look_ahead = [&](size_t first) {
+        const size_t end = std::min(w.states.size(), first + looked_ahead);
+        AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
+        view.triangle_places(std::span(w.hits).subspan(first, end - first), places);
+        for (size_t i = first; i < end; ++i) {
+            if (!w.hits[i]) continue;
+            const State& s = w.states[i];
+            asked.add(samplers[i - first].emplace(sampler_of(s)), s.depth);
+            surfaces[i - first].emplace(
+                Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
+        }
+        asked.prepare();
+        if constexpr (LooksAhead<Integrator>)
+            for (size_t group = 0; first + group * float_lanes < end; ++group) {
+                Vertices vertices;
+                for (size_t k = group * float_lanes, i = first + k; k < (group + 1) * float_lanes && i < end; ++k, ++i)
+                    if (w.hits[i]) vertices[k % float_lanes] = {&w.states[i], &*surfaces[k], &*samplers[k]};
+                integrator.ahead(view, vertices, aheads[group]);
+            }
+    };
+    const bool has_media = view.has_media(), has_far_tables = lancer::has_far_tables(view.scene);
+    MediaAtHit media;
+    for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
+        w.rays.clear();
+        for (const State& s : w.states) w.rays.push_back(s.ray);
+        w.hits.resize(w.rays.size());
+        accel.closest(w.rays, w.hits, coherence);
+        if (has_far_tables) fetch_all(view.scene, w.hits);
+        if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
+
+        w.queue.next.clear();
+        w.queue.shadow_rays.clear();
+        w.queue.shadows.clear();
+        w.queue.tinted_shadows.clear();
+        for (size_t i = 0; i < w.states.size(); ++i) {
+            const size_t k = i % looked_ahead;
+            if (k == 0) look_ahead(i);
+            State& s = w.states[i];
+            const uint32_t sum = sum_of(s);
+            Steps steps(w.queue, sum);
+            const RadianceSum before = w.queue.radiance[sum];
+            listener.ray(s, w.hits[i]);
+            if (w.hits[i]) {
+                Surface& surface = *surfaces[k];
+                listener.vertex(s, surface);
+                if (!has_media || media.enter(view, s, surface, w.queue, steps)) {
+                    if constexpr (LooksAhead<Integrator>)
+                        integrator.hit(view, s, surface, *samplers[k], aheads[k / float_lanes], k % float_lanes, steps);
+                    else
+                        integrator.hit(view, s, surface, *samplers[k], steps);
+                    if (has_media) media.leave(view, surface, w.queue);
+                }
+            } else {
+                if (has_media) miss_in_media(view, s);
+                integrator.miss(view, s, steps);
+            }
+            listener.added(s, w.queue.radiance[sum].since(before));
+        }
+
+        w.occluded.resize(w.queue.shadow_rays.size());
+        accel.any(w.queue.shadow_rays, w.occluded);
+        counters.shadow_rays += w.queue.shadow_rays.size();
+        for (size_t i = 0; i < w.occluded.size(); ++i) {
+            const Queue::Shadow& shadow = w.queue.shadows[i];
+            listener.shadow(shadow.sum, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            if (!w.occluded[i]) w.queue.radiance[shadow.sum] += shadow.radiance;
+        }
+        if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
+        std::swap(w.states, w.queue.next);
+    }
+}
+
+}  // namespace lancer

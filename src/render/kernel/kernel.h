@@ -1,0 +1,265 @@
+// The samples of a tile: which, in what order, and how they are summed and end. Only the files render/kernel/NAME.cpp include
+// this, each for one integrator, so that they compile side by side; and a bench, with views (V) that know less.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "render/aov.h"
+#include "render/blocks.h"
+#include "render/kernel/batch.h"
+#include "render/kernel/kernels.h"
+
+namespace lancer {
+
+// What counts of a sample.
+inline Color counted(Color radiance, const KernelSettings& settings)
+{
+    if (!settings.clamp) return radiance;
+    const auto clamp = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
+    return {clamp(radiance.r), clamp(radiance.g), clamp(radiance.b)};
+}
+
+// What a camera ray brings that meets nothing, in a scene where it is the same for all of them.
+template <class V, class Integrator>
+Color seen_of_open_sky(const V& view, const Integrator& integrator, Workspace& w)
+{
+    w.queue.radiance.assign(1, RadianceSum{});
+    Steps steps(w.queue, 0);
+    State s;
+    s.ray.dir = {0, 0, 1};
+    integrator.miss(view, s, steps);
+    return w.queue.radiance[0].color();
+}
+
+// Sums samples [begin, end) of every pixel of a tile, as far as the pixel wants them, into w.block.
+template <class V, class Integrator, class Listener>
+void trace_samples(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                   const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                   Counters& counters, const Listener& listener)
+{
+    const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
+    // together: see SquareLight.
+    const auto count_with = [&](const SampleId& id, Color c, double together) {
+        if (!is_finite(c)) return counters.drop(id);
+        Pixel& p = w.block[index(id)];
+        const double y = luminance(c);
+        p += {{c.r, c.g, c.b}, y * y + together, 1};
+        if (!w.last.empty()) w.last[index(id)] = c;
+        if (film.replicates.empty() || w.is_pilot) return;
+        const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
+        ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
+        r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
+    };
+    const auto count = [&](const SampleId& id, Color c) { count_with(id, c, 0); };
+    const bool in_squares = view.plan.has_common_numbers;
+    const auto flush = [&] {
+        trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
+        for (size_t i = 0; i < w.slots.size(); ++i) {
+            if (in_squares)
+                w.found.push_back(found_of(w, i));
+            else
+                count(w.slots[i], counted(light_of(w, i), settings));
+        }
+        w.slots.clear();
+    };
+    // Counts what was found in whole squares, as far as it is of the tile.
+    const auto settle = [&] {
+        for_squares(w.found, [&](std::span<const Found> square) {
+            const SquareLight s = light_of_square(square);
+            for (size_t i = 0; i < square.size(); ++i)
+                if (tile.has(square[i].id.x, square[i].id.y)) count_with(square[i].id, s.light[i], s.together[i]);
+        });
+        w.found.clear();
+    };
+    const auto end_of = [&](uint32_t x, uint32_t y) {
+        if (film.wanted.empty() || w.is_pilot) return samples.end;
+        const uint32_t wanted = film.wanted[film.index(x, y)];
+        return wanted == 0 ? samples.end : std::min(samples.end, wanted);
+    };
+    // What every camera ray sees that meets nothing, where the plan knows such pixels.
+    const Color sky = view.plan.open.empty() ? Color{} : counted(seen_of_open_sky(view, integrator, w), settings);
+    const auto count_open = [&](uint32_t x, uint32_t y) {
+        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.open_samples) {
+            count({x, y, i}, sky);
+            listener.open_sky({x, y, i});
+        }
+    };
+    const uint32_t batch = batch_of<Integrator>(settings);
+    const auto send = [&](const SampleId& id) {
+        w.slots.push_back(id);
+        if (w.slots.size() == batch) flush();
+    };
+    constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
+    w.slots.clear();
+    w.found.clear();
+    w.slots.reserve(batch);
+    if (in_squares) {
+        const Tile picture{0, 0, film.width, film.height};
+        const size_t most = size_t{samples.end - samples.begin} * square_pixels;
+        for_squares(tile, [&](uint32_t x0, uint32_t y0) {
+            if (!w.slots.empty() && w.slots.size() + most > batch) flush();
+            if (w.slots.empty()) settle();
+            for_square(picture, x0, y0, [&](uint32_t x, uint32_t y) {
+                if (view.plan.is_open(x, y) && tile.has(x, y)) count_open(x, y);
+            });
+            for (uint32_t i = samples.begin; i < samples.end; ++i)
+                for_square(picture, x0, y0, [&](uint32_t x, uint32_t y) {
+                    if (!view.plan.is_open(x, y)) send({x, y, i});
+                });
+        });
+        flush();
+        settle();
+        return;
+    }
+    for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
+        for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
+            for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
+                for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x) {
+                    if (view.plan.is_open(x, y)) {
+                        count_open(x, y);
+                        continue;
+                    }
+                    for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) send({x, y, i});
+                }
+    flush();
+}
+
+// Finds out what the pixels of a tile want that do not know it yet: all of them, when the first samples are asked for.
+template <class V, class Integrator>
+void trace_pilots(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                  const Integrator& integrator, Film& film, Tile tile, Workspace& w, Counters& counters)
+{
+    if (film.wanted[film.index(tile.x0, tile.y0)] != 0) return;
+    w.is_pilot = true;
+    w.block.assign(size_t{tile.width()} * tile.height(), Pixel{});
+    Counters own;
+    trace_samples(view, accel, camera, settings, integrator, film, tile, {0, samples_per_block}, w, own, NoListener{});
+    w.is_pilot = false;
+    // Dropped are samples of the picture.
+    own.dropped = 0;
+    own.first_dropped.reset();
+    counters += own;
+    for (uint32_t y = tile.y0; y < tile.y1; ++y)
+        for (uint32_t x = tile.x0; x < tile.x1; ++x)
+            film.wanted[film.index(x, y)] =
+                samples_for(w.block[size_t{y - tile.y0} * tile.width() + (x - tile.x0)], settings.stop_error);
+}
+
+// As trace_samples(), and after each sample asks of every pixel whether it was the last one.
+template <class V, class Integrator, class Listener>
+void trace_one_by_one(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                      const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                      Counters& counters, const Listener& listener)
+{
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (uint32_t i = samples.begin; i < samples.end; ++i) {
+        w.last.assign(w.block.size(), {none, none, none});
+        trace_samples(view, accel, camera, settings, integrator, film, tile, {i, i + 1}, w, counters, listener);
+        for (uint32_t y = tile.y0; y < tile.y1; ++y)
+            for (uint32_t x = tile.x0; x < tile.x1; ++x) {
+                const size_t k = size_t{y - tile.y0} * tile.width() + (x - tile.x0);
+                Pixel so_far = film.at(x, y);
+                so_far += w.block[k];
+                if (ends_with(so_far, w.last[k])) film.wanted[film.index(x, y)] = i + 1;
+            }
+    }
+    w.last.clear();
+}
+
+// Renders samples [begin, end) of every pixel of a tile into the film.
+template <class V, class Integrator, class Listener>
+void render_tile(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
+                 const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
+                 Counters& counters, const Listener& listener)
+{
+    const StopRule stop = film.wanted.empty() ? StopRule::never : settings.stop;
+    if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
+    Blocks blocks{film.pixels, film.open};
+    for (uint32_t first = samples.begin; first < samples.end;) {
+        const uint32_t last = first + std::min(samples.end - first, samples_per_block - first % samples_per_block);
+        w.block.resize(size_t{tile.width()} * tile.height());
+        for_pixels(film, tile, [&](size_t i, size_t k) { w.block[k] = blocks.take(i, first); });
+        listener.begin_block(first);
+        const auto trace = [&](const auto& how) {
+            how(view, accel, camera, settings, integrator, film, tile, SampleRange{first, last}, w, counters, listener);
+        };
+        if (stop == StopRule::last_sample)
+            trace(trace_one_by_one<V, Integrator, Listener>);
+        else
+            trace(trace_samples<V, Integrator, Listener>);
+        for_pixels(film, tile, [&](size_t i, size_t k) { blocks.put(i, w.block[k], last); });
+        listener.end_block(last);
+        first = last;
+    }
+}
+
+// render(listener) with the one that fills what the film has besides light.
+template <class Render>
+void for_listener(const Scene& scene, Film& film, const Tile& tile, Workspace& w, const Render& render)
+{
+    if (film.aovs.empty()) return render(NoListener{});
+    render(AovListener(scene, film, tile, w));
+}
+
+template <class Integrator>
+void Kernels<Integrator>::render(const View& view, const Accelerator& accel, const Camera& camera,
+                                 const KernelSettings& settings, const Integrator& integrator, Film& film, Tile tile,
+                                 SampleRange samples, Workspace& w, Counters& counters)
+{
+    for_listener(view.scene, film, tile, w, [&](const auto& listener) {
+        render_tile(view, accel, camera, settings, integrator, film, tile, samples, w, counters, listener);
+    });
+}
+
+template <class Integrator>
+void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                                const KernelSettings& settings, const Integrator& integrator, Workspace& w,
+                                Counters& counters)
+{
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, NoListener{});
+}
+
+// Passes on what happens to one of several samples.
+struct OneOfThem {
+    const PathListener& listener;
+    uint32_t slot, count;
+
+    void ray(const State& s, const Hit& hit) const { is_it(s.slot) ? listener.ray(s, hit) : void(); }
+    void vertex(const State& s, const Surface& at) const { is_it(s.slot) ? listener.vertex(s, at) : void(); }
+    void added(const State& s, Color c) const { is_it(s.slot) ? listener.added(s, c) : void(); }
+    void shadow(uint32_t sum, const Ray& ray, Color c, bool occluded) const
+    {
+        is_it(sum) ? listener.shadow(ray, c, occluded) : void();
+    }
+    bool is_it(uint32_t sum) const { return sum % count == slot; }
+};
+
+template <class Integrator>
+Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, const Tile& picture,
+                                  const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
+                                  const PathListener& listener)
+{
+    Workspace w;
+    Counters counters;
+    const bool in_square = view.plan.has_common_numbers && !view.plan.is_open(id.x, id.y);
+    uint32_t slot = 0;
+    if (in_square)
+        for_square(picture, corner_of_square(id.x), corner_of_square(id.y), [&](uint32_t x, uint32_t y) {
+            if (view.plan.is_open(x, y)) return;
+            if (x == id.x && y == id.y) slot = static_cast<uint32_t>(w.slots.size());
+            w.slots.push_back({x, y, id.sample});
+        });
+    else
+        w.slots.push_back(id);
+    const OneOfThem heard{listener, slot, static_cast<uint32_t>(w.slots.size())};
+    trace_batch(view, accel, camera, picture.width(), settings, integrator, w, counters, heard);
+    const Color light = light_of(w, slot);
+    if (!in_square) return counted(light, settings);
+    for (uint32_t i = 0; i < heard.count; ++i) w.found.push_back(found_of(w, i));
+    const Color told = light_of_square(w.found).light[slot];
+    listener.corrected(told - light);
+    return told;
+}
+
+}  // namespace lancer

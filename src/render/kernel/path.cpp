@@ -1,0 +1,8 @@
+#include "integrators/path/path.h"
+#include "render/kernel/kernel.h"
+
+namespace lancer {
+
+template struct Kernels<Path>;
+
+}  // namespace lancer

@@ -1,8 +1,0 @@
-#include "integrators/legacy_path.h"
-#include "render/kernel.h"
-
-namespace lancer {
-
-template struct Kernels<LegacyPath>;
-
-}  // namespace lancer

@@ -1,7 +1,0 @@
-#include "render/wide_kernel.h"
-
-namespace lancer {
-
-template struct WideKernel<Shading::looked_up>;
-
-}  // namespace lancer

@@ -1,8 +1,0 @@
-#include "integrators/path.h"
-#include "render/kernel.h"
-
-namespace lancer {
-
-template struct Kernels<Path>;
-
-}  // namespace lancer

@@ -1,8 +1,0 @@
-#include "integrators/random_decision.h"
-#include "render/kernel.h"
-
-namespace lancer {
-
-template struct Kernels<RandomDecision>;
-
-}  // namespace lancer

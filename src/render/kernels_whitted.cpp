@@ -1,8 +1,0 @@
-#include "integrators/whitted.h"
-#include "render/kernel.h"
-
-namespace lancer {
-
-template struct Kernels<Whitted>;
-
-}  // namespace lancer

@@ -1,0 +1,302 @@
+// The rays that vertices of a WideBatch send on.
+#pragma once
+
+#include <optional>
+
+#include "render/wide/batch.h"
+
+namespace lancer {
+
+// Of paths that split: which sample has the numbers of the first part of each. lanes: those that there are.
+template <Shading shading>
+inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
+{
+    const PathPlan& plan = view_.plan;
+    UInt8 sample = path.sample * plan.parts_of_kind();
+    if (plan.of_path() > 1)
+        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.sum[i]].sample % plan.of_path(); });
+    return sample;
+}
+
+// Of lanes whose paths split, before they are told so: Steps::split().
+template <Shading shading>
+inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes) const
+{
+    Vec3x8 scale = times(v.path.throughput, v.albedo);
+    if constexpr (any) scale = select(lanes_of(v.others.lanes), v.path.throughput, scale);
+    for_bits(lanes, [&](uint32_t i) {
+        const Vec3 s = lane(scale, i);
+        w_.queue.split_at[v.path.sum[i]] = {
+            lane(v.ns, i), lane(v.origin, i), v.width[i], v.material[i], {s.x, s.y, s.z}};
+    });
+}
+
+// Before the parts of a kind are sent. splits: lanes; first: sample of the first part; common: keys of numbers in
+// common.
+template <Shading shading>
+inline void WideBatch<shading>::begin_kind(Numbers kind, uint32_t splits, UInt8 first, const KeyLanes& common,
+                                           Lanes& next) const
+{
+    next.sum += reinterpret_cast<UInt8>(lanes_of(splits)) & static_cast<uint32_t>(w_.slots.size());
+    next.sample = first;
+    if (kind == Numbers::common) next.key = common;
+}
+
+template <Shading shading>
+inline KeyLanes WideBatch<shading>::common_keys(const Lanes& path, uint32_t lanes) const
+{
+    KeyLanes keys{};
+    for_bits(lanes, [&](uint32_t i) {
+        const uint64_t key = w_.queue.common_keys[path.sum[i]];
+        keys.low[i] = static_cast<uint32_t>(key), keys.high[i] = static_cast<uint32_t>(key >> 32);
+    });
+    return keys;
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::scatter(Vertices& v)
+{
+    const PathPlan& plan = view_.plan;
+    const bool splits = depth_ == 0 && plan.parts > 1;
+    const bool has_common = splits && plan.has_common_numbers;
+    const Float8 zero{};
+    if (has_common) tell_of_split(v, v.hit & ~bits(is_black(v.albedo)));
+    Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
+    if ((bits(reflects) & v.hit) == 0) return;
+    Lanes& next = v.path;  // from here on that of what is sent on
+    Float8 spread{};
+    if constexpr (looks_up) next.width = v.width, spread = next.spread;
+    if (splits) {
+        next.sample = of_first_part(next, v.hit);
+        next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
+    }
+    next.throughput = times(next.throughput, v.albedo);
+    reflects &= ~is_black(next.throughput);
+    if ((bits(reflects) & v.hit) == 0) return;
+    const Float8 q = survival(next);
+    const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
+    if (!is_certain) next.throughput = next.throughput / q;
+    const FrameT<Float8> frame(v.ns);
+    const auto send_parts = [&](uint32_t parts, Numbers kind) {
+        const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
+        std::optional<AddressLanes> roulette;  // mostly not asked for
+        if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+        for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
+            const Vec2x8 u = address.get2(next.sample);
+            const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
+            const Vec3x8 wi = normalize(frame.to_world(local));
+            Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
+            if (roulette) goes &= roulette->get2_x(next.sample) < q;
+            next.pdf = local.z * (1 / pi);
+            if constexpr (looks_up) next.spread = opened(spread, next.pdf);
+            send(bits(goes) & v.hit, v.origin, wi, v, kind);
+        }
+    };
+    if (!has_common) return send_parts(splits ? plan.split : 1, Numbers::undivided);
+    const KeyLanes common = common_keys(next, v.hit);
+    const UInt8 first = next.sample;
+    for (const Numbers kind : {Numbers::own, Numbers::common}) {
+        begin_kind(kind, v.hit, first, common, next);
+        send_parts(plan.split_of_kind(), kind);
+    }
+}
+
+// splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
+// part.
+template <Shading shading>
+inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const
+{
+    const PathPlan& plan = view_.plan;
+    if (plan.parts == 1) return 0;
+    const uint32_t splits = sends & ~others.only_delta & ~bits(is_set(path.so_far, has_split));
+    if (splits == 0) return 0;
+    const Mask8 split = lanes_of(splits);
+    path.sample = select(split, of_first_part(path, splits), path.sample);
+    path.throughput = select(split, path.throughput / all_lanes(static_cast<float>(plan.split)), path.throughput);
+    path.so_far |= reinterpret_cast<UInt8>(split) & has_split;
+    return splits;
+}
+
+// What lanes whose BSDFs are asked for a direction need for it.
+template <Shading shading>
+inline void WideBatch<shading>::choose_part(const Vertices& v, Going& g, uint32_t lanes)
+{
+    const AddressLanes address = numbers(v.path.key, depth_, Dim::bsdf);
+    const bool asks_others = (lanes & v.others.lanes) != 0;
+    if (asks_others) {
+        const Vec3x8 u = address.get3(v.path.sample);
+        g.u = {u.x, u.y}, g.lobe = u.z;
+    } else {
+        g.u = address.get2(v.path.sample);
+    }
+    g.cosine = square_to_cosine_hemisphere(g.u.x, g.u.y);
+    if ((lanes & v.others.plastic.lanes) != 0) others_.plastic.put_numbers(v.others.plastic, g.lobe, g.u, g.cosine);
+}
+
+// A direction for each of `lanes`: those that are neither matt nor plastic are asked one by one.
+template <Shading shading>
+inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, const Going& g,
+                                                                             uint32_t lanes) const
+{
+    const Others& others = v.others;
+    const Float8 zero{};
+    Scattered s{.wi = g.cosine, .weight = v.albedo, .pdf = g.cosine.z * (1 / pi), .eta = all_lanes(1.0f)};
+    s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
+    if ((lanes & others.lanes) == 0) return s;
+    const uint32_t plastic = lanes & others.plastic.lanes;
+    if (plastic != 0) {
+        const BsdfSampleLanes sampled = others_.plastic.sampled(others.plastic);
+        const Mask8 is_asked = lanes_of(plastic);
+        s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
+        s.pdf = select(is_asked, sampled.pdf, s.pdf);
+        s.lanes |= plastic & sampled.found & ~bits(is_black(sampled.weight)), s.delta |= sampled.delta;
+    }
+    for_bits(lanes & others.lanes & ~plastic, [&](uint32_t i) {
+        const Vec3 wo = lane(others.wo, i);
+        const auto sampled = std::visit(
+            [&](const auto& bsdf) {
+                return bsdf.sample(wo, g.lobe[i], {g.u.x[i], g.u.y[i]});
+            },
+            *others.bsdf[i]);
+        if (!sampled || is_black(sampled->weight)) return;
+        set_lane(s.wi, i, sampled->wi);
+        set_lane(s.weight, i, {sampled->weight.r, sampled->weight.g, sampled->weight.b});
+        s.pdf[i] = sampled->pdf, s.eta[i] = sampled->eta;
+        s.lanes |= 1u << i, s.delta |= uint32_t{sampled->delta} << i;
+    });
+    return s;
+}
+
+// v.path becomes that of the first part that is sent.
+template <Shading shading>
+inline void WideBatch<shading>::begin_going(Vertices& v, Going& g)
+{
+    const Others& others = v.others;
+    Lanes& next = v.path;
+    g.splits = 0, g.sends = v.hit & (others.lanes | bits((v.cos_o > Float8{}) & ~is_black(v.albedo)));
+    const bool has_common = view_.plan.has_common_numbers;
+    const uint32_t may_split = has_common ? v.hit & ~others.only_delta & ~bits(is_set(next.so_far, has_split)) : 0;
+    if (may_split != 0) tell_of_split(v, may_split & (others.lanes | ~bits(is_black(v.albedo))));
+    if (g.sends == 0) return;
+    if (may_split != 0) g.common = common_keys(next, may_split);
+    g.splits = split_any(g.sends, others, next);
+    g.first = next.sample;
+    g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
+    next.width = v.width;
+    // What State says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
+    const UInt8 kept = next.so_far & has_split;
+    const Mask8 seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+    const auto leg = [&](Leg from_view) { return select(seen, bits_of(from_view), bits_of(Leg::indirect)); };
+    const uint32_t sampled = (samples_on_matt_ ? ~others.lanes : 0) | (samples_ ? others.lanes : 0);
+    g.spreading = kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
+    g.straight = kept | leg(Leg::view) | was_specular;
+}
+
+// scatter() where some lanes are not matt. See send_on(). The parts of a path go in their order, and those of all paths
+// of a batch together.
+template <Shading shading>
+inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
+{
+    const PathPlan& plan = view_.plan;
+    uint32_t splits = 0;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+        begin_going(vertices[i], others_.going[i]);
+        splits |= others_.going[i].splits;
+    }
+    const auto send_parts = [&](uint32_t parts, Numbers kind) {
+        for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part, kind);
+    };
+    if (splits == 0) return send_parts(1, Numbers::undivided);
+    if (!plan.has_common_numbers) return send_parts(plan.split, Numbers::undivided);
+    for (const Numbers kind : {Numbers::own, Numbers::common}) {
+        for (size_t i = 0; i < vertices.size(); ++i)
+            if (const Going& g = others_.going[i]; g.splits != 0)
+                begin_kind(kind, g.splits, g.first, g.common, vertices[i].path);
+        send_parts(plan.split_of_kind(), kind);
+    }
+}
+
+// part: number within those of its kind.
+template <Shading shading>
+inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind)
+{
+    const bool is_first = part == 0 && kind != Numbers::common;
+    const auto lanes = [&](const Going& g) { return is_first ? g.sends : g.splits; };
+    for (size_t i = 0; i < vertices.size(); ++i)
+        if (Going& g = others_.going[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
+    others_.plastic.sample();
+    for (size_t i = 0; i < vertices.size(); ++i)
+        if (const Going& g = others_.going[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g), kind);
+}
+
+// v.path becomes that of the next part.
+template <Shading shading>
+inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind)
+{
+    const Float8 zero{}, one = all_lanes(1.0f);
+    Lanes& next = v.path;
+    const Scattered s = sample_any(v, g, lanes);
+    const Vec3x8 wi = normalize(FrameT<Float8>(v.ns).to_world(s.wi));
+    const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
+    next.throughput = times(g.throughput, s.weight);
+    uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
+    if (goes != 0) {
+        next.pdf = s.pdf;
+        next.eta_scale = g.eta_scale * (s.eta * s.eta);
+        next.so_far = select(is_delta, g.straight, g.spreading);
+        next.spread = select(is_delta, smaller(one, g.spread), opened(g.spread, s.pdf));
+        const Float8 q = survival(next);
+        if ((bits(q != one) & goes) != 0) {
+            const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+            goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
+            next.throughput = next.throughput / q;
+        }
+        Vec3x8 origin = v.origin;
+        for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
+        send(goes, origin, wi, v, kind);
+    }
+    next.sample += 1u;
+}
+
+// What `lanes` of v.path are sent on as.
+template <Shading shading>
+inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v,
+                                     Numbers numbers)
+{
+    PackedStates<Lanes>& to = numbers == Numbers::common ? common_next_ : next_;
+    const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
+    const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
+    spoil(lanes & ~traceable, v.path.sum);
+    to.push(lanes & traceable, origin, wi, no_end, v.path);
+    to.say_starts(lanes & traceable, v.start);
+    give_keys(to, lanes & traceable, v.path, depth_ + 1, Dim::hole);
+    if (keeps_normals_)
+        (numbers == Numbers::common ? w_.wide.common_normals_next : w_.wide.normals_next).push(lanes & traceable, v.ns);
+}
+
+// With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.
+template <Shading shading>
+inline Float8 WideBatch<shading>::survival(const Lanes& next) const
+{
+    const bool is_deep = depth_ + 1 >= path_.roulette_depth;
+    const Float8 one = all_lanes(1.0f), cap = all_lanes(is_deep ? roulette_cap : 1.0f);
+    const Float8 split = all_lanes(static_cast<float>(view_.plan.split));
+    // Of matt surfaces the first one splits all paths, and no ray is seen straight that one of them sent.
+    Float8 eta_scale = one, rays = view_.plan.parts > 1 ? split : one;
+    Mask8 seen{};
+    if constexpr (any) {
+        eta_scale = next.eta_scale;
+        rays = select(is_set(next.so_far, has_split), split, one);
+        seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+    }
+    const Vec3x8& t = next.throughput;
+    Float8 by_throughput = cap;
+    if (is_deep) by_throughput = min(max(t.x, max(t.y, t.z)) * eta_scale, cap);
+    if (view_.plan.worth.empty()) return by_throughput;
+    const Vec3x8 part = times(t, next.worth);
+    const Float8 of_pixel = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
+    const Float8 by_pixel = min(max(roulette_rays * (of_pixel * rays) * eta_scale, all_lanes(least_survival)), cap);
+    return select(seen, by_throughput, by_pixel);
+}
+
+}  // namespace lancer

@@ -1,0 +1,24 @@
+// The pixel loop for scenes of which there is a WideScene. Only the files that compile one way of shading each include
+// this.
+#pragma once
+
+#include "render/kernel/kernel.h"
+#include "render/wide/batch.h"
+#include "render/wide/bsdf.h"
+#include "render/wide/direct.h"
+#include "render/wide/surfaces.h"
+
+namespace lancer {
+
+template <Shading shading>
+void WideKernel<shading>::render(const View& view, const Accelerator& accel, const Camera& camera,
+                                 const KernelSettings& settings, const Path& path, const WideScene& scene, Film& film,
+                                 Tile tile, SampleRange samples, Workspace& w, Counters& counters)
+{
+    for_listener(view.scene, film, tile, w, [&](const auto& listener) {
+        render_tile(view, accel, camera, settings, WidePath<shading>{path, scene}, film, tile, samples, w, counters,
+                    listener);
+    });
+}
+
+}  // namespace lancer

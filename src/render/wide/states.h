@@ -1,0 +1,132 @@
+// Paths under way in arrays, one for each of their numbers, so that eight of them load into registers at once.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "core/lanes/pack.h"
+#include "core/lanes/sampler.h"
+#include "geometry/ray_lanes.h"
+#include "integrators/steps.h"
+
+namespace lancer {
+
+// Rays with numbers that go with them. Lanes: a struct of nothing but registers of eight.
+template <class Lanes>
+class PackedStates {
+public:
+    size_t size() const { return count_; }
+    std::span<const Ray> rays() const { return std::span(rays_).first(count_); }
+    std::span<Ray> last_rays(size_t n) { return std::span(rays_).subspan(count_ - n, n); }
+    void clear() { count_ = 0; }
+    // Room for so many; behind the last there may be written, too.
+    void reserve(size_t most)
+    {
+        if (rays_.size() >= most + float_lanes) return;
+        rays_.resize(most + float_lanes);
+        // An odd number of lines of memory, so that not all lists begin in the same places of the first cache.
+        stride_ = ((rays_.size() + line - 1) / line | 1) * line;
+        numbers_.resize(registers * stride_);
+    }
+    // From `first` on; in lanes beyond the last: anything.
+    void load(size_t first, Lanes& lanes) const
+    {
+        // Register by register: a struct of so many that is copied as a whole is copied by a loop.
+        // Not auto, which would forget that these may point to anything.
+        __m256i* to = reinterpret_cast<__m256i*>(&lanes);
+        for (size_t k = 0; k < registers; ++k)
+            to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k * stride_ + first]));
+    }
+    // Appends the wanted lanes.
+    void push(uint32_t wanted, const Vec3x8& org, const Vec3x8& dir, Float8 t_max, const Lanes& lanes)
+    {
+        store(wanted, lanes);
+        count_ += store_rays(&rays_[count_], wanted, org, dir, t_max);
+    }
+    // Of the lanes that were appended last.
+    void say_starts(uint32_t wanted, UInt8 start)
+    {
+        store_starts(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
+    }
+
+private:
+    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8), line = 16;  // numbers in a line of memory
+
+    void store(uint32_t wanted, const Lanes& lanes)
+    {
+        const Packing packing(wanted);
+        const __m256i* from = reinterpret_cast<const __m256i*>(&lanes);
+        for (size_t k = 0; k < registers; ++k)
+            packing.store(&numbers_[k * stride_ + count_], reinterpret_cast<UInt8>(from[k]));
+    }
+
+    size_t count_ = 0, stride_ = 0;
+    std::vector<Ray> rays_;
+    std::vector<uint32_t> numbers_;  // list by list, each of stride_
+};
+
+// Vectors that go with them.
+class PackedVectors {
+public:
+    void clear() { count_ = 0; }
+    // As of PackedStates.
+    void reserve(size_t most)
+    {
+        for (auto& n : numbers_)
+            if (n.size() < most + float_lanes) n.resize(most + float_lanes);
+    }
+    void push(uint32_t wanted, const Vec3x8& v)
+    {
+        const Packing packing(wanted);
+        packing.store(&numbers_[0][count_], v.x);
+        packing.store(&numbers_[1][count_], v.y);
+        packing.store(&numbers_[2][count_], v.z);
+        count_ += static_cast<size_t>(std::popcount(wanted));
+    }
+    Vec3 operator[](size_t i) const { return {numbers_[0][i], numbers_[1][i], numbers_[2][i]}; }
+
+private:
+    size_t count_ = 0;
+    std::array<std::vector<float>, 3> numbers_;
+};
+
+struct PathLanes {
+    Vec3x8 throughput, worth;  // as in State
+    Float8 pdf;
+    UInt8 sum, sample;  // sum: in Queue::radiance; that of its slot until the path splits
+    KeyLanes key;       // of the sampler
+};
+// The same where textures are looked up, and so the cone of each ray is asked for.
+struct ConePathLanes : PathLanes {
+    Float8 width, spread;  // as in RayCone
+};
+// The same of a path that may come by mirrors and glass.
+struct AnyPathLanes : ConePathLanes {
+    Float8 eta_scale;  // as in State
+    UInt8 so_far;      // bits of it, as below, and State::leg above them
+};
+inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, leg_above = 3;
+inline UInt8 bits_of(Leg leg) { return UInt8{} + (static_cast<uint32_t>(leg) << leg_above); }
+inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
+
+struct ShadowLanes {
+    Vec3x8 radiance;  // if nothing is in between
+    UInt8 sum;        // in Queue::radiance
+};
+
+template <class Lanes>
+struct PathsUnderWay {
+    PackedStates<Lanes> now, next;
+    // Those that have just split and go by numbers in common: neighbours go much the same way.
+    PackedStates<Lanes> common_now, common_next;
+};
+// Memory of one thread that traces such scenes.
+struct WideWorkspace {
+    std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
+    PackedStates<ShadowLanes> shadows;
+    // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
+    PackedVectors normals_now, normals_next, common_normals_now, common_normals_next;
+};
+
+}  // namespace lancer

@@ -1,0 +1,7 @@
+#include "render/wide/kernel.h"
+
+namespace lancer {
+
+template struct WideKernel<Shading::looked_up>;
+
+}  // namespace lancer

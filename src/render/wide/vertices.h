@@ -1,0 +1,92 @@
+// What a WideBatch knows of eight vertices, step by step.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <type_traits>
+
+#include "geometry/hit_lanes.h"
+#include "materials/material.h"
+#include "materials/plastic_queue.h"
+#include "render/wide/states.h"
+#include "scene/lights/wide.h"
+#include "scene/triangle_place.h"
+
+namespace lancer::wide {
+
+// What of them is not matt, and what that wants to know.
+struct Others {
+    uint32_t lanes;                                // that are not
+    std::array<const AnyBsdf*, float_lanes> bsdf;  // of these, but for plastic that was looked up
+    uint32_t only_delta, transmits;                // lanes whose BSDF says so
+    Vec3x8 p, p_error;                             // as in Surface
+    Vec3x8 wo;                                     // local
+    PlasticList::Eight plastic;
+    std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
+};
+struct Nothing {};
+// What is looked up of them.
+struct LookedUp {
+    // Lanes of triangles that are drawn as they are; of these, those that are not tilted; and of these, those of
+    // which nothing is to be looked up, and those that want to mirror away from the surface.
+    uint32_t drawn, straight, fixed, mirroring;
+    Vec3x8 wo;          // world
+    uint32_t front;     // lanes of triangles whose rays come to the front
+    PlaceLanes places;  // of triangles that are drawn as they are
+};
+// Eight vertices.
+template <Shading shading>
+struct Vertices {
+    static constexpr bool looks_up = shading != Shading::plain, any = shading == Shading::any;
+    using Lanes = std::conditional_t<any, AnyPathLanes, std::conditional_t<looks_up, ConePathLanes, PathLanes>>;
+
+    size_t first, count;  // of the rays that ended there
+    uint32_t hit;         // lanes that there are
+    uint32_t shining;     // those of these whose material does
+    Lanes path;
+    Vec3x8 albedo;
+    Vec3x8 n, ns, origin;  // as in Surface
+    Float8 cos_o;          // between the shading normal and the way back
+    Float8 width;          // of the cone, where textures are looked up or paths split
+    UInt8 material;
+    UInt8 start;  // of rays that leave them, as in Ray
+    [[no_unique_address]] std::conditional_t<looks_up, LookedUp, Nothing> found;
+    [[no_unique_address]] std::conditional_t<any, Others, Nothing> others;
+};
+
+// Which lights lanes sample.
+struct Lamps {
+    UInt8 ids{};
+    Vec2x8 u;                             // for a point on them
+    std::optional<Float8> probability{};  // of the choice, if not that by power
+    const Float8* choice() const { return probability ? &*probability : nullptr; }
+};
+// What eight vertices see of the light that was sampled.
+struct Lit {
+    uint32_t asking = 0;  // lanes in which it was
+    LightSampleLanes light;
+    Vec3x8 wi;  // to it, local; of what is not matt
+};
+// Eight vertices that send rays on.
+struct Going {
+    uint32_t sends, splits;  // lanes
+    // What all parts of the paths have in common, before BSDFs have been asked.
+    Vec3x8 throughput;
+    Float8 eta_scale, spread;
+    UInt8 spreading, straight;  // so_far behind a lobe that spreads light, and behind one that does not
+    UInt8 first;                // sample of the first part
+    KeyLanes common;
+    // Of the part that is sent.
+    Float8 lobe;
+    Vec2x8 u;
+    Vec3x8 cosine;
+};
+// Directions that BSDFs chose.
+struct Scattered {
+    Vec3x8 wi, weight;  // as in BsdfSample, and so what follows
+    Float8 pdf{}, eta;
+    uint32_t delta = 0;
+    uint32_t lanes = 0;  // that there are
+};
+
+}  // namespace lancer::wide

@@ -1,0 +1,51 @@
+// Whether a method beats the baseline of its study on a scene: at equal time and at equal error, never at equal
+// samples, and only where the interval of the ratio leaves no doubt. What may not be ranked at all is not: other
+// biases, failed runs, few seeds, machines that differ, errors within the noise of the reference.
+#pragma once
+
+#include <string>
+
+#include "report/metrics/statistics.h"
+#include "report/study/results.h"
+
+namespace lancer {
+
+// With fewer seeds not even the range from the least to the largest holds the median in 95 of 100 studies:
+// 1 - 2 * 0.5^5 = 0.94, 1 - 2 * 0.5^6 = 0.97.
+inline constexpr size_t fewest_seeds = 6;
+
+enum class Rank { baseline, faster, slower, no_difference, not_ranked };
+
+// The baseline's figure over that of the method: above 1 the method is better.
+struct Comparison {
+    Rank rank = Rank::not_ranked;
+    std::string reason;                                       // why it is not ranked
+    double ratio = std::numeric_limits<double>::quiet_NaN();  // NaN where there is none
+    Interval interval;  // 95 %, by resampling the seeds that both have, in pairs: what disturbed the machine while a
+                        // seed was drawn disturbed both. 0 and infinity: the range goes beyond what was measured.
+};
+
+// 1 / (relMSE * time): what a method makes of a second. The same at all times for plain Monte Carlo, so it is told with
+// its time.
+struct Efficiency {
+    double seconds =
+        0;             // the longest time at which every run of this method and of the baseline was measured; NaN: none
+    double value = 0;  // of the median; 1/s
+    Interval interval;
+    double baseline = 0;  // the baseline's efficiency at the same time
+    Comparison gain;      // over the baseline: at equal time the ratio of the errors
+};
+
+// Why this method may not be ranked against the baseline on the scene, whatever its figures; empty if it may.
+std::string why_not_ranked(const Study& study, const StudyScene& scene, const StudyMethod& method);
+
+// At equal time.
+Efficiency efficiency_of(const Study& study, const StudyScene& scene, const StudyMethod& method);
+
+// At equal error: the time of the baseline to this relMSE over that of the method, both measured, not extrapolated.
+Comparison speed_up(const Study& study, const StudyScene& scene, const StudyMethod& method, double target);
+
+// "faster", "not ranked: reason"
+std::string rank_text(const Comparison& comparison);
+
+}  // namespace lancer

@@ -1,0 +1,227 @@
+#include "scene/build/light_table.h"
+
+#include <utility>
+
+#include "core/parallel.h"
+#include "scene/environment/environment.h"
+#include "scene/lights/tree.h"
+
+namespace lancer {
+namespace {
+
+// What lights are weighed by: luminance in double, which no radiance overflows.
+double power_of(Color c) { return luminance(c.r, c.g, c.b); }
+
+// What a textured emitter is said to give at least, of what it would give without its texture: however the estimate
+// fails, no place that shines is out of reach of light sampling.
+constexpr double least_emission = 0.01;
+
+// The mean over a triangle of what one side of it emits, as far as choosing lights must know it: 16 equal parts, the
+// texture averaged over each.
+double mean_emission(const Scene& scene, const TriangleLight& light, const ColorParam& radiance)
+{
+    const double plain = power_of(radiance.value);
+    if (radiance.texture == no_texture) return plain;
+    const auto uv_at = [&](Vec2 at) {
+        return triangle_point(scene, light.instance, light.mesh, light.triangle, at).uv;
+    };
+    const Vec2 a = uv_at({0, 0}), ab = uv_at({1, 0}) - a, ac = uv_at({0, 1}) - a;
+    ShadingPoint part{.uv_width = std::sqrt(std::abs(ab.x * ac.y - ab.y * ac.x) / 32),
+                      .textures = scene.textures.data()};
+    long double sum = 0;  // exact where all parts are alike: so bright is the same without the texture
+    const auto add = [&](float s, float t) {
+        part.uv = a + ab * (s / 12) + ac * (t / 12);
+        sum += std::max(0.0, power_of(part.eval(radiance)));
+    };
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; i + j < 4; ++j) {
+            const auto s = static_cast<float>(3 * i), t = static_cast<float>(3 * j);
+            add(s + 1, t + 1);
+            if (i + j < 3) add(s + 2, t + 2);
+        }
+    return std::max(static_cast<double>(sum / 16), least_emission * plain);
+}
+
+class Lister {
+public:
+    explicit Lister(Scene& scene) : scene_(scene) {}
+
+    void list()
+    {
+        const double r = std::max(scene_.bounds.radius(), 1.0);
+        disk_ = pi_d * r * r;
+        for (const PointLight& light : scene_.point_lights) add(light, 4 * pi_d * power_of(light.intensity));
+        for (const DirectionalLight& light : scene_.directional_lights) add(light, disk_ * power_of(light.irradiance));
+        scene_.lights.deltas = next();
+        list_spheres();
+        list_meshes();
+        list_environment();
+        scene_.lights.pick = Discrete(powers_);
+        if (scene_.light_tree) grow_tree();
+    }
+
+private:
+    uint32_t next() const { return static_cast<uint32_t>(scene_.lights.lights.size()); }
+    void add(const Light& light, double power)
+    {
+        scene_.lights.lights.push_back(light);
+        powers_.push_back(power);
+    }
+    void list_spheres()
+    {
+        for (uint32_t i = 0; i < scene_.geometry.spheres.size(); ++i) {
+            const Emission& e = scene_.emission[scene_.sphere_material[i]];
+            scene_.sphere_light.push_back(e.is_dark() ? Scene::none : next());
+            if (e.is_dark()) continue;
+            const double r = scene_.geometry.spheres[i].radius;
+            const Color radiance = e.towards(true, {.textures = scene_.textures.data()});  // without uv: one for all
+            add(SphereLight{i}, r * r * 4 * pi_d * pi_d * power_of(radiance) * (e.both_sides ? 2 : 1));
+        }
+    }
+    void list_meshes()
+    {
+        const auto meshes = static_cast<uint32_t>(scene_.geometry.meshes.size());
+        scene_.mesh_first_light.resize(meshes, Scene::none);
+        for (uint32_t i = 0; i < meshes; ++i) {
+            scene_.shading[i].emitters = emitters_of(i);
+            if (!scene_.geometry.meshes[i].instanced)
+                scene_.mesh_first_light[i] = add_triangle_lights(Hit::no_instance, i);
+        }
+        for (uint32_t i = 0; i < scene_.geometry.instances.size(); ++i)
+            scene_.instance_first_light.push_back(add_triangle_lights(i, scene_.geometry.instances[i].mesh));
+    }
+    // The triangles of a mesh that shine; empty if none does.
+    Marks emitters_of(uint32_t mesh) const
+    {
+        const MeshShading& s = scene_.shading[mesh];
+        const auto shines = [&](uint32_t material) { return !scene_.emission[material].is_dark(); };
+        if (!s.wears(shines)) return {};
+        const size_t triangles = scene_.geometry.meshes[mesh].triangles.size();
+        return Marks(static_cast<uint32_t>(triangles), [&](uint32_t t) { return shines(s.material_of(t)); });
+    }
+    TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
+    {
+        const MeshShading& s = scene_.shading[mesh];
+        const bool smooth = s.normals.find(scene_.geometry.meshes[mesh], triangle) != nullptr;
+        if (smooth || instance != Hit::no_instance) return {instance, mesh, triangle};
+        const TrianglePlace place = triangle_place(scene_, instance, mesh, triangle, {});
+        return {instance, mesh, triangle, place.n, place.area};
+    }
+    // Their powers are set in parallel: a scene can have millions of them, each with its texture to look up.
+    uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
+    {
+        const uint32_t first = next();
+        const Marks& emitters = scene_.shading[mesh].emitters;
+        const size_t triangles = emitters.empty() ? 0 : scene_.geometry.meshes[mesh].triangles.size();
+        for (uint32_t i = 0; i < triangles; ++i)
+            if (emitters.has(i)) add(triangle_light(instance, mesh, i), 0);
+        constexpr uint32_t block = 1024;
+        parallel_for((next() - first + block - 1) / block, [&](size_t b) {
+            const uint32_t begin = first + static_cast<uint32_t>(b) * block;
+            for (uint32_t id = begin; id < std::min(begin + block, next()); ++id) powers_[id] = triangle_power(id);
+        });
+        return first;
+    }
+    double triangle_power(uint32_t id) const
+    {
+        const auto& light = std::get<TriangleLight>(scene_.lights.lights[id]);
+        const Emission& e = scene_.emission[scene_.shading[light.mesh].material_of(light.triangle)];
+        const double area =
+            static_cast<double>(triangle_point(scene_, light.instance, light.mesh, light.triangle, {}).area);
+        return area * pi_d * mean_emission(scene_, light, e.radiance) * (e.both_sides ? 2 : 1);
+    }
+    void list_environment()
+    {
+        const EnvironmentMap* map = scene_.environment_table.get();
+        if (map ? map->is_black() : is_black(scene_.environment)) return;
+        scene_.environment_light = next();
+        add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
+    }
+
+    // By power alone where lights are few: one more or less then costs less than to look at all of them.
+    void grow_tree()
+    {
+        constexpr uint32_t many = 64;
+        std::vector<uint32_t> far;
+        for (uint32_t id = 0; id < next(); ++id)
+            if (is_far(scene_.lights.lights[id])) far.push_back(id);
+        if (next() - far.size() <= many) return;
+        std::vector<LightBounds> bounds(next());
+        constexpr uint32_t block = 1024;
+        parallel_for((next() + block - 1) / block, [&](size_t b) {
+            const uint32_t begin = static_cast<uint32_t>(b) * block;
+            for (uint32_t id = begin; id < std::min(begin + block, next()); ++id) {
+                if (is_far(scene_.lights.lights[id])) continue;
+                bounds[id] = std::visit([&](const auto& light) { return bounds_of(light); }, scene_.lights.lights[id]);
+                bounds[id].power = powers_[id];
+            }
+        });
+        scene_.lights.tree = std::make_shared<const LightTree>(bounds);
+        scene_.lights.tree_share = 1;
+        for (const uint32_t id : far)
+            scene_.lights.tree_share -= static_cast<double>(scene_.lights.pick.probability(id));
+        scene_.lights.far = std::move(far);
+    }
+    static bool is_far(const Light& light)
+    {
+        return std::holds_alternative<DirectionalLight>(light) || std::holds_alternative<EnvironmentLight>(light);
+    }
+    LightBounds bounds_of(const PointLight& light) const
+    {
+        LightBounds b;
+        b.normals.angle = pi_d;
+        b.box.grow(to_double(light.position));
+        return b;
+    }
+    LightBounds bounds_of(const SphereLight& light) const
+    {
+        LightBounds b;
+        b.box = bounds(scene_.geometry.spheres[light.sphere]);
+        b.normals.angle = pi_d;
+        return b;
+    }
+    LightBounds bounds_of(const TriangleLight& light) const
+    {
+        const uint32_t material = scene_.shading[light.mesh].material_of(light.triangle);
+        LightBounds b;
+        b.both_sides = scene_.emission[material].both_sides;
+        for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) {
+            const TrianglePoint at = triangle_point(scene_, light.instance, light.mesh, light.triangle, corner);
+            b.box.grow(to_double(at.p));
+            b.normals.include({to_double(at.n), 0});
+        }
+        return b;
+    }
+    static LightBounds bounds_of(const DirectionalLight&) { return {}; }
+    static LightBounds bounds_of(const EnvironmentLight&) { return {}; }
+
+    Scene& scene_;
+    std::vector<double> powers_;  // of each light
+    double disk_ = 0;             // area that the scene shows to a light infinitely far away
+};
+
+}  // namespace
+
+void receive_environment(Scene& scene, Diagnostics& diagnostics)
+{
+    if (!scene.pending_environment) return;
+    Scene::PendingEnvironment pending = *std::exchange(scene.pending_environment, {});
+    const LightDescription& light = pending.what;
+    try {
+        if (!pending.image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+        std::shared_ptr<const Raster> picture = pending.image.get();
+        pending.image = {};  // the last to hold the picture shall be who makes texels of it
+        scene.environment_map =
+            std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
+    } catch (const Error& e) {
+        return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
+    }
+    scene.environment_table = scene.environment_map;
+    scene.environment = {};
+    if (const uint64_t bad = scene.environment_map->bad_texels())
+        diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);
+}
+
+void build_light_table(Scene& scene) { Lister(scene).list(); }
+
+}  // namespace lancer

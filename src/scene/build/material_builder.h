@@ -1,0 +1,31 @@
+// From what is said of a material to what is rendered: the one place that knows which parameter goes where.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "materials/material.h"
+#include "scene/description/description.h"
+
+namespace lancer {
+
+// Choices for the whole picture.
+struct MaterialOptions {
+    bool multiscatter = false;  // compensate GGX for the light that it loses between its facets
+    bool fresnel = true;        // else smooth glass only refracts
+};
+
+class MaterialBuilder {
+public:
+    explicit MaterialBuilder(const MaterialOptions& options) : options_(options) {}
+
+    // The BSDF of a description that is neither a mix nor partly metallic. id_of: the id of a texture.
+    Material make(const MaterialDescription& description, const std::function<uint32_t(const TextureUse&)>& id_of);
+
+private:
+    MaterialOptions options_;
+    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // of each index, for rough plastics to share
+};
+
+}  // namespace lancer

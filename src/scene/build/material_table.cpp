@@ -1,0 +1,249 @@
+#include "scene/build/material_table.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/names.h"
+#include "scene/build/media.h"
+#include "scene/description/presets.h"
+
+namespace lancer {
+namespace {
+
+// Of a mix its parts decide.
+bool mirrors(const MaterialDescription& m)
+{
+    if (m.type == MaterialType::interface) return m.phong.reflexion > 0 || m.phong.refraction > 0;
+    return m.type != MaterialType::lambert && m.type != MaterialType::mix;
+}
+
+void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
+{
+    const float eta = m.phong.inside_ior / m.phong.outside_ior;
+    if (eta > 0 && std::isfinite(eta)) return;
+    diagnostics.error(m.where, "the indices of refraction of material " + in_quotes(m.name) +
+                                   " are too far apart: their ratio is no number of 32 bits");
+}
+
+// What is no picture.
+Texture make_formula(const TextureDescription& t, bool legacy)
+{
+    const Vec2 scale = t.use.scale, offset = t.use.offset;
+    if (t.type == TextureType::waves) return Waves(t.waves, scale, offset, legacy);
+    if (t.type == TextureType::rim) return Rim{t.band_width, legacy};
+    if (t.type == TextureType::grid) return Grid{t.band, t.ground, t.band_width, scale, offset, legacy};
+    return Checker{.even = t.even, .odd = t.odd, .scale = scale, .offset = offset};
+}
+
+}  // namespace
+
+MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
+                             const RasterSource& images)
+    : d_(description),
+      scene_(scene),
+      diagnostics_(diagnostics),
+      images_(images),
+      builder_({.multiscatter = description.render.is_on(Switch::multiscatter),
+                .fresnel = description.render.is_on(Switch::fresnel)}),
+      ids_(description.materials.size(), Scene::none),
+      used_(description.materials.size()),
+      in_progress_(description.materials.size()),
+      override_used_(description.overrides.size())
+{
+    for (size_t i = 0; i < d_.materials.size(); ++i) index_.emplace(d_.materials[i].name, i);
+}
+
+// On first use: what nobody uses is not loaded. Mixes name other materials, in any order; one that contains itself is
+// an error.
+void MaterialTable::resolve_named(size_t index)
+{
+    if (ids_[index] != Scene::none) return;
+    const MaterialDescription& m = d_.materials[index];
+    if (in_progress_[index]) {
+        diagnostics_.error(m.where, "the mix " + in_quotes(m.name) + " contains itself");
+        ids_[index] = default_material();
+        return;
+    }
+    in_progress_[index] = true;
+    const uint32_t id = add(m);
+    if (ids_[index] == Scene::none) ids_[index] = id;
+}
+
+uint32_t MaterialTable::texture(const TextureUse& use)
+{
+    if (!use) return no_texture;
+    if (const auto it = std::find(textures_.begin(), textures_.end(), *use); it != textures_.end()) {
+        scene_.left_out.add("textures that are there already", 1);
+        return static_cast<uint32_t>(it - textures_.begin());
+    }
+    const auto id = static_cast<uint32_t>(textures_.size());
+    textures_.push_back(*use);
+    if (use->type != TextureType::image) {
+        scene_.textures.push_back(make_formula(*use, d_.render.is_on(Switch::legacy)));
+        return id;
+    }
+    scene_.textures.emplace_back(Checker{.even = {1, 1, 1}, .odd = {1, 1, 1}});
+    scene_.pending.push_back({id, *use, images_ ? images_(use->file) : RasterFuture{}});
+    return id;
+}
+
+uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& bsdf)
+{
+    scene_.materials.push_back(bsdf);
+    scene_.emission.push_back(
+        {{m.emission, is_black(m.emission) ? no_texture : texture(m.emission_map)}, m.emission_both_sides});
+    MaterialTraits traits;
+    traits.opacity = {m.opacity, texture(m.opacity_map)};
+    traits.bump = texture(m.bump_map);
+    traits.normal_map = texture(m.normal_map);
+    traits.bump_scale = m.bump_scale;
+    traits.mirrors = mirrors(m);
+    traits.reads_uv = reads_textures(m);
+    traits.medium = add_medium(m, scene_, diagnostics_);
+    scene_.traits.push_back(traits);
+    scene_.material_names.push_back(m.name);
+    if (!scene_.mix_of.empty()) scene_.mix_of.push_back(Scene::none);
+    return static_cast<uint32_t>(scene_.materials.size() - 1);
+}
+
+// A mix has the emission, the opacity and the bumps of its own description; its parts only scatter.
+uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, uint32_t second, FloatParam weight)
+{
+    const uint32_t id = add_plain(m, Lambert{});
+    MaterialTraits& traits = scene_.traits[id];
+    for (const uint32_t part : {first, second}) {
+        traits.reads_uv = traits.reads_uv || scene_.traits[part].reads_uv;
+        traits.mirrors = traits.mirrors || scene_.traits[part].mirrors;
+        if (const uint16_t medium = scene_.traits[part].medium; medium != no_medium && matters(scene_.media[medium]))
+            diagnostics_.error(m.where, "material " + in_quotes(scene_.material_names[part]) +
+                                            " has a 'priority' or 'absorption' and cannot be a part of the mix " +
+                                            in_quotes(m.name) + ": a body has one inside");
+    }
+    scene_.mix_of.resize(scene_.materials.size(), Scene::none);
+    scene_.mix_of[id] = static_cast<uint32_t>(scene_.mixes.size());
+    scene_.mixes.push_back({first, second, weight});
+    return id;
+}
+
+uint32_t MaterialTable::add(const MaterialDescription& m)
+{
+    // A material file that several meshes name brings the same ones again and again.
+    for (const auto& [known, id] : added_[m.name]) {
+        if (!(known == m)) continue;
+        scene_.left_out.add("materials that are there already", 1,
+                            sizeof(Material) + sizeof(Emission) + sizeof(MaterialTraits));
+        return id;
+    }
+    const uint32_t id = make(m);
+    added_[m.name].emplace_back(m, id);
+    return id;
+}
+
+uint32_t MaterialTable::make(const MaterialDescription& m)
+{
+    const auto id_of = [&](const TextureUse& use) { return texture(use); };
+    if (m.type == MaterialType::mix)
+        return add_mix(m, named(m.first, m.where), named(m.second, m.where), {m.weight, texture(m.weight_map)});
+    if (m.type == MaterialType::interface) check_indices(m, diagnostics_);
+    const bool is_metal = m.type == MaterialType::metal;
+    const float metallic = m.metallic.value_or(is_metal ? 1.0f : 0.0f);
+    const bool has_metallic = is_metal || m.type == MaterialType::plastic;
+    if (!has_metallic || (metallic == (is_metal ? 1.0f : 0.0f) && !m.metallic_map))
+        return add_plain(m, builder_.make(m, id_of));
+    MaterialDescription part = m;
+    part.emission = {};
+    for (TextureUse* use : {&part.emission_map, &part.bump_map, &part.normal_map, &part.opacity_map}) use->reset();
+    part.type = MaterialType::plastic;
+    const uint32_t plastic = add_plain(part, builder_.make(part, id_of));
+    part.type = MaterialType::metal;
+    const uint32_t metal = add_plain(part, builder_.make(part, id_of));
+    return add_mix(m, plastic, metal, {metallic, texture(m.metallic_map)});
+}
+
+uint32_t MaterialTable::add_from_file(const MaterialDescription& m)
+{
+    for (size_t i = 0; i < d_.overrides.size(); ++i) {
+        const MaterialOverride& o = d_.overrides[i];
+        if (fnmatch(o.match.c_str(), m.name.c_str(), 0) != 0) continue;
+        override_used_[i] = true;
+        return o.material.empty() ? add(o.change(m)) : named(o.material, o.where);
+    }
+    return add(m);
+}
+
+uint32_t MaterialTable::default_material()
+{
+    if (default_material_ == Scene::none) default_material_ = add({.name = "default", .where = {}});
+    return default_material_;
+}
+
+uint32_t MaterialTable::named(const std::string& name, const Location& where)
+{
+    if (name.empty()) return default_material();
+    if (const auto it = index_.find(name); it != index_.end()) {
+        used_[it->second] = true;
+        resolve_named(it->second);
+        return ids_[it->second];
+    }
+    if (const auto it = presets_.find(name); it != presets_.end()) return it->second;
+    if (const auto preset = find_preset(name)) return presets_[name] = add(*preset);
+    diagnostics_.error(where, "unknown material '" + name + "'" + suggestion(name, names_of_materials(d_)));
+    return default_material();
+}
+
+void MaterialTable::put_camera_into(const std::string& name, const Location& where)
+{
+    const uint16_t medium = scene_.traits[named(name, where)].medium;
+    if (medium != no_medium)
+        scene_.camera_media.enter(medium);
+    else if (index_.count(name))
+        diagnostics_.error(where, "the camera cannot be inside of " + in_quotes(name) + ", which fills nothing");
+}
+
+uint32_t MaterialTable::changed(const std::string& name, const Location& where, const std::string& how,
+                                const MaterialDescription& otherwise,
+                                const std::function<MaterialDescription(const MaterialDescription&)>& change)
+{
+    const auto it = index_.find(name);
+    const auto preset = it == index_.end() ? find_preset(name) : std::nullopt;
+    if (!name.empty() && it == index_.end() && !preset) return named(name, where);
+    if (it != index_.end()) used_[it->second] = true;
+    const auto [entry, is_new] = changed_.try_emplace({name, how}, Scene::none);
+    if (is_new) entry->second = add(change(name.empty() ? otherwise : preset ? *preset : d_.materials[it->second]));
+    return entry->second;
+}
+
+uint32_t MaterialTable::banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where)
+{
+    MaterialDescription mix;
+    mix.name = (name.empty() ? "default" : name) + " with bands of " + bands.material;
+    mix.where = where;
+    mix.type = MaterialType::mix;
+    mix.first = name;
+    mix.second = bands.material;
+    mix.weight = 1;
+    mix.weight_map.emplace();
+    mix.weight_map->where = where;
+    mix.weight_map->type = pattern;
+    mix.weight_map->band_width = bands.width;
+    return add(mix);
+}
+
+void MaterialTable::finish()
+{
+    if (d_.camera && !d_.camera->inside.empty()) put_camera_into(d_.camera->inside, d_.camera->where);
+    finish_media(scene_);
+    for (size_t i = 0; i < d_.materials.size(); ++i)
+        if (!used_[i]) {
+            scene_.left_out.add("materials that nothing uses", 1);
+            diagnostics_.warning(d_.materials[i].where, "material '" + d_.materials[i].name + "' is not used");
+        }
+    for (size_t i = 0; i < d_.overrides.size(); ++i)
+        if (!override_used_[i])
+            diagnostics_.warning(d_.overrides[i].where,
+                                 "no material of a mesh file matches " + in_quotes(d_.overrides[i].match));
+}
+
+}  // namespace lancer

@@ -1,0 +1,61 @@
+// Builds the materials of a scene: resolves their names, applies overrides, merges equal textures, makes mixes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/build/material_builder.h"
+#include "scene/scene.h"
+
+namespace lancer {
+
+class MaterialTable {
+public:
+    MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
+                  const RasterSource& images);
+
+    // The id of a material as it is described.
+    uint32_t add(const MaterialDescription& material);  // again what there is: the same id
+    // The same of a mesh file, under the overrides.
+    uint32_t add_from_file(const MaterialDescription& material);
+    // The id of a named material or preset; an empty name is the default grey, as is an unknown one, so that building
+    // goes on to find what else is wrong.
+    uint32_t named(const std::string& name, const Location& where);
+    // The id of a changed copy of a named material, the same for the same `how`; an empty name is `otherwise`.
+    uint32_t changed(const std::string& name, const Location& where, const std::string& how,
+                     const MaterialDescription& otherwise,
+                     const std::function<MaterialDescription(const MaterialDescription&)>& change);
+    // The id of a named material with bands of another. pattern: grid or rim.
+    uint32_t banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where);
+    // Warns of what nobody uses.
+    void finish();
+
+private:
+    uint32_t default_material();
+    uint32_t make(const MaterialDescription& material);
+    uint32_t texture(const TextureUse& use);
+    uint32_t add_plain(const MaterialDescription& material, const Material& bsdf);
+    uint32_t add_mix(const MaterialDescription& material, uint32_t first, uint32_t second, FloatParam weight);
+    void resolve_named(size_t index);
+    void put_camera_into(const std::string& material, const Location& where);
+
+    const SceneDescription& d_;
+    Scene& scene_;
+    Diagnostics& diagnostics_;
+    const RasterSource& images_;
+    MaterialBuilder builder_;
+    std::map<std::string, std::vector<std::pair<MaterialDescription, uint32_t>>> added_;  // by name
+    std::map<std::string, size_t> index_;                                                 // of names, in d_.materials
+    std::map<std::string, uint32_t> presets_;  // ids of those that are in use
+    std::vector<uint32_t> ids_;                // of d_.materials, or none
+    std::vector<bool> used_, in_progress_, override_used_;
+    std::vector<TextureDescription> textures_;                         // parallel to scene_.textures
+    std::map<std::pair<std::string, std::string>, uint32_t> changed_;  // by name and way
+    uint32_t default_material_ = Scene::none;
+};
+
+}  // namespace lancer

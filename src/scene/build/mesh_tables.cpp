@@ -1,0 +1,166 @@
+#include "scene/build/mesh_tables.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace lancer {
+namespace {
+
+using Corners = CornerTable::Corners;
+
+template <class T>
+uint64_t bytes_of(const std::vector<T>& v)
+{
+    return v.size() * sizeof(T);
+}
+
+// Which of `values` stay, and under which number: those that some corner names, in the order of the file.
+struct Renumbering {
+    std::vector<uint32_t> number;  // of each value; empty: all stay as they are
+    uint64_t kept = 0;
+
+    Renumbering(const std::vector<Corners>& all, size_t values)
+    {
+        constexpr uint32_t named = 1;
+        number.assign(values, 0);
+        for (const Corners& corners : all)
+            for (const uint32_t i : corners)
+                if (i < values) number[i] = named;  // what is no index says that there is none
+        for (uint32_t& n : number)
+            if (n == named)
+                n = static_cast<uint32_t>(kept++);
+            else
+                n = UINT32_MAX;
+        if (kept == values) number.clear();
+    }
+    void apply(std::vector<Corners>& all) const
+    {
+        if (number.empty()) return;
+        for (Corners& corners : all)
+            for (uint32_t& i : corners)
+                if (i < number.size()) i = number[i];
+    }
+    template <class T, class F>
+    auto kept_of(const std::vector<T>& values, const F& change) const
+    {
+        std::vector<decltype(change(values[0]))> result;
+        result.reserve(kept + 1);
+        for (size_t i = 0; i < values.size(); ++i)
+            if (number.empty() || number[i] != UINT32_MAX) result.push_back(change(values[i]));
+        return result;
+    }
+};
+
+// Which normal each vertex has in all triangles that name it: no_normal in flat ones, also where none names it. Nothing
+// where some vertex has several. triangles: as they name the vertices, of which there are so many.
+std::vector<uint32_t> normals_of_vertices(const MeshData& data, const std::vector<Corners>& triangles, size_t vertices)
+{
+    constexpr uint32_t none = MeshData::no_normal;
+    const auto are_same = [&](uint32_t a, uint32_t b) {
+        return a == b || std::memcmp(&data.normals[a], &data.normals[b], sizeof(Vec3)) == 0;
+    };
+    std::vector<uint32_t> of(vertices, none);
+    for (size_t t = 0; t < triangles.size(); ++t) {
+        const Corners& normals = data.normal_triangles[t];
+        if (normals[0] == none) continue;
+        for (size_t k = 0; k < 3; ++k) {
+            uint32_t& n = of[triangles[t][k]];
+            if (n == none) n = normals[k];
+            if (!are_same(n, normals[k])) return {};
+        }
+    }
+    for (size_t t = 0; t < triangles.size(); ++t)
+        if (data.normal_triangles[t][0] == none && of[triangles[t][0]] != none) return {};
+    return of;
+}
+
+// of(i): the normal of vertex i, to stand behind its position.
+template <class Of>
+void put_normals_behind(Mesh& mesh, const Of& of)
+{
+    std::vector<Vec3> both;
+    both.reserve(2 * mesh.vertices() + 1);
+    for (size_t i = 0; i < mesh.vertices(); ++i) both.push_back(mesh.vertex(i)), both.push_back(of(i));
+    both.emplace_back();
+    mesh.positions = std::move(both), mesh.rows = 2;
+    for (auto& t : mesh.triangles)
+        for (uint32_t& corner : t) corner *= 2;
+}
+
+// back: inverse of the mesh's place. mesh: filled.
+void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
+{
+    const Renumbering numbers(data.normal_triangles, data.normals.size());
+    const uint64_t unused = data.normals.size() - numbers.kept;
+    left_out.add("vertex normals of no triangle", unused,
+                 unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
+    if (numbers.kept == 0) return;
+    const auto moved = [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); };
+    const size_t vertices = mesh.vertices(), faces = mesh.triangles.size();
+    CornerNormals& normals = shading.normals;
+    std::vector<uint32_t> of_vertices;
+    if (vertices < UINT32_MAX / 2 && vertices * sizeof(Vec3) <= numbers.kept * sizeof(Vec3) + faces * sizeof(Corners))
+        of_vertices = normals_of_vertices(data, mesh.triangles, vertices);
+    if (of_vertices.empty()) {
+        normals = {numbers.kept_of(data.normals, moved), data.normal_triangles};
+        numbers.apply(normals.triangles);
+        normals.values.emplace_back();
+    } else {
+        put_normals_behind(mesh, [&](size_t i) {
+            const uint32_t n = of_vertices[i];
+            return n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]);
+        });
+        normals.are_of_vertices = true;
+        left_out.add("numbers of vertex normals, which are those of the vertices", faces, faces * sizeof(Corners));
+    }
+}
+
+constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";
+
+}  // namespace
+
+void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces)
+{
+    const bool is_one = std::all_of(of_faces.begin(), of_faces.end(), [&](uint32_t m) { return m == of_faces[0]; });
+    if (is_one && !of_faces.empty()) shading.material = of_faces[0];
+    shading.face_material = is_one ? PackedNumbers() : PackedNumbers(of_faces);
+}
+
+void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,
+                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
+{
+    const auto same = [](const auto& x) { return x; };
+    mesh.triangles = data.triangles;
+    const Renumbering positions(data.triangles, data.positions.size());
+    positions.apply(mesh.triangles);
+    mesh.positions = positions.kept_of(data.positions, [&](const Vec3d& p) { return to_float(place.point(p)); });
+    mesh.positions.emplace_back();
+    shading.colors = positions.kept_of(colors, same);
+    const uint64_t unused = data.positions.size() - positions.kept;
+    left_out.add("vertices of no triangle", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
+
+    fill_normals(data, inverse(place), mesh, shading, left_out);
+    if (data.uvs.empty()) return;
+    shading.uv_triangles = CornerTable(data.uv_triangles, [&](uint32_t t) {
+        return data.uv_triangles[t][0] != MeshData::no_uv && traits[shading.material_of(t)].reads_uv;
+    });
+    const Renumbering uvs(shading.uv_triangles.all(), data.uvs.size());
+    uvs.apply(shading.uv_triangles.all());
+    shading.uvs = uvs.kept_of(data.uvs, same);
+    left_out.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
+                 bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
+                     std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
+}
+
+void drop_unread_uvs(Scene& scene)
+{
+    for (MeshShading& s : scene.shading) {
+        if (s.uvs.empty() || s.wears([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
+        scene.left_out.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
+        s.uvs = {};
+        s.uv_triangles = {};
+    }
+}
+
+}  // namespace lancer

@@ -1,0 +1,99 @@
+#include "scene/build/texture_table.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/names.h"
+#include "core/parallel.h"
+
+namespace lancer {
+namespace {
+
+// "path: error: reason" without the path, which the warning names itself.
+std::string reason_of(const Error& e, const std::string& file)
+{
+    const std::string text = e.what(), before = file + ": error: ";
+    return text.starts_with(before) ? text.substr(before.size()) : text;
+}
+
+// What became of one texture.
+struct Outcome {
+    std::string problem;
+    uint64_t not_finite = 0;
+};
+
+// What all the places that use a picture have to say of it.
+struct Report {
+    Location first;
+    std::string problem;
+    uint64_t uses = 0, not_finite = 0;
+    bool gives_numbers = false, gives_bumps = false;
+};
+
+// Leaves no bumps where the texture was to give them. Whether it was.
+bool take_bumps_away(Scene& scene, uint32_t texture)
+{
+    bool found = false;
+    for (MaterialTraits& traits : scene.traits) {
+        for (uint32_t* const map : {&traits.bump, &traits.normal_map}) {
+            if (*map != texture) continue;
+            *map = no_texture;
+            found = true;
+        }
+    }
+    return found;
+}
+
+void warn(const std::string& file, const Report& r, Diagnostics& diagnostics)
+{
+    if (r.not_finite > 0) {
+        diagnostics.warning(r.first, "picture " + in_quotes(file) + " has " + std::to_string(r.not_finite) +
+                                         " numbers that are not finite; they count as 0");
+    }
+    if (r.problem.empty()) return;
+    const char* const instead = !r.gives_bumps    ? "1 is used instead"
+                                : r.gives_numbers ? "1 is used instead, and no bumps"
+                                                  : "surfaces have no bumps instead";
+    diagnostics.warning(r.first, "picture " + in_quotes(file) + " is not used: " + r.problem + "; " + instead, r.uses);
+}
+
+}  // namespace
+
+void receive_textures(Scene& scene, Diagnostics& diagnostics)
+{
+    std::vector<Outcome> outcomes(scene.pending.size());
+    parallel_for(scene.pending.size(), [&](size_t i) {
+        Scene::Pending& p = scene.pending[i];
+        // Gone with the last texture that is made of it, so that pictures do not pile up.
+        const RasterFuture image = std::move(p.image);
+        try {
+            if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+            ImageTexture texture(*image.get(), p.what.use);
+            outcomes[i].not_finite = texture.not_finite();
+            scene.textures[p.texture] = std::move(texture);
+        } catch (const Error& e) {
+            outcomes[i].problem = reason_of(e, p.what.file);
+        }
+    });
+    std::vector<std::string> files;  // in the order of the scene
+    std::map<std::string, Report> reports;
+    for (size_t i = 0; i < outcomes.size(); ++i) {
+        const Scene::Pending& p = scene.pending[i];
+        const auto [it, is_new] = reports.try_emplace(p.what.file);
+        Report& r = it->second;
+        if (is_new) {
+            files.push_back(p.what.file);
+            r.first = p.what.where;
+        }
+        r.not_finite = std::max(r.not_finite, outcomes[i].not_finite);
+        if (outcomes[i].problem.empty()) continue;
+        r.problem = outcomes[i].problem;
+        ++r.uses;
+        (take_bumps_away(scene, p.texture) ? r.gives_bumps : r.gives_numbers) = true;
+    }
+    for (const std::string& file : files) warn(file, reports[file], diagnostics);
+    scene.pending.clear();
+}
+
+}  // namespace lancer

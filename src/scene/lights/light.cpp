@@ -1,0 +1,236 @@
+#include "scene/lights/light.h"
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "scene/alpha_test.h"
+#include "scene/environment/environment.h"
+#include "scene/lights/choice.h"
+#include "scene/lights/sphere.h"
+#include "scene/scene.h"
+#include "scene/surface.h"
+
+namespace lancer {
+namespace {
+
+ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
+
+// Each samples as seen from `org`, where the shadow ray will start.
+std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface&, Vec3 org, Vec2)
+{
+    const Vec3 d = light.position - org;
+    const float d2 = dot(d, d);
+    if (!(d2 > 0)) return {};
+    return LightSample{
+        .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
+}
+
+std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, const Surface&, Vec3, Vec2)
+{
+    return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
+}
+
+// What a place of a light sends out to one side, as far as there is a surface. uv(): of the place; only asked if
+// something is looked up there.
+template <class Uv>
+Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& uv)
+{
+    const Emission& emission = scene.emission[material];
+    if (emission.radiance.texture == no_texture && !scene.traits[material].has_holes())
+        return emission.plain_towards(front);
+    const ShadingPoint point = point_at(scene, uv());
+    return emission.towards(front, point) * opacity_at(scene, material, point);
+}
+
+std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
+{
+    const Vec2 uv = square_to_triangle(u);
+    Vec3 p, p_error, n = light.n;
+    float area = light.area;
+    if (area > 0) {
+        const PointOnTriangle<float> at = point_on_triangle(scene.geometry.meshes[light.mesh], light.triangle, uv);
+        p = at.p, p_error = at.p_error;
+    } else {
+        const TrianglePoint at = triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
+        p = at.p, p_error = at.p_error, n = at.n, area = at.area;
+    }
+    // Made in place: what is copied as a whole right after it was written in parts waits for all that came before.
+    std::optional<LightSample> s;
+    const Vec3 d = p - org;
+    const float d2 = dot(d, d);
+    if (!(d2 > 0)) return s;
+    const Vec3 wi = d / std::sqrt(d2);
+    const float c = -dot(wi, n);
+    const MeshShading& shading = scene.shading[light.mesh];
+    const Color radiance = radiance_at(scene, shading.material_of(light.triangle), c > 0,
+                                       [&] { return texture_uv(shading, light.triangle, uv); });
+    if (c == 0 || is_black(radiance)) return s;
+    s.emplace();
+    s->wi = wi;
+    s->point = p, s->p_error = p_error, s->n = n;
+    s->radiance = radiance;
+    s->pdf = d2 / (std::abs(c) * area);
+    return s;
+}
+
+// A sphere of light as a point at its centre of the same power, for shadows without penumbra: of what faces the surface
+// the nearest place shines for all. The shadow ray ends there; from inside, at the centre.
+std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, uint32_t material, Vec3 org)
+{
+    const Vec3d d = s.center - to_double(org);
+    const double d2 = dot(d, d), r2 = s.radius * s.radius;
+    if (!(d2 > 0)) return {};
+    const Vec3d wi = d / std::sqrt(d2);
+    const bool outside = d2 > r2;
+    const Vec3 n = outside ? to_float(-wi) : Vec3{};
+    const Vec3 point = to_float(outside ? s.center - wi * s.radius : s.center);
+    const Color radiance =
+        radiance_at(scene, material, outside, [&] { return sphere_uv(to_float(outside ? -wi : wi)); });
+    if (is_black(radiance)) return {};
+    return LightSample{.wi = to_float(wi),
+                       .point = point,
+                       .p_error = sphere_point_error(s, point),
+                       .n = n,
+                       .radiance = radiance * static_cast<float>(pi_d * r2 / d2),
+                       .pdf = 1,
+                       .delta = true};
+}
+
+// Uniform in the cone under which the sphere is seen; from inside, uniform over the area.
+std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
+{
+    const Sphere& s = scene.geometry.spheres[light.sphere];
+    const uint32_t material = scene.sphere_material[light.sphere];
+    if (!scene.soft_shadows) return sample_center(scene, s, material, org);
+    const Vec3d p = to_double(org), to_center = s.center - p;
+    const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    const auto sample_at = [&](const PointOnSphere<float>& on) {
+        std::optional<LightSample> at(std::in_place);  // as above
+        at->wi = on.wi;
+        at->point = on.point;
+        at->p_error = sphere_point_error(s, on.point);
+        at->n = on.n;
+        at->radiance = radiance_at(scene, material, true, [&] { return sphere_uv(on.n); });
+        at->pdf = on.pdf;
+        return at;
+    };
+    if (d2 <= r2) {
+        if (!scene.emission[material].both_sides) return {};
+        const Vec3d n = to_double(square_to_sphere(u)), d = s.center + n * s.radius - p;
+        const double l2 = dot(d, d), c = dot(d, n);
+        if (!(l2 > 0) || !(c > 0)) return {};
+        return sample_at({.wi = to_float(d / std::sqrt(l2)),
+                          .point = to_float(s.center + n * s.radius),
+                          .n = to_float(n),
+                          .pdf = static_cast<float>(l2 * std::sqrt(l2) / (c * 4 * pi_d * r2))});
+    }
+    return sample_at(sphere_seen_from_outside(s.center, s.radius, to_center, u.x, sin_cos_2pi(u.y)));
+}
+
+// A constant sky: by the cosine at the surface, which is all that varies.
+std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
+{
+    if (scene.environment_table) {
+        const EnvironmentSample s = scene.environment_table->sample(u);
+        if (!(s.pdf > 0)) return {};
+        const Color radiance = scene.background ? scene.radiance_from(s.wi) : s.radiance;
+        return LightSample{.wi = s.wi, .infinite = true, .radiance = radiance, .pdf = s.pdf};
+    }
+    // The density of the direction as it is after rounding, which pdf_environment() sees.
+    const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
+    const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
+    if (!(pdf > 0)) return {};
+    return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
+}
+
+// Whatever it is. Out of line: most lights are triangles, and should not pay for what the others want of the stack.
+[[gnu::noinline]] std::optional<LightSample> sample_other(const Scene& scene, const Light& any, const Surface& from,
+                                                          Vec3 org, Vec2 u)
+{
+    return std::visit([&](const auto& light) { return sample(scene, light, from, org, u); }, any);
+}
+
+}  // namespace
+
+std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
+{
+    if (scene.lights.pick.empty()) return {};
+    const auto [id, probability] = choose_light(scene.lights, from.origin, from.ns, lengthened(pick, u));
+    if (!(probability > 0)) return {};
+    auto s = sample_given_light(scene, from, id, u, through);
+    if (s) s->pdf *= probability;
+    return s;
+}
+
+std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                               bool through)
+{
+    auto s = sample_given_light(scene, from, id, u, through);
+    if (s) s->pdf *= scene.lights.pick.probability(id);
+    return s;
+}
+
+std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u)
+{
+    const LightTable& table = scene.lights;
+    if (table.deltas == table.lights.size() || table.pick.empty()) return {};
+    const auto [id, probability] = table.pick.sample_from(table.deltas, lengthened(pick, u));
+    if (!(probability > 0)) return {};
+    auto s = sample_given_light(scene, from, id, u);
+    if (s) s->pdf *= probability;
+    return s;
+}
+
+std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
+                                              bool through)
+{
+    const LightTable& table = scene.lights;
+    // Where every ray on a side starts: the density that pdf_light() finds for such a ray is then the same. From
+    // from.p itself the two could disagree even on which side of a sphere they are.
+    const auto sampled_from = [&](Vec3 side) {
+        const Vec3 org = ray_origin(from, side);
+        const Light& light = table.lights[id];
+        const auto* const triangle = std::get_if<TriangleLight>(&light);
+        return triangle ? sample(scene, *triangle, from, org, u) : sample_other(scene, light, from, org, u);
+    };
+    auto s = sampled_from(from.n);
+    if (s && dot(s->wi, from.side) < 0 && through) {
+        s = sampled_from(-from.n);
+        if (s && dot(s->wi, from.side) >= 0) s.reset();
+    } else if (s && dot(s->wi, from.side) <= 0) {
+        s.reset();
+    }
+    return s;
+}
+
+float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)
+{
+    if (at.light == Scene::none) return 0;
+    const float choice = probability_of(scene.lights, at.light, from, normal);
+    if (std::holds_alternative<TriangleLight>(scene.lights.lights[at.light])) {
+        const Vec3 d = at.p - from;
+        const float c = std::abs(dot(wi, at.n));
+        return c > 0 ? choice * dot(d, d) / (c * at.area) : 0;
+    }
+    // As from its centre: light sampling has all of it, as of every light that no ray can meet.
+    if (!scene.soft_shadows) return std::numeric_limits<float>::infinity();
+    const auto& light = std::get<SphereLight>(scene.lights.lights[at.light]);
+    const Sphere& s = scene.geometry.spheres[light.sphere];
+    const Vec3d to_center = s.center - to_double(from);
+    const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
+    // From outside only the near side is sampled; rays find the far one through holes in the near.
+    if (d2 > r2 && !at.front && scene.geometry.holes.spheres) return 0;
+    if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
+    const Vec3d d = to_double(at.p) - to_double(from);
+    const double c = std::abs(dot(to_double(wi), to_double(at.n)));
+    return c > 0 ? choice * static_cast<float>(dot(d, d) / (c * 4 * pi_d * r2)) : 0;
+}
+
+float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
+{
+    if (scene.environment_light == Scene::none) return 0;
+    const float choice = scene.lights.pick.probability(scene.environment_light);
+    return choice *
+           (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
+}
+
+}  // namespace lancer

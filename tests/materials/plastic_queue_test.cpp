@@ -1,0 +1,134 @@
+// Plastic at many places at once has the bits of plastic at each.
+#include "materials/plastic_queue.h"
+
+#include <gtest/gtest.h>
+
+#include "materials/samples.h"
+
+namespace lancer {
+namespace {
+
+// Mostly above the surface, some of them grazing, some below and some in its plane.
+Vec3 any_direction(Random& random)
+{
+    Vec3 w = random.unit_vector();
+    const uint32_t kind = random.below(8);
+    if (kind < 6) w.z = std::abs(w.z);
+    if (kind == 6) w.z = 0;
+    if (kind < 2) w.z *= kind == 0 ? 1e-3f : 1e-7f;
+    return normalize(w);
+}
+
+void expect_color(const Vec3x8& found, uint32_t i, Color wanted)
+{
+    EXPECT_EQ(found.x[i], wanted.r);
+    EXPECT_EQ(found.y[i], wanted.g);
+    EXPECT_EQ(found.z[i], wanted.b);
+}
+
+constexpr size_t eights = PlasticList::most / float_lanes;
+
+// As many eights of lanes as a list may have to do with, some of them plastic, each of any kind.
+struct Places {
+    struct Eight {
+        std::array<std::optional<PlasticBsdf>, float_lanes> bsdf;
+        PlasticList::Eight of;
+        Vec3x8 wo;
+    };
+    PlasticList list;
+    std::array<Eight, eights> eight;
+
+    // Other places have been there before.
+    void set(Random& random)
+    {
+        static const auto all = samples<Plastic>();
+        const uint32_t part = random.below(9);
+        list.clear();
+        for (Eight& e : eight) {
+            e.of = list.begin_eight();
+            for (auto& bsdf : e.bsdf) {
+                bsdf.reset();
+                if (random.below(8) < part) bsdf = all[random.below(static_cast<uint32_t>(all.size()))].material.at({});
+            }
+            // Whoever looks places up does so in no order.
+            for (const bool odd : {true, false})
+                for (uint32_t i = odd; i < float_lanes; i += 2)
+                    if (e.bsdf[i]) list.add(e.of, i, *e.bsdf[i]);
+            for (uint32_t i = 0; i < float_lanes; ++i) set_lane(e.wo, i, any_direction(random));
+            list.put_wo(e.of, e.wo);
+        }
+        list.see();
+    }
+    // f(number of the eight, eight, lane, bsdf, wo)
+    template <class F>
+    void for_each(const F& f) const
+    {
+        for (size_t k = 0; k < eights; ++k) {
+            const Eight& e = eight[k];
+            uint32_t there = 0;
+            for (uint32_t i = 0; i < float_lanes; ++i)
+                if (e.bsdf[i]) there |= 1u << i;
+            ASSERT_EQ(e.of.lanes, there);
+            for_bits(there, [&](uint32_t i) { f(k, e, i, *e.bsdf[i], lane(e.wo, i)); });
+        }
+    }
+};
+
+TEST(PlasticList, EvaluatesAsEachAlone)
+{
+    Random random(1);
+    Places places;
+    for (int round = 0; round < 2000; ++round) {
+        places.set(random);
+        std::array<Vec3x8, eights> wi;
+        for (size_t k = 0; k < eights; ++k) {
+            for (uint32_t i = 0; i < float_lanes; ++i) set_lane(wi[k], i, any_direction(random));
+            places.list.put_wi(places.eight[k].of, wi[k]);
+        }
+        places.list.eval();
+        places.for_each([&](size_t k, const Places::Eight& e, uint32_t i, const PlasticBsdf& bsdf, Vec3 wo) {
+            const BsdfValueLanes f = places.list.value(e.of);
+            const BsdfValue wanted = bsdf.eval(wo, lane(wi[k], i));
+            expect_color(f.f_cos, i, wanted.f_cos);
+            EXPECT_EQ(f.pdf[i], wanted.pdf);
+        });
+        if (HasFailure()) return;
+    }
+}
+
+TEST(PlasticList, SamplesAsEachAlone)
+{
+    Random random(2);
+    Places places;
+    int found = 0, mirrored = 0, lost = 0;
+    for (int round = 0; round < 2000; ++round) {
+        places.set(random);
+        std::array<Float8, eights> u;
+        std::array<Vec2x8, eights> v;
+        for (size_t k = 0; k < eights; ++k) {
+            for (uint32_t i = 0; i < float_lanes; ++i)
+                u[k][i] = random.unit(), v[k].x[i] = random.unit(), v[k].y[i] = random.unit();
+            places.list.put_numbers(places.eight[k].of, u[k], v[k], square_to_cosine_hemisphere(v[k].x, v[k].y));
+        }
+        places.list.sample();
+        places.for_each([&](size_t k, const Places::Eight& e, uint32_t i, const PlasticBsdf& bsdf, Vec3 wo) {
+            const BsdfSampleLanes s = places.list.sampled(e.of);
+            const auto wanted = bsdf.sample(wo, u[k][i], {v[k].x[i], v[k].y[i]});
+            ASSERT_EQ((s.found >> i & 1) != 0, wanted.has_value());
+            ++(!wanted ? lost : wanted->delta ? mirrored : found);
+            if (!wanted) return;
+            EXPECT_EQ((s.delta >> i & 1) != 0, wanted->delta);
+            EXPECT_EQ(lane(s.wi, i), wanted->wi);
+            expect_color(s.weight, i, wanted->weight);
+            EXPECT_EQ(s.pdf[i], wanted->pdf);
+            EXPECT_EQ(wanted->eta, 1);
+        });
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(found, 1000);
+    EXPECT_GT(mirrored, 1000);
+    EXPECT_GT(lost, 1000);
+}
+
+}  // namespace
+}  // namespace lancer
