@@ -10,7 +10,7 @@ usage: scripts/bench.sh [--full] [--mesh FILE]... [--out FOLDER] [--compare RUN]
   --mesh FILE    a mesh (.obj) to measure besides; may be given several times
   --out FOLDER   where to (build/bench-run): index.html, tables.md and the files of the run in data/
   --compare RUN  an earlier run, a folder of .json files: are its ratios confirmed?
-  --docs         put the tables into docs/benchmarks.md as the last run
+  --docs         put the tables into docs/benchmarks/last-run.md
 Nothing else should run meanwhile: above a load of 2.5 the page calls a run not comparable. Figures and how to read
 them: docs/benchmarks.md.
 EOF
@@ -108,9 +108,9 @@ rm -rf "$out/data"
 for part in data tables.md index.html; do mv -f "$run/$part" "$out/$part" || exit 1; done
 echo "Page: $out/index.html"
 
-# Between these two lines the documentation shows the last run.
+# The documentation shows the last run between these two lines.
 put_into_docs() {
-    local doc=docs/benchmarks.md
+    local doc=docs/benchmarks/last-run.md
     awk -v tables="$out/tables.md" '
         /^<!-- the last run ends -->$/ { inside = 0 }
         !inside { print }
@@ -120,6 +120,6 @@ put_into_docs() {
             while ((getline line <tables) > 0) print line
         }' "$doc" >"$doc.tmp.$$" && mv "$doc.tmp.$$" "$doc"
 }
-if ((docs)); then put_into_docs || fail "docs/benchmarks.md could not be written"; fi
+if ((docs)); then put_into_docs || fail "docs/benchmarks/last-run.md could not be written"; fi
 
 if ((${#failed[@]})); then fail "failed: ${failed[*]}; the page is without them"; fi
