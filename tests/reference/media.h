@@ -1,5 +1,5 @@
 // Bodies within bodies: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", JGT 7(2), 2002, with the
-// rules of docs/scene-format.md, "Bodies that overlap".
+// rules of docs/scene-format.md, "Nested dielectrics".
 #pragma once
 
 #include <deque>
