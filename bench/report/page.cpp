@@ -76,26 +76,24 @@ struct Plain {
 };
 constexpr std::array plain_families{
     Plain{"limit", "The limit of a render",
-          "How much of a render's time is spent on the rays themselves: inside of the accelerator, clocked as the "
-          "picture "
-          "is drawn; its rays, recorded and traced again by Embree alone; and a bare path tracer as the floor to "
-          "reach."},
-    Plain{"estimators", "What estimators give",
-          "Pictures by the default and with one estimator switched over. gain: by how much the error for the time is "
-          "larger then, above 1 where the default is right; error ratio: by how much the error alone."},
+          "The share of a render's time inside the accelerator, clocked while the picture is rendered; the same rays, "
+          "recorded and traced again by Embree alone; and a minimal path tracer as a lower bound."},
+    Plain{"estimators", "Estimators",
+          "Pictures by the default and with one estimator switched. gain: error times time with the switch over that "
+          "of the default; above 1 the default is better. error ratio: the same of the error alone."},
     Plain{"threads", "Threads",
-          "Speeds on the clock against one thread. all: one thread for each CPU; apart: as many renders at once that "
-          "have nothing to do with one another, which is what the machine allows; crowd: many more threads than CPUs."},
+          "Wall-clock speeds against one thread. all: one thread for each CPU; apart: as many independent renders at "
+          "once, which is what the machine allows; crowd: many more threads than CPUs."},
     Plain{"render", "Whole pictures", "The same picture with each accelerator."},
-    Plain{
-        "features", "What scenes do without",
-        "unseen: something that no ray meets brings the feature into a scene that has none, against the kernel for all "
-        "without it. saved: that kernel against the one that the scene gets as it is. unused: the kernel for all with "
-        "the feature's code taken out of it, on a scene without it. Speeds above 1 are what leaving out gains."},
+    Plain{"features", "Unused features",
+          "unseen: the feature is added where no ray meets it, against the kernel for all scenes without it. saved: "
+          "that kernel against the one that the scene gets. unused: the kernel for all scenes without the feature's "
+          "code, on a scene that does not use it. Speeds above 1 are what leaving out gains."},
     Plain{"agreement", "Agreement", "Answers against a reference in double precision."},
-    Plain{"watertight", "Watertightness", "Rays from inside closed meshes that came out: every one is a miss."},
-    Plain{"seam", "The seam",
-          "What the class around Embree costs against calling it directly, and its largest part, refine."},
+    Plain{"watertight", "Watertightness", "Rays from inside closed meshes that escape: each one is a miss."},
+    Plain{"seam", "Accelerator interface overhead",
+          "The cost of the class around Embree against direct calls with the same answers, and of refine, its largest "
+          "part."},
 };
 
 // How much of a render's time its parts take, for each scene.
