@@ -14,7 +14,7 @@ namespace lancer::bench {
 namespace {
 
 constexpr std::array estimators{Switch::nee,   Switch::mis,    Switch::always_nee, Switch::light_tree,
-                                Switch::split, Switch::common, Switch::roulette};
+                                Switch::split, Switch::roulette};
 
 // Pictures by one setting of the switches, a pair with new random numbers each round.
 class Drawn {

@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/compare_verdict.h"
+#include "app/compared_channels.h"
 #include "app/compared_picture.h"
 #include "app/console.h"
 #include "app/options/options.h"
@@ -161,6 +162,7 @@ int run_compare(int argc, char** argv)
     const bool is_hdr = picture.is_float && reference.is_float;
     const Flip flip = is_hdr ? flip_hdr(picture.image, reference.image) : flip_ldr(picture.image, reference.image);
     const Judged judged = print_errors(*options, picture, x, reference, r, metrics, flip);
+    print_differing_channels(options->picture, options->reference);
     const auto noise = test_noise(picture, reference);
     if (noise && metrics.differing_pixels) print_noise(*noise, picture, reference);
     if (!options->outputs.empty()) write_map(*options, picture.image, reference.image, flip);

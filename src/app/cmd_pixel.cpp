@@ -29,8 +29,7 @@ public:
         return {.ray = [this](const State& s, const Hit& h) { say_ray(s, h); },
                 .vertex = [this](const State&, const Surface& s) { say_vertex(s); },
                 .added = [](const State&, Color c) { print_result("  added          " + to_text(c)); },
-                .shadow = [this](const Ray& r, Color c, bool occluded) { say_shadow(r, c, occluded); },
-                .corrected = [](Color c) { print_result("told by neighbours with the same numbers: " + to_text(c)); }};
+                .shadow = [this](const Ray& r, Color c, bool occluded) { say_shadow(r, c, occluded); }};
     }
 
 private:

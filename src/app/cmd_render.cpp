@@ -284,7 +284,7 @@ void Run::say_plan(const Renderer& renderer, const PathPlan& plan) const
                                plan.open.size(), plan.open_cell));
     if (!std::holds_alternative<Path>(renderer.integrator())) return;
     print_note(format_text("plan: %u rays on from the first surface that spreads light", plan.split) +
-               (plan.has_common_numbers ? ", half of them by numbers that neighbours share" : "") + "; roulette by " +
+               "; roulette by " +
                (plan.worth.empty() ? std::string("the throughput")
                                    : format_text("what squares of %u pixels show", plan.cell)));
 }

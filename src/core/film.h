@@ -15,7 +15,7 @@ inline constexpr uint32_t samples_per_block = 16;
 
 struct Pixel {
     std::array<double, 3> sum{};  // of radiance
-    double sum_sq = 0;            // of squared luminance, and see SquareLight: feeds the error estimate
+    double sum_sq = 0;            // of squared luminance: feeds the error estimate
     uint32_t n = 0;               // samples that count; a non-finite one does not
 
     Color mean() const

@@ -144,8 +144,6 @@ public:
     {
         return to_unit(static_cast<uint32_t>(mix_bits(~hash + sample * 0x9e3779b97f4a7c15ull) >> 32));
     }
-    // The same sample's numbers of another key.
-    Sampler of_key(uint64_t key) const { return {kind_, key, sample_}; }
     // The numbers of another sample of the pixel.
     Sampler of_sample(uint32_t sample) const
     {

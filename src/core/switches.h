@@ -18,16 +18,15 @@ enum class Switch {
     always_nee,    // also where sampling the BSDF finds the same light with the same density
     light_tree,    // of many lights one is chosen by what it may send to the place; off: by power alone
     split,         // paths split into several where that pays; see render/estimators/pilot.h
-    common,        // half of what a path splits into goes by random numbers that neighbours share, where that pays
     roulette,      // by what the pixel shows; off: by the throughput alone
     stop,          // end a pixel whose mean is known well enough
     multiscatter,  // rough metal loses no light between its facets
     terminator,    // softer edges of shadow on smoothed meshes
     legacy,        // the ways of the two programs that this one grew from, their faults included
 };
-inline constexpr std::array<std::string_view, 16> switch_names{
+inline constexpr std::array<std::string_view, 15> switch_names{
     "nee",        "mis",   "direct", "indirect", "emitters", "fresnel",      "soft_shadows", "always_nee",
-    "light_tree", "split", "common", "roulette", "stop",     "multiscatter", "terminator",   "legacy"};
+    "light_tree", "split", "roulette", "stop",   "multiscatter", "terminator",   "legacy"};
 
 // What somebody said of them.
 using SaidSwitches = std::array<std::optional<bool>, switch_names.size()>;

@@ -9,7 +9,7 @@ namespace lancer {
 constexpr bool is_technique(Switch x)
 {
     return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::light_tree ||
-           x == Switch::split || x == Switch::common || x == Switch::roulette;
+           x == Switch::split || x == Switch::roulette;
 }
 
 }  // namespace lancer

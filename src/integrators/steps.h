@@ -19,18 +19,6 @@ enum class Leg : uint8_t {
     indirect,  // all that comes after
 };
 
-// Numbers by which a path goes, and so which of its sample's sums it adds to: those of the pixel, until it splits; then
-// the pixel's own or those in common, if there are such (PathPlan::has_common_numbers).
-enum class Numbers : uint8_t { undivided, own, common };
-
-// Where a path split, as far as it tells by which neighbours it is like; see render/common_numbers.h.
-struct SplitVertex {
-    Vec3 n, p;         // shading normal; where rays start
-    float width = -1;  // of the cone of light there, scene units; < 0: the path did not split
-    uint32_t material = 0;
-    Color scale;  // what the path does to light from there on: as far as it is known before a ray is chosen
-};
-
 // One ray under way.
 struct State {
     Ray ray;
@@ -44,8 +32,7 @@ struct State {
     uint32_t slot = 0;          // the sample that it adds to
     uint32_t branch = 0;        // part of the address of its random numbers; siblings differ
     uint32_t sample = 0;        // likewise: that of the sample until the path splits, then see PathPlan::parts
-    Numbers numbers = Numbers::undivided;
-    uint32_t part = 0;           // of the numbers: first one that the path takes when it splits
+    uint32_t part = 0;           // of the random numbers: first one that the path takes when it splits
     uint32_t depth = 0;          // surface vertices before this ray
     bool specular = true;        // chosen by a delta lobe or by the camera
     bool light_sampled = false;  // where it started a light was sampled that might have been what it meets
@@ -75,19 +62,14 @@ struct RadianceSum {
 struct Queue {
     struct Shadow {
         Color radiance;  // if nothing is in between
-        uint32_t sum;    // in `radiance`
+        uint32_t slot;   // the sample that it adds to
     };
-    // Of each slot; and where there are numbers in common, behind all of these, what own ones brought after the split,
-    // and behind those, what common ones did.
-    std::vector<RadianceSum> radiance;
-    // Where there are numbers in common, of each slot: where its path split, and Sampler::key_of() these.
-    std::vector<SplitVertex> split_at;
-    std::vector<uint64_t> common_keys;
+    std::vector<RadianceSum> radiance;  // of each slot
     struct TintedShadow {
         Ray ray;
         Color radiance;  // if nothing more is in between
         Color light;     // what is left of the light's own colour, likewise
-        uint32_t sum;
+        uint32_t slot;
         MediumStack media{};  // that it is in
     };
     std::vector<Ray> shadow_rays;
@@ -101,10 +83,9 @@ struct Queue {
 // tinted ones, those that went through fewer surfaces first.
 class Steps {
 public:
-    // sum: in Queue::radiance.
-    Steps(Queue& queue, uint32_t sum) : queue_(queue), sum_(sum) {}
+    Steps(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
 
-    void add(Color radiance) { queue_.radiance[sum_] += radiance; }
+    void add(Color radiance) { queue_.radiance[slot_] += radiance; }
     void shadow(const Ray& ray, Color radiance_if_unoccluded)
     {
         shadow_from([&](Ray& r) { r = ray; }, radiance_if_unoccluded);
@@ -120,7 +101,7 @@ public:
             queue_.shadow_rays.pop_back();
             return spoil();
         }
-        queue_.shadows.push_back({radiance_if_unoccluded, sum_});
+        queue_.shadows.push_back({radiance_if_unoccluded, slot_});
     }
     // As shadow(), but what lies in between takes only its part: the integrator's through() says which. light: the
     // colour of the light itself, for is_spent().
@@ -128,7 +109,7 @@ public:
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return spoil();
-        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, sum_});
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_});
     }
     void next(const State& state)
     {
@@ -146,16 +127,12 @@ public:
         if (goes_on) spoil();
     }
 
-    // The sample's path splits, into rays that go by numbers of two kinds.
-    void split(uint32_t slot, const SplitVertex& at) { queue_.split_at[slot] = at; }
-    uint64_t common_key(uint32_t slot) const { return queue_.common_keys[slot]; }
-
     // A ray that is not a number spoils its sample: dropped and counted in the end, never silently black.
-    void spoil() { queue_.radiance[sum_].r = std::numeric_limits<double>::quiet_NaN(); }
+    void spoil() { queue_.radiance[slot_].r = std::numeric_limits<double>::quiet_NaN(); }
 
 private:
     Queue& queue_;
-    uint32_t sum_;
+    uint32_t slot_;
 };
 
 }  // namespace lancer

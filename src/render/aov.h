@@ -44,8 +44,7 @@ public:
     void end_block(uint32_t end) const;
 
 private:
-    // Whether this is a camera ray of the tile. Squares of pixels with numbers in common reach beyond it.
-    bool is_counted(const State& s) const { return s.depth == 0 && tile_.has(w_.slots[s.slot].x, w_.slots[s.slot].y); }
+    static bool is_counted(const State& s) { return s.depth == 0; }  // camera rays
     void count(const SampleId& id) const
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);

@@ -79,7 +79,7 @@ Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, co
                        const PathListener& listener) const
 {
     return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, plan(camera, width, height), camera,
-                          {0, 0, width, height}, id, listener);
+                          width, id, listener);
 }
 
 const PathPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const

@@ -57,12 +57,12 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
 }
 
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, const Tile& picture,
+             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, uint32_t width,
              const SampleId& id, const PathListener& listener)
 {
     return std::visit(
         [&]<class Integrator>(const Integrator& concrete) {
-            return Kernels<Integrator>::replay(View{scene, plan}, accel, camera, picture, settings, concrete, id,
+            return Kernels<Integrator>::replay(View{scene, plan}, accel, camera, width, settings, concrete, id,
                                                listener);
         },
         integrator);

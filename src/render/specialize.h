@@ -18,9 +18,10 @@ Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::opt
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings);
 
-// Traces one sample as a render would, with the same bits, and returns its radiance. picture: the whole one.
+// Traces one sample as a render would, with the same bits, and returns its radiance. width: of the whole
+// picture, pixels.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, const Tile& picture,
+             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, uint32_t width,
              const SampleId& id, const PathListener& listener);
 
 }  // namespace lancer

@@ -65,15 +65,6 @@ struct Counters {
     }
 };
 
-// What a sample found where there are numbers in common, with what its neighbours want to know of it: see
-// render/common_numbers.h.
-struct Found {
-    SampleId id;
-    Color light;       // by all numbers
-    Color difference;  // what own numbers found less what common ones did
-    SplitVertex at;
-};
-
 // Memory of one thread at work, kept from tile to tile.
 struct Workspace {
     Queue queue;
@@ -82,7 +73,6 @@ struct Workspace {
     std::vector<Hit> hits;
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
-    std::vector<Found> found;
     WideWorkspace wide;
     std::vector<Pixel> block;       // one per pixel of the tile
     std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
@@ -103,7 +93,7 @@ struct NoListener {
     void open_sky(const SampleId&) const {}  // in place of ray(): nothing would be hit
     void vertex(const State&, const Surface&) const {}
     void added(const State&, Color) const {}
-    void shadow(uint32_t /*sum*/, const Ray&, Color, bool) const {}
+    void shadow(uint32_t /*slot*/, const Ray&, Color, bool) const {}
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

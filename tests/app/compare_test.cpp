@@ -65,6 +65,23 @@ TEST_F(Compare, PrintsAndJudges)
     EXPECT_EQ(run({"compare", "a.png", "b.exr", "--fail-above", "0.01"}).code, 0);
 }
 
+TEST_F(Compare, CountsTheChannelsThatDiffer)
+{
+    EXPECT_EQ(run({"compare", "a.exr", "b.exr"}).out.find("differing_channels"), std::string::npos);
+    const Image image = make_image(8, 4);
+    std::vector<float> depth(32, 1.5f), mask(32, std::nanf(""));
+    const auto write = [&](const char* name) {
+        const std::vector<ImagePlane> planes{{"depth.Z", depth}, {"mask.V", mask}};
+        write_exr(file(name), image, {}, {}, planes);
+    };
+    write("c.exr");
+    expect_words(run({"compare", "c.exr", "c.exr"}).out, "differing_channels   0 of 2\n");
+    depth[5] = 2, depth[6] = 3, mask[0] = -0.0f;
+    write("d.exr");
+    expect_words(run({"compare", "d.exr", "c.exr"}).out, "differing_channels   2 of 2: depth.Z 2, mask.V 1\n");
+    expect_words(run({"compare", "a.exr", "c.exr"}).out, "differing_channels   2 of 2: depth.Z 32, mask.V 32\n");
+}
+
 TEST_F(Compare, TwoReferencesGiveTheUnbiasedError)
 {
     // One of the references is right, so that the product of the differences is 0.

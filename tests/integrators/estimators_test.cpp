@@ -7,10 +7,10 @@
 namespace lancer {
 namespace {
 
-Path path_with(bool split, bool roulette, DirectLight direct = {}, bool common = true)
+Path path_with(bool split, bool roulette, DirectLight direct = {})
 {
     Path path{.max_depth = 8, .direct = direct};
-    path.split = split, path.common = common, path.roulette_by_pixel = roulette;
+    path.split = split, path.roulette_by_pixel = roulette;
     return path;
 }
 
@@ -20,7 +20,7 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
     uint64_t seed = 100;
     for (const Path& path :
          {path_with(false, false), path_with(true, false), path_with(false, true), path_with(true, true),
-          path_with(true, true, {}, false), path_with(false, false, {.always = true})})
+          path_with(false, false, {.always = true})})
         ways.push_back(tiles_over_seeds(d, {.integrator = path, .spp = 32, .seed = ++seed}, 16));
     expect_one_mean(ways, detectable, name);
 }

@@ -33,8 +33,7 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
           "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, light_tree, "
-          "split, common, "
-          "roulette and 4 more"},
+          "split, roulette, stop and 3 more"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
           "vertex_colors, translate, rotate, scale"},

@@ -51,7 +51,6 @@ TEST_P(Paths, FindTheLightOfTheReference)
     SameLight same(c.name, c.detectable);
     Path path;
     path.max_depth = c.max_depth;
-    path.common = false;  // pixels that err together are for the tests of estimators
     same.add(way("path", c, d, 1, path));
     path.direct.mis = false;
     same.add(way("path without mis", c, d, 2, path));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 #include "support/lamp_grid.h"
@@ -17,7 +16,7 @@ constexpr uint32_t width = 32, height = 24;
 struct Planned {
     PathPlan plan;
     // Of the rays that samples 0 to 3 of a pixel sent on from where it splits.
-    std::vector<std::set<std::pair<Numbers, uint32_t>>> numbers;
+    std::vector<std::set<uint32_t>> numbers;
 };
 
 Planned planned(const SceneDescription& d, RenderSettings settings = {})
@@ -31,10 +30,10 @@ Planned planned(const SceneDescription& d, RenderSettings settings = {})
             auto& numbers = out.numbers.emplace_back();
             PathListener listener{[&](const State& s, const Hit&) {
                                       if (s.depth != 1) return;
-                                      EXPECT_TRUE(numbers.insert({s.numbers, s.sample}).second);
+                                      EXPECT_TRUE(numbers.insert(s.sample).second);
                                   },
                                   [](const State&, const Surface&) {}, [](const State&, Color) {},
-                                  [](const Ray&, Color, bool) {}, [](Color) {}};
+                                  [](const Ray&, Color, bool) {}};
             renderer.replay(camera, width, height, {width / 2, height / 2, i}, listener);
         }
     });
@@ -79,26 +78,18 @@ TEST(Pilot, LeavesADarkSceneAlone)
     EXPECT_TRUE(plan.worth.empty());
 }
 
-// The parts of all samples together have the numbers of one sequence, each once; or of two, where half are in common.
+// The parts of all samples together have the numbers of one sequence, each once.
 TEST(Pilot, DealsEachNumberOnce)
 {
-    for (const bool common : {false, true}) {
-        RenderSettings settings = with(true, false);
-        std::get<Path>(settings.integrator).common = common;
-        const Planned p = planned(cornell_scene(), settings);
-        EXPECT_EQ(p.plan.has_common_numbers, common);
-        std::map<Numbers, std::set<uint32_t>> all;
-        for (const auto& numbers : p.numbers) {
-            EXPECT_EQ(numbers.size(), p.plan.split);
-            for (const auto& [kind, n] : numbers) EXPECT_TRUE(all[kind].insert(n).second) << n;
-        }
-        EXPECT_EQ(all.size(), common ? 2u : 1u);
-        for (const auto& [kind, numbers] : all) {
-            EXPECT_EQ(*numbers.begin(), 0u);
-            EXPECT_EQ(*numbers.rbegin(), 4 * p.plan.split_of_kind() - 1);
-            EXPECT_EQ(numbers.size(), 4 * p.plan.split_of_kind());
-        }
+    const Planned p = planned(cornell_scene(), with(true, false));
+    std::set<uint32_t> all;
+    for (const auto& numbers : p.numbers) {
+        EXPECT_EQ(numbers.size(), p.plan.split);
+        for (const uint32_t n : numbers) EXPECT_TRUE(all.insert(n).second) << n;
     }
+    EXPECT_EQ(*all.begin(), 0u);
+    EXPECT_EQ(*all.rbegin(), 4 * p.plan.split - 1);
+    EXPECT_EQ(all.size(), 4 * p.plan.split);
 }
 
 // The box under so many quads of light to a row all over its ceiling.
@@ -120,22 +111,6 @@ TEST(Pilot, SplitsLessWhereOneOfManyLightsIsChosen)
     EXPECT_EQ(planned(many).plan.split, 1u);
 }
 
-// Neighbours that see nothing alike have nothing in common, and where pixels end by themselves, neither.
-TEST(Pilot, SharesNumbersOnlyWhereThatTells)
-{
-    EXPECT_TRUE(planned(cornell_scene()).plan.has_common_numbers);
-    EXPECT_FALSE(planned(cornell_scene(), with(false, true)).plan.has_common_numbers);
-    const PathPlan in_fog = planned(media_scene()).plan;  // where paths split in mid-air, no place is alike
-    EXPECT_GT(in_fog.split, 1u);
-    EXPECT_FALSE(in_fog.has_common_numbers);
-    RenderSettings stops;
-    stops.kernel.stop = StopRule::confidence;
-    EXPECT_FALSE(planned(cornell_scene(), stops).plan.has_common_numbers);
-    RenderSettings clamps;
-    clamps.kernel.clamp = true;
-    EXPECT_FALSE(planned(cornell_scene(), clamps).plan.has_common_numbers);
-}
-
 // What accelerators disagree on in the last bits must not change all pixels of a picture.
 TEST(Pilot, PlansTheSameByAnyAccelerator)
 {
@@ -147,7 +122,6 @@ TEST(Pilot, PlansTheSameByAnyAccelerator)
         const PathPlan bvh8 = planned(d, settings).plan;
         EXPECT_EQ(embree.split, bvh8.split) << name;
         EXPECT_TRUE(embree.worth == bvh8.worth) << name;
-        EXPECT_EQ(embree.has_common_numbers, bvh8.has_common_numbers) << name;
     }
 }
 

@@ -15,8 +15,7 @@ namespace {
 const PathListener deaf{.ray = [](const State&, const Hit&) {},
                         .vertex = [](const State&, const Surface&) {},
                         .added = [](const State&, Color) {},
-                        .shadow = [](const Ray&, Color, bool) {},
-                        .corrected = [](Color) {}};
+                        .shadow = [](const Ray&, Color, bool) {}};
 
 TEST(MakeTiles, CoversTheCropOnceAlignedToThePicture)
 {
@@ -194,7 +193,6 @@ TEST(Replay, IsTheSampleThatTheFilmGot)
                     PathListener listener = deaf;
                     listener.added = [&](const State&, Color c) { added += c; };
                     listener.shadow = [&](const Ray&, Color c, bool occluded) { added += occluded ? Color{} : c; };
-                    listener.corrected = [&](Color c) { added += c; };
                     const Color c = renderer.replay(camera, r.width, r.height, {x, y, 0}, listener);
                     const Pixel& p = film.at(x, y);
                     ASSERT_EQ(static_cast<double>(c.r), p.sum[0]) << s.name << " " << x << " " << y;

@@ -178,8 +178,7 @@ TEST(LeftOut, NoShadowRayIsTracedForNothing)
                                         // What tints a shadow may stop all of it, on the way.
                                         EXPECT_FALSE(is_black(brings) && !(occluded && tints));
                                         ++heard;
-                                    },
-                                .corrected = [](Color) {}};
+                                    }};
     for (auto& [name, d] : all_test_scenes()) {
         // What a medium absorbs on the way is taken off when the ray is on its way.
         if (std::string(name) == "media") continue;

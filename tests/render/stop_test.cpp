@@ -211,8 +211,7 @@ TEST(StopRules, TheLastSampleEndsThePixel)
     const PathListener deaf{.ray = [](const State&, const Hit&) {},
                             .vertex = [](const State&, const Surface&) {},
                             .added = [](const State&, Color) {},
-                            .shadow = [](const Ray&, Color, bool) {},
-                            .corrected = [](Color) {}};
+                            .shadow = [](const Ray&, Color, bool) {}};
     uint32_t fewest = 48, most = 0;
     for (uint32_t y = 0; y < 5; ++y)
         for (uint32_t x = 0; x < 6; ++x) {

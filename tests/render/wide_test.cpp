@@ -52,10 +52,6 @@ TEST(Wide, HasTheBitsOfTheLoopForAll)
         expect_same(c, r, "plain");
         r.settings.kernel.sampler = SamplerKind::independent;
         expect_same(c, r, "independent numbers");
-        Path path;
-        path.common = false;
-        r.settings.integrator = path;
-        expect_same(c, r, "none in common");
     }
 }
 

@@ -63,10 +63,9 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
         "--set", "NAME=true|false,...",
         "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
         "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
-        "(choose among many by place), split (into several rays where that pays), common (half of these by random "
-        "numbers that neighbours share, where that pays), roulette (by what the pixel shows), stop (end pixels that "
-        "are known well enough), multiscatter (rough metal loses no light), terminator (softer shadow edges on "
-        "smoothed meshes)",
+        "(choose among many by place), split (into several rays where that pays), roulette (by what the pixel "
+        "shows), stop (end pixels that are known well enough), multiscatter (rough metal loses no light), terminator "
+        "(softer shadow edges on smoothed meshes)",
         [&](const std::string& t) { set_switches(t, o); });
     p.value("--stop-error", "X",
             "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",

@@ -14,7 +14,7 @@ struct Path {
     uint32_t roulette_depth = 5;  // vertices before roulette by the throughput may end the path
     DirectLight direct{};
     LightParts parts{};
-    bool split = true, common = true, roulette_by_pixel = true;  // whether a pilot may plan for them; common: if split
+    bool split = true, roulette_by_pixel = true;  // whether a pilot may plan for them
 
     void take(const IntegratorSettings& settings)
     {
@@ -22,7 +22,6 @@ struct Path {
         direct = DirectLight::of(settings.switches);
         parts = LightParts(settings.switches);
         split = settings.switches[Switch::split];
-        common = settings.switches[Switch::common];
         roulette_by_pixel = settings.switches[Switch::roulette];
     }
     template <class V>

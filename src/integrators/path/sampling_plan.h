@@ -15,17 +15,8 @@ struct PathPlan {
     uint32_t split = 1;
     // In how many parts the random numbers from there on are dealt: `split`, but in a pilot, where the parts of a path
     // are samples of their own. Part j of sample i has the numbers of sample i * parts + j, so that all of a pixel's
-    // are still one low-discrepancy sequence; where there are numbers of two kinds, those of each kind are one.
+    // are still one low-discrepancy sequence.
     uint32_t parts = 1;
-
-    // Whether the second half of those rays, and all that follow them, go by random numbers that squares of
-    // square x square pixels have in common, the first half by the pixel's own: see render/common_numbers.h. If so,
-    // split is even.
-    bool has_common_numbers = false;
-    static constexpr uint32_t square = 8;
-    // Rays of a path that go by numbers of one kind, and samples that they are numbered by: see `parts`.
-    uint32_t split_of_kind() const { return has_common_numbers ? split / 2 : split; }
-    uint32_t parts_of_kind() const { return has_common_numbers ? parts / 2 : parts; }
 
     // Samples that share the first vertices of a path: those of number i / of_path().
     uint32_t of_path() const { return parts / split; }

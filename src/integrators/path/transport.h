@@ -107,20 +107,12 @@ bool samples_light(const V& view, const B& bsdf, DirectLight how)
     return true;
 }
 
-// How much of the light that comes to a place goes back along the path, of a surface that sends it everywhere alike; of
-// others 1.
-template <class B>
-Color known_reflectance(const B& bsdf)
-{
-    if constexpr (requires { bsdf.albedo; }) return bsdf.albedo;
-    return {1, 1, 1};
-}
-
-// Whether a place swallows all light, as lamps do: nothing needs to be sampled there.
+// Whether a surface absorbs all light, as emitters often do: nothing needs to be sampled there.
 template <class B>
 bool scatters_nothing(const B& bsdf)
 {
-    return is_black(known_reflectance(bsdf));
+    if constexpr (requires { bsdf.albedo; }) return is_black(bsdf.albedo);
+    return false;
 }
 
 // Next-event estimation at a vertex.
@@ -249,21 +241,13 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
         };
         if (view.plan.parts == 1 || !splits_at(s, bsdf))
             return steps.next_from(s, [&](State& n) { return send(n, sampler); });
-        const auto send_parts = [&](Numbers numbers, const Sampler& first) {
-            for (uint32_t i = 0; i < view.plan.split_of_kind(); ++i)
-                steps.next_from(s, [&](State& n) {
-                    n.has_split = true;
-                    n.numbers = numbers;
-                    n.sample = s.sample * view.plan.parts_of_kind() + s.part + i;
-                    n.throughput /= static_cast<float>(view.plan.split);
-                    return send(n, first.of_sample(n.sample));
-                });
-        };
-        if (!view.plan.has_common_numbers) return send_parts(Numbers::undivided, sampler);
-        steps.split(s.slot, {surface.ns, surface.origin, s.cone.width + s.cone.spread * surface.t, surface.material,
-                             s.throughput * known_reflectance(bsdf)});
-        send_parts(Numbers::own, sampler);
-        send_parts(Numbers::common, sampler.of_key(steps.common_key(s.slot)));
+        for (uint32_t i = 0; i < view.plan.split; ++i)
+            steps.next_from(s, [&](State& n) {
+                n.has_split = true;
+                n.sample = s.sample * view.plan.parts + s.part + i;
+                n.throughput /= static_cast<float>(view.plan.split);
+                return send(n, sampler.of_sample(n.sample));
+            });
     });
 }
 

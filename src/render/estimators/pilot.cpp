@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "render/common_numbers.h"
 #include "render/estimators/stop_rule.h"
 #include "render/kernel/kernels.h"
 
@@ -18,7 +17,6 @@ constexpr uint32_t most_split = 4;     // beyond, edges of shapes would want for
 constexpr double dark = 0.1;           // parts of the mean below which errors count as if it were so bright
 constexpr double packed = 0.4;         // time of a camera ray, which goes with its neighbours, by that of a bounce
 constexpr double occlusion = 0.6;      // likewise of a shadow ray
-constexpr double common_wanted = 0.9;  // of the error is to be left, or less, for numbers in common
 constexpr double stratified = 0.12;    // what is left, about, of variance in the few dimensions of a camera ray; fitted
 constexpr double unsorted = 1;         // likewise in which of very many lights is chosen, which has no smooth order
 
@@ -161,44 +159,6 @@ void tell_worth(const Survey& s, PathPlan& plan)
         }
 }
 
-// Whether numbers in common leave less of the error than the pilot would want. At most 8 x 8 cells of the survey are
-// asked, in one square each; by the root of what each errs by, lest the few sparks that these see decide.
-bool common_numbers_pay(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                        const Camera& camera, const Tile& picture, const Survey& s, PathPlan plan)
-{
-    plan.has_common_numbers = true;
-    Path pilot = path;
-    pilot.parts = {};  // as in survey()
-    struct Errors {
-        double told = 0, found = 0;
-    };
-    const uint32_t step = (std::max(s.columns, s.rows) + 7) / 8;
-    std::vector<Errors> errors((s.rows + step - 1) / step);
-    const double floor = s.floor();
-    const auto corner = [&](uint32_t cell) { return corner_of_square(cell * s.cell + s.cell / 2); };
-    parallel_for(errors.size(), [&](size_t i) {
-        Workspace w;
-        w.is_pilot = true;
-        Counters counters;
-        const uint32_t y0 = corner(step * static_cast<uint32_t>(i));
-        for (uint32_t column = 0; column < s.columns; column += step)
-            for_square(picture, corner(column), y0, [&](uint32_t x, uint32_t y) { w.slots.push_back({x, y, 0}); });
-        Kernels<Path>::trace({scene, plan}, accel, camera, picture.width(), settings, pilot, w, counters);
-        for (size_t slot = 0; slot < w.slots.size(); ++slot) w.found.push_back(found_of(w, slot));
-        for_squares(w.found, [&](std::span<const Found> square) {
-            double light = 0;
-            for (const Found& f : square) light += double{luminance(f.light)} / static_cast<double>(square.size());
-            const SquareLight told = light_of_square(square);
-            const double weight = 1 / std::sqrt((light * light + floor * floor) * told.found_variance);
-            if (!std::isfinite(weight)) return;
-            errors[i].told += weight * told.variance, errors[i].found += weight * told.found_variance;
-        });
-    });
-    Errors all;
-    for (const Errors& row : errors) all.told += row.told, all.found += row.found;
-    return all.told < common_wanted * all.found;
-}
-
 }  // namespace
 
 PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
@@ -209,10 +169,6 @@ PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& pat
     const Survey s = survey(scene, accel, path, settings, camera, width, height);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) tell_worth(s, plan);
-    // Not where pixels may end before their neighbours, or samples are changed.
-    if (path.common && plan.split > 1 && settings.stop == StopRule::never && !settings.clamp)
-        plan.has_common_numbers =
-            common_numbers_pay(scene, accel, path, settings, camera, {0, 0, width, height}, s, plan);
     return plan;
 }
 

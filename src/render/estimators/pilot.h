@@ -10,8 +10,8 @@ namespace lancer {
 
 // The plan of a picture. It depends on the scene, the camera, the size of the whole picture and the seed alone: the
 // same for every crop, shard and pass, and any number of threads. At most 64 x 64 pixels are looked at, with 16 samples
-// of other random numbers than those that count, and at most 8 x 8 squares (render/common_numbers.h) with one, so that
-// what is rendered by the plan stays unbiased. Call inside with_threads.
+// of other random numbers than those that count, so that what is rendered by the plan stays unbiased. Call inside
+// with_threads.
 PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
                    const Camera& camera, uint32_t width, uint32_t height);
 

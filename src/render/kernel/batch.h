@@ -10,7 +10,6 @@
 
 #include "integrators/ahead.h"
 #include "integrators/media.h"
-#include "render/common_numbers.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/workspace.h"
 
@@ -59,7 +58,7 @@ Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const Sampl
     return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens));
 }
 
-// Traces the samples in w.slots to their end; light_of() then tells their radiance, and found_of() more.
+// Traces the samples in w.slots to their end and sums their radiance in w.queue.radiance.
 template <class V, class Integrator, class Listener>
 void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                  const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
@@ -71,14 +70,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         const uint64_t seed = w.seed_of(settings, id.sample / of_path);
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
-    begin_batch(view.plan, settings, width, w);
-    const auto sampler_of = [&](const State& s) {
-        if (s.numbers == Numbers::common) return Sampler(settings.sampler, w.queue.common_keys[s.slot], s.sample);
-        return sampler(s.slot, s.sample, s.branch);
-    };
-    const auto sum_of = [&](const State& s) {
-        return s.slot + static_cast<uint32_t>(s.numbers) * static_cast<uint32_t>(w.slots.size());
-    };
+    w.queue.radiance.assign(w.slots.size(), RadianceSum{});
     // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
     // first to ask for so many, and allocate.
     const size_t most = w.slots.size() * view.plan.split;
@@ -119,7 +111,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const State& s = w.states[i];
-            asked.add(samplers[i - first].emplace(sampler_of(s)), s.depth);
+            asked.add(samplers[i - first].emplace(sampler(s.slot, s.sample, s.branch)), s.depth);
             surfaces[i - first].emplace(
                 Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
         }
@@ -150,9 +142,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             const size_t k = i % looked_ahead;
             if (k == 0) look_ahead(i);
             State& s = w.states[i];
-            const uint32_t sum = sum_of(s);
-            Steps steps(w.queue, sum);
-            const RadianceSum before = w.queue.radiance[sum];
+            Steps steps(w.queue, s.slot);
+            const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
@@ -168,7 +159,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, steps);
             }
-            listener.added(s, w.queue.radiance[sum].since(before));
+            listener.added(s, w.queue.radiance[s.slot].since(before));
         }
 
         w.occluded.resize(w.queue.shadow_rays.size());
@@ -176,8 +167,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         counters.shadow_rays += w.queue.shadow_rays.size();
         for (size_t i = 0; i < w.occluded.size(); ++i) {
             const Queue::Shadow& shadow = w.queue.shadows[i];
-            listener.shadow(shadow.sum, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
-            if (!w.occluded[i]) w.queue.radiance[shadow.sum] += shadow.radiance;
+            listener.shadow(shadow.slot, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
         }
         if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
         std::swap(w.states, w.queue.next);

@@ -39,38 +39,21 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
                    Counters& counters, const Listener& listener)
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
-    // together: see SquareLight.
-    const auto count_with = [&](const SampleId& id, Color c, double together) {
+    const auto count = [&](const SampleId& id, Color c) {
         if (!is_finite(c)) return counters.drop(id);
         Pixel& p = w.block[index(id)];
         const double y = luminance(c);
-        p += {{c.r, c.g, c.b}, y * y + together, 1};
+        p += {{c.r, c.g, c.b}, y * y, 1};
         if (!w.last.empty()) w.last[index(id)] = c;
         if (film.replicates.empty() || w.is_pilot) return;
         const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
         ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
         r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
     };
-    const auto count = [&](const SampleId& id, Color c) { count_with(id, c, 0); };
-    const bool in_squares = view.plan.has_common_numbers;
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
-        for (size_t i = 0; i < w.slots.size(); ++i) {
-            if (in_squares)
-                w.found.push_back(found_of(w, i));
-            else
-                count(w.slots[i], counted(light_of(w, i), settings));
-        }
+        for (size_t i = 0; i < w.slots.size(); ++i) count(w.slots[i], counted(w.queue.radiance[i].color(), settings));
         w.slots.clear();
-    };
-    // Counts what was found in whole squares, as far as it is of the tile.
-    const auto settle = [&] {
-        for_squares(w.found, [&](std::span<const Found> square) {
-            const SquareLight s = light_of_square(square);
-            for (size_t i = 0; i < square.size(); ++i)
-                if (tile.has(square[i].id.x, square[i].id.y)) count_with(square[i].id, s.light[i], s.together[i]);
-        });
-        w.found.clear();
     };
     const auto end_of = [&](uint32_t x, uint32_t y) {
         if (film.wanted.empty() || w.is_pilot) return samples.end;
@@ -92,26 +75,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     };
     constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
     w.slots.clear();
-    w.found.clear();
     w.slots.reserve(batch);
-    if (in_squares) {
-        const Tile picture{0, 0, film.width, film.height};
-        const size_t most = size_t{samples.end - samples.begin} * square_pixels;
-        for_squares(tile, [&](uint32_t x0, uint32_t y0) {
-            if (!w.slots.empty() && w.slots.size() + most > batch) flush();
-            if (w.slots.empty()) settle();
-            for_square(picture, x0, y0, [&](uint32_t x, uint32_t y) {
-                if (view.plan.is_open(x, y) && tile.has(x, y)) count_open(x, y);
-            });
-            for (uint32_t i = samples.begin; i < samples.end; ++i)
-                for_square(picture, x0, y0, [&](uint32_t x, uint32_t y) {
-                    if (!view.plan.is_open(x, y)) send({x, y, i});
-                });
-        });
-        flush();
-        settle();
-        return;
-    }
     for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
         for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
             for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
@@ -220,46 +184,26 @@ void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, cons
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, NoListener{});
 }
 
-// Passes on what happens to one of several samples.
-struct OneOfThem {
+// Passes on what happens to the only sample of a batch.
+struct ReplayListener {
     const PathListener& listener;
-    uint32_t slot, count;
 
-    void ray(const State& s, const Hit& hit) const { is_it(s.slot) ? listener.ray(s, hit) : void(); }
-    void vertex(const State& s, const Surface& at) const { is_it(s.slot) ? listener.vertex(s, at) : void(); }
-    void added(const State& s, Color c) const { is_it(s.slot) ? listener.added(s, c) : void(); }
-    void shadow(uint32_t sum, const Ray& ray, Color c, bool occluded) const
-    {
-        is_it(sum) ? listener.shadow(ray, c, occluded) : void();
-    }
-    bool is_it(uint32_t sum) const { return sum % count == slot; }
+    void ray(const State& s, const Hit& hit) const { listener.ray(s, hit); }
+    void vertex(const State& s, const Surface& at) const { listener.vertex(s, at); }
+    void added(const State& s, Color c) const { listener.added(s, c); }
+    void shadow(uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
 };
 
 template <class Integrator>
-Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, const Tile& picture,
+Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                                   const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
                                   const PathListener& listener)
 {
     Workspace w;
     Counters counters;
-    const bool in_square = view.plan.has_common_numbers && !view.plan.is_open(id.x, id.y);
-    uint32_t slot = 0;
-    if (in_square)
-        for_square(picture, corner_of_square(id.x), corner_of_square(id.y), [&](uint32_t x, uint32_t y) {
-            if (view.plan.is_open(x, y)) return;
-            if (x == id.x && y == id.y) slot = static_cast<uint32_t>(w.slots.size());
-            w.slots.push_back({x, y, id.sample});
-        });
-    else
-        w.slots.push_back(id);
-    const OneOfThem heard{listener, slot, static_cast<uint32_t>(w.slots.size())};
-    trace_batch(view, accel, camera, picture.width(), settings, integrator, w, counters, heard);
-    const Color light = light_of(w, slot);
-    if (!in_square) return counted(light, settings);
-    for (uint32_t i = 0; i < heard.count; ++i) w.found.push_back(found_of(w, i));
-    const Color told = light_of_square(w.found).light[slot];
-    listener.corrected(told - light);
-    return told;
+    w.slots.push_back(id);
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, ReplayListener{listener});
+    return counted(w.queue.radiance[0].color(), settings);
 }
 
 }  // namespace lancer

@@ -16,7 +16,6 @@ struct PathListener {
     std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
     std::function<void(const State&, Color)> added;            // radiance added there at once
     std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
-    std::function<void(Color)> corrected;  // last, if its neighbours have numbers in common with it: what they add
 };
 
 // Path's, for scenes of which there is a WideScene that does or does not look things up: the same bits, eight paths
@@ -34,12 +33,11 @@ struct Kernels {
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                        const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                        Counters& counters);
-    // Traces the samples in w.slots; light_of() and found_of() then tell what counts of each. width: of the whole
-    // picture.
+    // Traces the samples in w.slots into w.queue.radiance. width: of the whole picture, pixels.
     static void trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                       const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters);
-    // Traces one sample as render() would, with the same bits, and returns its radiance. picture: the whole one.
-    static Color replay(const View& view, const Accelerator& accel, const Camera& camera, const Tile& picture,
+    // Traces one sample as render() would, with the same bits, and returns its radiance. width: as of trace().
+    static Color replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                         const KernelSettings& settings, const Integrator& integrator, const SampleId& id,
                         const PathListener& listener);
 };

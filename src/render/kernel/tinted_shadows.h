@@ -45,7 +45,7 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                 s.radiance *= part;
                 s.light *= part;
                 if (is_black(s.radiance)) {
-                    listener.shadow(s.sum, s.ray, s.radiance, true);
+                    listener.shadow(s.slot, s.ray, s.radiance, true);
                     continue;
                 }
                 // As far as before: what the new origin is off the surface counts, or the ray might meet its light.
@@ -58,8 +58,8 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                 }
             }
             if (has_media) s.radiance *= s.media.transmittance(view.scene.media, s.ray.t_max);
-            listener.shadow(s.sum, s.ray, s.radiance, false);
-            w.queue.radiance[s.sum] += s.radiance;
+            listener.shadow(s.slot, s.ray, s.radiance, false);
+            w.queue.radiance[s.slot] += s.radiance;
         }
         shadows.resize(kept);
     }

@@ -8,7 +8,6 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path/path.h"
-#include "render/common_numbers.h"
 #include "render/wide/vertices.h"
 #include "render/workspace.h"
 #include "scene/lights/choice.h"
@@ -48,8 +47,6 @@ public:
           w_(w),
           now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
-          common_now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).common_now),
-          common_next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).common_next),
           shadows_(w.wide.shadows),
           counters_(counters),
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.lit_by_constant_sky())),
@@ -61,36 +58,25 @@ public:
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
-        if (view.plan.has_common_numbers) common_now_.reserve(most), common_next_.reserve(most);
-        begin_batch(view.plan, settings, width, w);
-        if (keeps_normals_)
-            for (PackedVectors* n :
-                 {&w.wide.normals_now, &w.wide.normals_next, &w.wide.common_normals_now, &w.wide.common_normals_next})
-                n->reserve(most);
+        w.queue.radiance.assign(w.slots.size(), RadianceSum{});
+        if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
         w.hits.reserve(most + float_lanes);
         w.occluded.reserve(most);
-        now_.clear(), common_now_.clear();
+        now_.clear();
         for (uint32_t first = 0; first < w.slots.size(); first += float_lanes) send_from(camera, width, first);
         counters.camera_rays += w.slots.size();
     }
     template <class Listener>
     void trace(const Listener& listener)
     {
-        for (depth_ = 0; now_.size() + common_now_.size() > 0; ++depth_) {
-            if (depth_ > 0) counters_.bounce_rays += now_.size() + common_now_.size();
-            next_.clear(), common_next_.clear(), shadows_.clear();
-            w_.wide.normals_next.clear(), w_.wide.common_normals_next.clear();
+        for (depth_ = 0; now_.size() > 0; ++depth_) {
+            if (depth_ > 0) counters_.bounce_rays += now_.size();
+            next_.clear(), shadows_.clear(), w_.wide.normals_next.clear();
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
-            if (common_now_.size() > 0) {
-                std::swap(now_, common_now_);
-                std::swap(w_.wide.normals_now, w_.wide.common_normals_now);
-                advance(Coherence::coherent, listener);
-            }
             if (are_last() && !shines_) return;
             add_unoccluded();
-            std::swap(now_, next_), std::swap(common_now_, common_next_);
+            std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
-            std::swap(w_.wide.common_normals_now, w_.wide.common_normals_next);
         }
     }
 
@@ -151,16 +137,13 @@ private:
     void scatter(Vertices& v);
     void scatter_any(std::span<Vertices> vertices);
     void begin_going(Vertices& v, Going& g);
-    void send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind);
+    void send_part(std::span<Vertices> vertices, uint32_t part);
     void choose_part(const Vertices& v, Going& g, uint32_t lanes);
-    void finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind);
+    void finish_part(Vertices& v, const Going& g, uint32_t lanes);
     UInt8 of_first_part(const Lanes& path, uint32_t lanes) const;
-    void begin_kind(Numbers kind, uint32_t splits, UInt8 first, const KeyLanes& common, Lanes& next) const;
-    void tell_of_split(const Vertices& v, uint32_t lanes) const;
-    KeyLanes common_keys(const Lanes& path, uint32_t lanes) const;
     uint32_t split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const;
     Scattered sample_any(const Vertices& v, const Going& g, uint32_t lanes) const;
-    void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v, Numbers numbers);
+    void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v);
     Float8 survival(const Lanes& next) const;
     template <class Of>
     void give_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
@@ -169,9 +152,9 @@ private:
     void add_sky(uint32_t missed, size_t first, const Lanes& path);
     void add_unoccluded();
     void end_in_sky();
-    void spoil(uint32_t lanes, UInt8 sums)
+    void spoil(uint32_t lanes, UInt8 slots)
     {
-        for_bits(lanes, [&](uint32_t i) { Steps(w_.queue, sums[i]).spoil(); });
+        for_bits(lanes, [&](uint32_t i) { Steps(w_.queue, slots[i]).spoil(); });
     }
 
     Leg leg() const { return depth_ == 0 ? Leg::view : depth_ == 1 ? Leg::direct : Leg::indirect; }
@@ -202,7 +185,7 @@ private:
     const WideScene& scene_;
     const float pixel_spread_;
     Workspace& w_;
-    PackedStates<Lanes>&now_, &next_, &common_now_, &common_next_;
+    PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
     // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.
@@ -240,7 +223,7 @@ inline void WideBatch<shading>::send_from(const Camera& camera, uint32_t width, 
         const uint32_t number = id.sample / view_.plan.of_path();
         const uint64_t key = Sampler::key_of(w_.seed_of(settings_, number), uint64_t{id.y} * width + id.x, 0);
         const Color worth = view_.plan.worth_at(id.x, id.y);
-        path.sum[i] = first + i, path.sample[i] = settings_.sample_of(number);
+        path.slot[i] = first + i, path.sample[i] = settings_.sample_of(number);
         path.key.low[i] = static_cast<uint32_t>(key), path.key.high[i] = static_cast<uint32_t>(key >> 32);
         path.worth.x[i] = worth.r, path.worth.y[i] = worth.g, path.worth.z[i] = worth.b;
         film.x[i] = static_cast<float>(id.x) + 0.5f, film.y[i] = static_cast<float>(id.y) + 0.5f;

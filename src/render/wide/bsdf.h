@@ -12,45 +12,10 @@ template <Shading shading>
 inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
 {
     const PathPlan& plan = view_.plan;
-    UInt8 sample = path.sample * plan.parts_of_kind();
+    UInt8 sample = path.sample * plan.parts;
     if (plan.of_path() > 1)
-        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.sum[i]].sample % plan.of_path(); });
+        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.slot[i]].sample % plan.of_path(); });
     return sample;
-}
-
-// Of lanes whose paths split, before they are told so: Steps::split().
-template <Shading shading>
-inline void WideBatch<shading>::tell_of_split(const Vertices& v, uint32_t lanes) const
-{
-    Vec3x8 scale = times(v.path.throughput, v.albedo);
-    if constexpr (any) scale = select(lanes_of(v.others.lanes), v.path.throughput, scale);
-    for_bits(lanes, [&](uint32_t i) {
-        const Vec3 s = lane(scale, i);
-        w_.queue.split_at[v.path.sum[i]] = {
-            lane(v.ns, i), lane(v.origin, i), v.width[i], v.material[i], {s.x, s.y, s.z}};
-    });
-}
-
-// Before the parts of a kind are sent. splits: lanes; first: sample of the first part; common: keys of numbers in
-// common.
-template <Shading shading>
-inline void WideBatch<shading>::begin_kind(Numbers kind, uint32_t splits, UInt8 first, const KeyLanes& common,
-                                           Lanes& next) const
-{
-    next.sum += reinterpret_cast<UInt8>(lanes_of(splits)) & static_cast<uint32_t>(w_.slots.size());
-    next.sample = first;
-    if (kind == Numbers::common) next.key = common;
-}
-
-template <Shading shading>
-inline KeyLanes WideBatch<shading>::common_keys(const Lanes& path, uint32_t lanes) const
-{
-    KeyLanes keys{};
-    for_bits(lanes, [&](uint32_t i) {
-        const uint64_t key = w_.queue.common_keys[path.sum[i]];
-        keys.low[i] = static_cast<uint32_t>(key), keys.high[i] = static_cast<uint32_t>(key >> 32);
-    });
-    return keys;
 }
 
 template <Shading shading>
@@ -58,9 +23,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
 {
     const PathPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
-    const bool has_common = splits && plan.has_common_numbers;
     const Float8 zero{};
-    if (has_common) tell_of_split(v, v.hit & ~bits(is_black(v.albedo)));
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((bits(reflects) & v.hit) == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
@@ -77,27 +40,19 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
-    const auto send_parts = [&](uint32_t parts, Numbers kind) {
-        const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-        std::optional<AddressLanes> roulette;  // mostly not asked for
-        if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-        for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
-            const Vec2x8 u = address.get2(next.sample);
-            const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
-            const Vec3x8 wi = normalize(frame.to_world(local));
-            Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
-            if (roulette) goes &= roulette->get2_x(next.sample) < q;
-            next.pdf = local.z * (1 / pi);
-            if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-            send(bits(goes) & v.hit, v.origin, wi, v, kind);
-        }
-    };
-    if (!has_common) return send_parts(splits ? plan.split : 1, Numbers::undivided);
-    const KeyLanes common = common_keys(next, v.hit);
-    const UInt8 first = next.sample;
-    for (const Numbers kind : {Numbers::own, Numbers::common}) {
-        begin_kind(kind, v.hit, first, common, next);
-        send_parts(plan.split_of_kind(), kind);
+    const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
+    std::optional<AddressLanes> roulette;  // mostly not asked for
+    if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
+    const uint32_t parts = splits ? plan.split : 1;
+    for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
+        const Vec2x8 u = address.get2(next.sample);
+        const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
+        const Vec3x8 wi = normalize(frame.to_world(local));
+        Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
+        if (roulette) goes &= roulette->get2_x(next.sample) < q;
+        next.pdf = local.z * (1 / pi);
+        if constexpr (looks_up) next.spread = opened(spread, next.pdf);
+        send(bits(goes) & v.hit, v.origin, wi, v);
     }
 }
 
@@ -174,13 +129,8 @@ inline void WideBatch<shading>::begin_going(Vertices& v, Going& g)
     const Others& others = v.others;
     Lanes& next = v.path;
     g.splits = 0, g.sends = v.hit & (others.lanes | bits((v.cos_o > Float8{}) & ~is_black(v.albedo)));
-    const bool has_common = view_.plan.has_common_numbers;
-    const uint32_t may_split = has_common ? v.hit & ~others.only_delta & ~bits(is_set(next.so_far, has_split)) : 0;
-    if (may_split != 0) tell_of_split(v, may_split & (others.lanes | ~bits(is_black(v.albedo))));
     if (g.sends == 0) return;
-    if (may_split != 0) g.common = common_keys(next, may_split);
     g.splits = split_any(g.sends, others, next);
-    g.first = next.sample;
     g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
     next.width = v.width;
     // What State says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
@@ -197,41 +147,30 @@ inline void WideBatch<shading>::begin_going(Vertices& v, Going& g)
 template <Shading shading>
 inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
 {
-    const PathPlan& plan = view_.plan;
     uint32_t splits = 0;
     for (size_t i = 0; i < vertices.size(); ++i) {
         begin_going(vertices[i], others_.going[i]);
         splits |= others_.going[i].splits;
     }
-    const auto send_parts = [&](uint32_t parts, Numbers kind) {
-        for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part, kind);
-    };
-    if (splits == 0) return send_parts(1, Numbers::undivided);
-    if (!plan.has_common_numbers) return send_parts(plan.split, Numbers::undivided);
-    for (const Numbers kind : {Numbers::own, Numbers::common}) {
-        for (size_t i = 0; i < vertices.size(); ++i)
-            if (const Going& g = others_.going[i]; g.splits != 0)
-                begin_kind(kind, g.splits, g.first, g.common, vertices[i].path);
-        send_parts(plan.split_of_kind(), kind);
-    }
+    const uint32_t parts = splits == 0 ? 1 : view_.plan.split;
+    for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part);
 }
 
-// part: number within those of its kind.
+// Paths that do not split send the first part alone.
 template <Shading shading>
-inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part, Numbers kind)
+inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part)
 {
-    const bool is_first = part == 0 && kind != Numbers::common;
-    const auto lanes = [&](const Going& g) { return is_first ? g.sends : g.splits; };
+    const auto lanes = [&](const Going& g) { return part == 0 ? g.sends : g.splits; };
     for (size_t i = 0; i < vertices.size(); ++i)
         if (Going& g = others_.going[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
     others_.plastic.sample();
     for (size_t i = 0; i < vertices.size(); ++i)
-        if (const Going& g = others_.going[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g), kind);
+        if (const Going& g = others_.going[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
 }
 
 // v.path becomes that of the next part.
 template <Shading shading>
-inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_t lanes, Numbers kind)
+inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_t lanes)
 {
     const Float8 zero{}, one = all_lanes(1.0f);
     Lanes& next = v.path;
@@ -253,25 +192,22 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_
         }
         Vec3x8 origin = v.origin;
         for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
-        send(goes, origin, wi, v, kind);
+        send(goes, origin, wi, v);
     }
     next.sample += 1u;
 }
 
 // What `lanes` of v.path are sent on as.
 template <Shading shading>
-inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v,
-                                     Numbers numbers)
+inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v)
 {
-    PackedStates<Lanes>& to = numbers == Numbers::common ? common_next_ : next_;
     const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
     const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
-    spoil(lanes & ~traceable, v.path.sum);
-    to.push(lanes & traceable, origin, wi, no_end, v.path);
-    to.say_starts(lanes & traceable, v.start);
-    give_keys(to, lanes & traceable, v.path, depth_ + 1, Dim::hole);
-    if (keeps_normals_)
-        (numbers == Numbers::common ? w_.wide.common_normals_next : w_.wide.normals_next).push(lanes & traceable, v.ns);
+    spoil(lanes & ~traceable, v.path.slot);
+    next_.push(lanes & traceable, origin, wi, no_end, v.path);
+    next_.say_starts(lanes & traceable, v.start);
+    give_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::hole);
+    if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
 }
 
 // With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.

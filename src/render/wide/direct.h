@@ -33,7 +33,7 @@ template <Shading shading>
 inline void WideBatch<shading>::add_emission(size_t i, const Lanes& path, uint32_t in)
 {
     const State s = state_of(i, path, in);
-    Steps steps(w_.queue, path.sum[in]);
+    Steps steps(w_.queue, path.slot[in]);
     lancer::add_emission(view_, s, view_.surface_at(s.ray, w_.hits[i], s.cone), path_.direct, path_.parts, steps);
 }
 
@@ -61,10 +61,10 @@ inline void WideBatch<shading>::add_sky(uint32_t missed, size_t first, const Lan
     if (!is_black(sky))
         for_bits(plain, [&](uint32_t i) {
             const Vec3 t = lane(path.throughput, i);
-            Steps(w_.queue, path.sum[i]).add(Color{t.x, t.y, t.z} * sky);
+            Steps(w_.queue, path.slot[i]).add(Color{t.x, t.y, t.z} * sky);
         });
     for_bits(missed & ~plain, [&](uint32_t i) {
-        Steps steps(w_.queue, path.sum[i]);
+        Steps steps(w_.queue, path.slot[i]);
         add_environment(view_, state_of(first + i, path, i), path_.direct, path_.parts, steps);
     });
 }
@@ -321,8 +321,8 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const Lit& to)
         distance = select(light.infinite, all_lanes(std::numeric_limits<float>::infinity()), distance);
     }
     const uint32_t traceable = bits(is_traceable(origin, dir, all_lanes(Ray{}.t_min), distance));
-    spoil(wanted & ~traceable, v.path.sum);
-    shadows_.push(wanted & traceable, origin, dir, distance, {radiance, v.path.sum});
+    spoil(wanted & ~traceable, v.path.slot);
+    shadows_.push(wanted & traceable, origin, dir, distance, {radiance, v.path.slot});
     give_keys(shadows_, wanted & traceable, v.path, depth_, Dim::shadow_hole);
 }
 
@@ -338,7 +338,7 @@ inline void WideBatch<shading>::add_unoccluded()
         for (size_t i = 0; i < std::min<size_t>(float_lanes, shadows_.size() - first); ++i) {
             if (w_.occluded[first + i]) continue;
             const Vec3 brought = lane(shadow.radiance, i);
-            w_.queue.radiance[shadow.sum[i]] += Color{brought.x, brought.y, brought.z};
+            w_.queue.radiance[shadow.slot[i]] += Color{brought.x, brought.y, brought.z};
         }
     }
 }

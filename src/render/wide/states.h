@@ -94,8 +94,8 @@ private:
 struct PathLanes {
     Vec3x8 throughput, worth;  // as in State
     Float8 pdf;
-    UInt8 sum, sample;  // sum: in Queue::radiance; that of its slot until the path splits
-    KeyLanes key;       // of the sampler
+    UInt8 slot, sample;  // as in State
+    KeyLanes key;        // of the sampler
 };
 // The same where textures are looked up, and so the cone of each ray is asked for.
 struct ConePathLanes : PathLanes {
@@ -112,21 +112,19 @@ inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
 
 struct ShadowLanes {
     Vec3x8 radiance;  // if nothing is in between
-    UInt8 sum;        // in Queue::radiance
+    UInt8 slot;       // the sample that it adds to
 };
 
 template <class Lanes>
 struct PathsUnderWay {
     PackedStates<Lanes> now, next;
-    // Those that have just split and go by numbers in common: neighbours go much the same way.
-    PackedStates<Lanes> common_now, common_next;
 };
 // Memory of one thread that traces such scenes.
 struct WideWorkspace {
     std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
     // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
-    PackedVectors normals_now, normals_next, common_normals_now, common_normals_next;
+    PackedVectors normals_now, normals_next;
 };
 
 }  // namespace lancer

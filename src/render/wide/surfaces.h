@@ -250,8 +250,6 @@ inline bool WideBatch<shading>::arrive(size_t first, size_t n, Vertices& v)
         v.albedo = scene_.albedo.at(v.material).xyz;
         turn(by_table ? found->place : places_of(view_.scene, hits_of(v), which), wo, v);
         v.cos_o = dot(wo, v.ns);
-        // That of a camera ray: nothing else asks for it.
-        if (depth_ == 0 && view_.plan.has_common_numbers) v.width = all_lanes(pixel_spread_) * hits.t;
     }
     return true;
 }

@@ -47,7 +47,7 @@ struct Vertices {
     Vec3x8 albedo;
     Vec3x8 n, ns, origin;  // as in Surface
     Float8 cos_o;          // between the shading normal and the way back
-    Float8 width;          // of the cone, where textures are looked up or paths split
+    Float8 width;          // of the cone, where textures are looked up
     UInt8 material;
     UInt8 start;  // of rays that leave them, as in Ray
     [[no_unique_address]] std::conditional_t<looks_up, LookedUp, Nothing> found;
@@ -70,12 +70,10 @@ struct Lit {
 // Eight vertices that send rays on.
 struct Going {
     uint32_t sends, splits;  // lanes
-    // What all parts of the paths have in common, before BSDFs have been asked.
+    // What all parts of the paths share, before BSDFs have been asked.
     Vec3x8 throughput;
     Float8 eta_scale, spread;
     UInt8 spreading, straight;  // so_far behind a lobe that spreads light, and behind one that does not
-    UInt8 first;                // sample of the first part
-    KeyLanes common;
     // Of the part that is sent.
     Float8 lobe;
     Vec2x8 u;

@@ -117,7 +117,7 @@ Outcome closed_furnaces(const Setup& setup)
         for (const bool by_pixel : {true, false}) {
             const double expected = 1 / (1 - double{rho});
             Path path;
-            path.roulette_by_pixel = by_pixel, path.common = false, path.direct = {false, false};
+            path.roulette_by_pixel = by_pixel, path.direct = {false, false};
             const uint32_t spp = small         ? (rho > 0.9f ? 16 : 64)
                                  : by_pixel    ? (rho > 0.99f ? 1280 : 64)
                                  : rho > 0.99f ? 128

@@ -44,8 +44,7 @@ double worst_place(const SceneDescription& d, uint32_t bounces)
                 ++met;
             },
         .added = [](const State&, Color) {},
-        .shadow = [](const Ray&, Color, bool) {},
-        .corrected = [](Color) {}};
+        .shadow = [](const Ray&, Color, bool) {}};
     renderer.replay(camera, 2, 2, {0, 0, 0}, listener);
     return met == bounces ? worst : std::numeric_limits<double>::infinity();
 }
