@@ -67,20 +67,12 @@ inline constexpr float pdf_hemisphere = 1 / (2 * pi);
 
 // Barycentric weights of the second and third corner, uniform over the triangle: the low-distortion map of Heitz,
 // "A Low-Distortion Map Between Triangle and Square", 2019. Density 1 / area.
-inline Vec2 square_to_triangle(Vec2 u)
+// V: Vec2 or Vec2x8.
+template <class V>
+V square_to_triangle(const V& u)
 {
-    if (u.x < u.y) {
-        const float b = u.x * 0.5f;
-        return {b, u.y - b};
-    }
-    const float c = u.y * 0.5f;
-    return {u.x - c, c};
-}
-
-inline Vec2x8 square_to_triangle(const Vec2x8& u)
-{
-    const Mask8 above = u.x < u.y;
-    const Float8 half = select(above, u.x, u.y) * 0.5f;
+    const auto above = u.x < u.y;
+    const auto half = select(above, u.x, u.y) * 0.5f;
     return {select(above, half, u.x - half), select(above, u.y - half, half)};
 }
 

@@ -12,10 +12,13 @@
 
 namespace lancer {
 
-struct BsdfValue {
-    Color f_cos;    // f * |cos(wi)|
-    float pdf = 0;  // of sample() giving wi, per solid angle; delta lobes do not count
+// Spectrum: Color, or Vec3x8 with T = Float8.
+template <class Spectrum, class T>
+struct BsdfValueT {
+    Spectrum f_cos;  // f * |cos(wi)|
+    T pdf{};         // of sample() giving wi, per solid angle; delta lobes do not count
 };
+using BsdfValue = BsdfValueT<Color, float>;
 
 struct BsdfSample {
     Vec3 wi;

@@ -8,6 +8,14 @@
 
 namespace lancer {
 
+// Value and density of a direction above the surface; cos_i: its cosine with the shading normal, > 0.
+template <class Spectrum, class T>
+BsdfValueT<Spectrum, T> lambert_value(const Spectrum& albedo, T cos_i)
+{
+    const T pdf = pdf_cosine_hemisphere(cos_i);
+    return {albedo * pdf, pdf};
+}
+
 struct LambertBsdf {
     Color albedo;
 
@@ -18,8 +26,7 @@ struct LambertBsdf {
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {
         if (wo.z <= 0 || wi.z <= 0) return {};
-        const float pdf = pdf_cosine_hemisphere(wi.z);
-        return {albedo * pdf, pdf};
+        return lambert_value(albedo, wi.z);
     }
     std::optional<BsdfSample> sample(Vec3 wo, float, Vec2 v) const
     {

@@ -9,11 +9,7 @@
 
 namespace lancer {
 
-// As in BsdfValue, but for colours as vectors.
-struct BsdfValueLanes {
-    Vec3x8 f_cos;
-    Float8 pdf;
-};
+using BsdfValueLanes = BsdfValueT<Vec3x8, Float8>;
 // As in BsdfSample, in the lanes that `found` names; eta is 1.
 struct BsdfSampleLanes {
     Vec3x8 wi, weight;

@@ -23,16 +23,21 @@ public:
     // Likewise, of eight.
     Vec2x8 sample(const Vec2x8& u) const
     {
-        if (body_.empty()) return {(u.x - 0.5f) * width_, (u.y - 0.5f) * width_};
+        if (body_.empty()) return {box(u.x), box(u.y)};
         Vec2x8 of;
         for (uint32_t i = 0; i < float_lanes; ++i) of.x[i] = inverse(u.x[i]), of.y[i] = inverse(u.y[i]);
         return of;
     }
 
 private:
+    template <class T>
+    T box(T u) const
+    {
+        return (u - 0.5f) * width_;
+    }
     float inverse(float u) const
     {
-        if (body_.empty()) return (u - 0.5f) * width_;
+        if (body_.empty()) return box(u);
         const float half = std::min(u, 1 - u);
         const float x = half < tail ? look_up(tail_, half / tail) : look_up(body_, half * 2);
         return u < 0.5f ? x : -x;

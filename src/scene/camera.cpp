@@ -34,7 +34,7 @@ Camera::Camera(const CameraDescription& c, const Normalisation& normalisation, u
 Ray Camera::ray(Vec2 film, Vec2 lens) const
 {
     if (is_pinhole()) return middle_ray(film);
-    const Vec3 d = direction(film);
+    const Vec3 d = direction(film.x, film.y);
     // All rays through one film point meet where the plane in focus cuts the ray through the lens' centre.
     const Vec2 disk = square_to_disk(lens);
     const Vec3 on_lens = lens_right_ * disk.x + lens_up_ * disk.y;

@@ -25,13 +25,9 @@ public:
     // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
     Ray ray(Vec2 film, Vec2 lens) const;
     // The same through the middle of the lens: all that a pinhole has.
-    Ray middle_ray(Vec2 film) const { return {.org = position_, .dir = normalize(direction(film))}; }
+    Ray middle_ray(Vec2 film) const { return {.org = position_, .dir = normalize(direction(film.x, film.y))}; }
     // The directions of eight of these; they start at position().
-    Vec3x8 middle_directions(const Vec2x8& film) const
-    {
-        const Vec3x8 across = all_lanes(right_) * (film.x - centre_.x), down = all_lanes(down_) * (film.y - centre_.y);
-        return normalize(all_lanes(forward_) + across + down);
-    }
+    Vec3x8 middle_directions(const Vec2x8& film) const { return normalize(direction(film.x, film.y)); }
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 
@@ -49,7 +45,12 @@ public:
 
 private:
     // Through the middle of the lens; 1 long along the way that the camera looks.
-    Vec3 direction(Vec2 film) const { return forward_ + right_ * (film.x - centre_.x) + down_ * (film.y - centre_.y); }
+    template <class T>
+    Vec3T<T> direction(T x, T y) const
+    {
+        const Vec3T<T> across = broadcast_to<T>(right_) * (x - centre_.x), down = broadcast_to<T>(down_) * (y - centre_.y);
+        return broadcast_to<T>(forward_) + across + down;
+    }
 
     Vec3 position_, right_, down_, forward_;  // right_, down_: one pixel at distance 1
     Vec3 lens_right_, lens_up_;               // radius of the lens; 0 for a pinhole

@@ -227,16 +227,13 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     }
     s.ns_front = s.ns;
     const Vec3 wo = -ray.dir;
-    s.front = dot(s.n, wo) > 0;
-    if (!s.front) s.n = -s.n, s.ns = -s.ns;
+    s.front = face_forward(s.n, s.ns, wo);
     s.origin = offset_origin(s.p, s.p_error, s.n, s.n);
     s.side = s.n;
     // In the ways of the past normals stay what they are, wherever they point.
     if (scene.legacy) return s;
     if (s.ns == s.n) return s;
-    // A normal may face away from the ray although the surface does not: mirrored about the silhouette, which is
-    // continuous there and keeps it in the hemisphere of n.
-    if (const float c = dot(s.ns, wo); c < 0) s.ns = normalize(s.ns - wo * (2 * c));
+    turn_to_ray(s.ns, wo);
     if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
     if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
         s.origin = offset_origin(shading_origin(scene, hit, s.p), s.p_error, s.n, s.n);

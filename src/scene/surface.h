@@ -61,6 +61,24 @@ inline Vec3 ray_origin(const Surface& s, Vec3 w)
     return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : s.origin;
 }
 
+// Turns the normals of a surface to the side of wo, which points away from it. n: geometric, ns: shading. Returns
+// whether the surface is met from its front. T: float or several of them.
+template <class T>
+auto face_forward(Vec3T<T>& n, Vec3T<T>& ns, const Vec3T<T>& wo)
+{
+    const auto front = dot(n, wo) > T{};
+    n = select(front, n, -n), ns = select(front, ns, -ns);
+    return front;
+}
+// A shading normal may face away from the ray although the surface does not: then it is mirrored about the silhouette,
+// which is continuous there and keeps it in the hemisphere of n.
+template <class T>
+void turn_to_ray(Vec3T<T>& ns, const Vec3T<T>& wo)
+{
+    const T c = dot(ns, wo);
+    if (bits(c < T{}) != 0) ns = select(c < T{}, normalize(ns - wo * (2.0f * c)), ns);
+}
+
 // Texture coordinates of a sphere: longitude and latitude, both to [0, 1]; u grows from -z over -x, +z and +x, v from
 // -y to +y. n: unit, outwards.
 Vec2 sphere_uv(Vec3 n);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 namespace lancer {
 
@@ -25,6 +26,15 @@ inline constexpr uint32_t float_lanes = 8;
 
 inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
 inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
+// x as a T, which is float or Float8: for what is written once for both.
+template <class T>
+T broadcast_to(float x)
+{
+    if constexpr (std::is_same_v<T, float>)
+        return x;
+    else
+        return all_lanes(x);
+}
 
 // The lower four lanes and the upper four.
 inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
@@ -131,6 +141,7 @@ inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
 inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline double abs(double x) { return std::abs(x); }
+inline float abs(float x) { return std::abs(x); }
 inline Double4 abs(Double4 x) { return _mm256_andnot_pd(all_lanes(-0.0), x); }
 inline Float4 abs(Float4 x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
 inline Float8 abs(Float8 x) { return _mm256_andnot_ps(all_lanes(-0.0f), x); }

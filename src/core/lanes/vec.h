@@ -30,7 +30,13 @@ inline Vec3T<Float4> select(Mask4f m, const Vec3T<Float4>& yes, const Vec3T<Floa
 {
     return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
-// Each component by its own: colours.
+inline Vec3 select(bool m, const Vec3& yes, const Vec3& no) { return m ? yes : no; }
+template <class T>
+Vec3T<T> broadcast_to(Vec3 v)
+{
+    return {broadcast_to<T>(v.x), broadcast_to<T>(v.y), broadcast_to<T>(v.z)};
+}
+// Component by component, as colours are multiplied.
 inline Vec3x8 times(const Vec3x8& a, const Vec3x8& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline Mask8 is_black(const Vec3x8& c)
 {

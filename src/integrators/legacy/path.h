@@ -9,7 +9,6 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
-#include "integrators/ahead.h"
 #include "integrators/path/transport.h"
 #include "integrators/settings.h"
 
@@ -35,43 +34,20 @@ struct LegacyPath {
     }
 
     // A shadow ray to a sphere of light.
-    template <class T>
     struct ToSphere {
-        Vec3T<T> wi, from_center{};
-        T reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
+        Vec3 wi, from_center{};
+        float reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
     };
-    struct Ahead {
-        Vec3T<Float8> wi;           // by the cosine
-        ToSphere<Float8> to_light;  // where there is but one, a sphere
-
-        ToSphere<float> to_light_at(uint32_t i) const
-        {
-            return {lane(to_light.wi, i), lane(to_light.from_center, i), to_light.reach[i], to_light.geometry[i]};
-        }
-    };
-    template <class V>
-    void ahead(const V& view, const Vertices& vertices, Ahead& a) const
-    {
-        const auto n = gather(vertices, [](const VertexAhead& v) { return v.surface->ns_front; });
-        const auto u = gather(vertices, Dim::bsdf);
-        a.wi = FrameT<Float8>(n).to_world(square_to_cosine_hemisphere(u.x, u.y));
-        if (const Sphere* only = only_sphere(view.scene); only && soft_shadows) {
-            const auto p = gather(vertices, [](const VertexAhead& v) { return v.surface->p; });
-            const auto on_light = gather(vertices, Dim::light);
-            a.to_light = to_its_half(*only, p, n, on_light.x, on_light.y);
-        }
-    }
 
     // State::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees lights.
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, const Ahead& ahead,
-             uint32_t lane, Steps& steps) const
+    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
     {
         if (surface.light != Scene::none && s.specular) {
             if (emitters) steps.add(s.throughput * seen(view.scene, surface));
             return;
         }
-        const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale), ahead, lane};
+        const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
         if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, steps);
         // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
         if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
@@ -97,17 +73,11 @@ private:
         const Surface& surface;
         const Sampler& sampler;
         float offset;  // scene units
-        const Ahead& ahead;
-        uint32_t lane;
 
         Vec3 n() const { return surface.ns_front; }
         Vec3 origin(float side) const { return surface.p + n() * (side * offset); }
     };
 
-    static const Sphere* only_sphere(const Scene& scene)
-    {
-        return scene.lights.pick.size() == 1 ? sphere_of(scene, 0) : nullptr;
-    }
     static const Sphere* sphere_of(const Scene& scene, uint32_t light)
     {
         if (light == Scene::none) return nullptr;
@@ -176,7 +146,8 @@ private:
     {
         light(view, v, albedo, steps);
         if (!indirect) return;
-        send(view, v, v.origin(1), lane(v.ahead.wi, v.lane), albedo, false, steps);
+        const Vec3 wi = Frame(v.n()).to_world(square_to_cosine_hemisphere(v.sampler.get2(v.s.depth, Dim::bsdf)));
+        send(view, v, v.origin(1), wi, albedo, false, steps);
     }
 
     // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
@@ -185,15 +156,13 @@ private:
     void light(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
     {
         const Scene& scene = view.scene;
-        if (const Sphere* only = only_sphere(scene); only && soft_shadows)
-            return shadow(view, v, albedo, *only, v.ahead.to_light_at(v.lane), steps);
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return;
         const float u = pick.size() > 1 ? v.sampler.get1(v.s.depth, Dim::light) : 0;
         const Vec2 on_light = v.sampler.get2(v.s.depth, Dim::light);
         const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light)) : 0;
         if (const Sphere* sphere = sphere_of(scene, id)) {
-            auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light.x, on_light.y)
+            auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light)
                                    : to_its_center(*sphere, v.surface.p, v.n());
             if (pick.size() > 1) to.geometry /= pick.probability(id);
             return shadow(view, v, albedo, *sphere, to, steps);
@@ -206,7 +175,7 @@ private:
     }
     template <class V>
     static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere,
-                       const ToSphere<float>& to, Steps& steps)
+                       const ToSphere& to, Steps& steps)
     {
         if (!(to.geometry > 0)) return;
         const Scene& scene = view.scene;
@@ -232,24 +201,21 @@ private:
     }
     // To a point of the half that faces the surface, drawn by the cosine from the middle of that half. p, n: the place
     // and its normal.
-    template <class T>
-    static ToSphere<T> to_its_half(const Sphere& sphere, Vec3T<T> p, Vec3T<T> n, T u, T v)
+    static ToSphere to_its_half(const Sphere& sphere, Vec3 p, Vec3 n, Vec2 u)
     {
-        const auto same = [](float x) { return T{} + x; };
-        const Vec3 c = to_float(sphere.center);
-        const T radius = same(static_cast<float>(sphere.radius));
-        const Vec3T<T> h = square_to_cosine_hemisphere(u, v), axis = p - Vec3T<T>{same(c.x), same(c.y), same(c.z)};
-        const Vec3T<T> from_center = FrameT<T>(axis * (1.0f / sqrt(dot(axis, axis)))).to_world(h);
-        const Vec3T<T> d = from_center * radius - axis;
-        const T d2 = dot(d, d);
-        const Vec3T<T> wi = d * (1.0f / sqrt(d2));
-        const T cos = dot(n, wi), cos_light = -dot(from_center, wi);
-        const T geometry = cos * cos_light * radius * radius / (d2 * h.z);
-        return {wi, from_center, sqrt(shadow_end * d2),
-                select((cos > 0.0f) & (cos_light > 0.0f) & (h.z > 0.0f), geometry, T{})};
+        const auto radius = static_cast<float>(sphere.radius);
+        const Vec3 h = square_to_cosine_hemisphere(u), axis = p - to_float(sphere.center);
+        const Vec3 from_center = Frame(normalize(axis)).to_world(h);
+        const Vec3 d = from_center * radius - axis;
+        const float d2 = dot(d, d);
+        const Vec3 wi = d * (1 / std::sqrt(d2));
+        const float cos = dot(n, wi), cos_light = -dot(from_center, wi);
+        const bool arrives = cos > 0 && cos_light > 0 && h.z > 0;
+        return {wi, from_center, std::sqrt(shadow_end * d2),
+                arrives ? cos * cos_light * radius * radius / (d2 * h.z) : 0};
     }
     // As from a point at the center, of the intensity that lights places far away as the sphere would.
-    static ToSphere<float> to_its_center(const Sphere& sphere, Vec3 p, Vec3 n)
+    static ToSphere to_its_center(const Sphere& sphere, Vec3 p, Vec3 n)
     {
         const Vec3 d = to_float(sphere.center) - p;
         const auto radius = static_cast<float>(sphere.radius);

@@ -18,6 +18,14 @@ struct PathPlan {
     // are still one low-discrepancy sequence.
     uint32_t parts = 1;
 
+    // The number of the random numbers of a path's first part; its others follow. sample: number of the path's own; part:
+    // that of the pilot's sample within its path, else 0. T: uint32_t or several of them.
+    template <class T>
+    T first_number(T sample, T part) const
+    {
+        return sample * parts + part;
+    }
+
     // Samples that share the first vertices of a path: those of number i / of_path().
     uint32_t of_path() const { return parts / split; }
 

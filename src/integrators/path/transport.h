@@ -40,10 +40,29 @@ struct LightParts {
 };
 
 // Weight of a sample of density a, when the other technique would have found it with density b. a > 0.
-inline float power_heuristic(float a, float b)
+template <class T>
+T power_heuristic(T a, T b)
 {
-    const float r = b / a;
-    return 1 / (1 + r * r);
+    const T r = b / a;
+    return 1.0f / (1.0f + r * r);
+}
+
+// Weight of a light sample against BSDF sampling. delta: whether no BSDF sample can meet the light; bool or a mask.
+template <class T, class Mask>
+T weight_of_light_sample(T pdf_light, T pdf_bsdf, const Mask& delta, DirectLight how)
+{
+    const T one = broadcast_to<T>(1);
+    return how.mis ? select(delta, one, power_heuristic(pdf_light, pdf_bsdf)) : one;
+}
+
+// What a light sample adds to its path; weight: weight_of_light_sample() over its density.
+inline Color sampled_light(Color throughput, Color f_cos, Color radiance, float weight)
+{
+    return throughput * f_cos * radiance * weight;
+}
+inline Vec3x8 sampled_light(const Vec3x8& throughput, const Vec3x8& f_cos, const Vec3x8& radiance, Float8 weight)
+{
+    return times(times(throughput, f_cos), radiance) * weight;
 }
 
 // Weight of light found by following a ray, against a light sample's density there (0: none was sampled that could
@@ -78,22 +97,40 @@ void add_environment(const V& view, const State& s, DirectLight how, LightParts 
 // From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by that of
 // the distance at which an accelerator finds the light's own triangle: two dot products with a cross product and a
 // quotient, all in float.
+template <class T>
+struct ShadowSegment {
+    Vec3T<T> dir;
+    T distance;
+
+    // light: a LightSample or several.
+    template <class Sample>
+    [[gnu::always_inline]] ShadowSegment(const Vec3T<T>& org, const Sample& light)
+    {
+        const T reach = length(light.point - org) * gamma(16);
+        const Vec3T<T> end = offset_origin(light.point, light.p_error + Vec3T<T>{reach, reach, reach}, light.n, -light.wi);
+        const Vec3T<T> d = end - org;
+        distance = length(d);
+        dir = d / distance;
+    }
+};
 inline Ray shadow_ray(const Surface& from, const LightSample& light)
 {
     const Vec3 org = ray_origin(from, light.wi);
     if (light.infinite) return {.org = org, .dir = light.wi};
-    const float reach = length(light.point - org) * gamma(16);
-    const Vec3 end = offset_origin(light.point, light.p_error + Vec3{reach, reach, reach}, light.n, -light.wi);
-    const Vec3 d = end - org;
-    const float distance = length(d);
-    return {.org = org, .dir = d / distance, .t_max = distance};
+    const ShadowSegment<float> to(org, light);
+    return {.org = org, .dir = to.dir, .t_max = to.distance};
 }
 
 // The geometric side decides: a tilted shading normal must not carry light through the surface, whichever technique
 // found the direction.
+template <class T>
+auto sides_agree(const Vec3T<T>& side, const Vec3T<T>& wi, const T& local_z)
+{
+    return (dot(wi, side) < T{}) == (local_z < T{});
+}
 inline bool sides_agree(const Surface& surface, Vec3 wi, Vec3 wi_local)
 {
-    return (dot(wi, surface.side) < 0) == (wi_local.z < 0);
+    return sides_agree(surface.side, wi, wi_local.z);
 }
 
 // Whether a light is sampled at a vertex. Under a constant sky alone, whose directions are drawn by the cosine, a BSDF
@@ -126,10 +163,10 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
     if (!sides_agree(surface, light->wi, wi)) return;
     const BsdfValue f = bsdf.eval(wo, wi);
     if (is_black(f.f_cos)) return;
-    const float weight = light->delta || !how.mis ? 1 : power_heuristic(light->pdf, f.pdf);
+    const float weight = weight_of_light_sample(light->pdf, f.pdf, light->delta, how);
     Ray ray = shadow_ray(surface, *light);
     view.give_key(ray, sampler, s.depth, Dim::shadow_hole);
-    steps.shadow(ray, s.throughput * f.f_cos * light->radiance * (weight / light->pdf));
+    steps.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf));
 }
 
 // The cone of light after a bounce: a delta lobe keeps its angle (mirrors that curve are taken for flat ones, which
@@ -137,11 +174,17 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
 template <class T>
 T opened(T spread, T pdf)
 {
-    return smaller(T{} + 1.0f, larger(spread, 0.25f / sqrt(pdf)));
+    return smaller(broadcast_to<T>(1), larger(spread, 0.25f / sqrt(pdf)));
+}
+// delta: of the lobe that chose the direction with density pdf; bool or a mask.
+template <class T, class Mask>
+T spread_after(const Mask& delta, T spread, T pdf)
+{
+    return select(delta, smaller(broadcast_to<T>(1), spread), opened(spread, pdf));
 }
 inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
 {
-    return {cone.width + cone.spread * t, sample.delta ? std::min(1.0f, cone.spread) : opened(cone.spread, sample.pdf)};
+    return {cone.width + cone.spread * t, spread_after(sample.delta, cone.spread, sample.pdf)};
 }
 
 inline Leg leg_after(Leg leg, bool delta)
@@ -192,17 +235,30 @@ inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_ca
 // scenes. Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is
 // the energy that the path still carries that decides, but not at the first vertices: on bright scenes ending paths
 // there costs several times the samples. Unbiased. split: into how many rays such a path splits.
+// With what probability a ray goes on. by_pixel: whether what its pixel shows decides, if that is known at all. paths:
+// into how many it has split. T: float or several of them.
+template <class T>
+T survival_by_throughput(const Vec3T<T>& t, T eta_scale, bool is_deep)
+{
+    if (!is_deep) return broadcast_to<T>(1);
+    return smaller(broadcast_to<T>(roulette_cap), larger(t.x, larger(t.y, t.z)) * eta_scale);
+}
+template <class T>
+T survival_by_pixel(const Vec3T<T>& t, const Vec3T<T>& worth, T paths, T eta_scale, bool is_deep)
+{
+    const Vec3T<T> part{t.x * worth.x, t.y * worth.y, t.z * worth.z};
+    const T of_path = sqrt(part.x * part.x + part.y * part.y + part.z * part.z) * paths;
+    return smaller(broadcast_to<T>(is_deep ? roulette_cap : 1.0f),
+                   larger(broadcast_to<T>(least_survival), roulette_rays * of_path * eta_scale));
+}
+inline Vec3 as_vector(Color c) { return {c.r, c.g, c.b}; }
 inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
-    float q = s.depth < first_depth ? 1 : roulette_cap;
-    if (s.worth.r < 0 || s.leg == Leg::view) {
-        if (s.depth >= first_depth) q = std::min(q, max_component(s.throughput) * s.eta_scale);
-    } else {
-        const Color part = s.throughput * s.worth;
-        const float of_pixel = std::sqrt(part.r * part.r + part.g * part.g + part.b * part.b);
-        const float of_path = of_pixel * static_cast<float>(s.has_split ? split : 1);
-        q = std::min(q, std::max(least_survival, roulette_rays * of_path * s.eta_scale));
-    }
+    const bool is_deep = s.depth >= first_depth;
+    const float q = s.worth.r < 0 || s.leg == Leg::view
+                        ? survival_by_throughput(as_vector(s.throughput), s.eta_scale, is_deep)
+                        : survival_by_pixel(as_vector(s.throughput), as_vector(s.worth),
+                                            static_cast<float>(s.has_split ? split : 1), s.eta_scale, is_deep);
     if (q == 1) return true;
     if (!(sampler.get2(s.depth, Dim::roulette).x < q)) return false;
     s.throughput /= q;
@@ -244,7 +300,7 @@ void trace_vertex(const V& view, const State& s, const Surface& surface, const S
         for (uint32_t i = 0; i < view.plan.split; ++i)
             steps.next_from(s, [&](State& n) {
                 n.has_split = true;
-                n.sample = s.sample * view.plan.parts + s.part + i;
+                n.sample = view.plan.first_number(s.sample, s.part) + i;
                 n.throughput /= static_cast<float>(view.plan.split);
                 return send(n, sampler.of_sample(n.sample));
             });

@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "integrators/ahead.h"
+#include "integrators/view.h"
 #include "integrators/media.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/workspace.h"
@@ -28,15 +28,6 @@ uint32_t batch_of(const KernelSettings& settings)
 // So many surfaces and random numbers are computed before the first of them is put to use: no one waits for another, so
 // the processor works on several at once.
 inline constexpr size_t looked_ahead = 32;
-
-template <class Integrator>
-struct AheadOf {
-    struct type {};
-};
-template <LooksAhead Integrator>
-struct AheadOf<Integrator> {
-    using type = typename Integrator::Ahead;
-};
 
 // For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
 // in parts would wait for all that came before.
@@ -103,7 +94,6 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
 
     std::array<std::optional<Surface>, looked_ahead> surfaces;
     std::array<TrianglePlace, looked_ahead> places;
-    std::array<typename AheadOf<Integrator>::type, looked_ahead / float_lanes> aheads;
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
         AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
@@ -116,13 +106,6 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
         }
         asked.prepare();
-        if constexpr (LooksAhead<Integrator>)
-            for (size_t group = 0; first + group * float_lanes < end; ++group) {
-                Vertices vertices;
-                for (size_t k = group * float_lanes, i = first + k; k < (group + 1) * float_lanes && i < end; ++k, ++i)
-                    if (w.hits[i]) vertices[k % float_lanes] = {&w.states[i], &*surfaces[k], &*samplers[k]};
-                integrator.ahead(view, vertices, aheads[group]);
-            }
     };
     const bool has_media = view.has_media(), has_far_tables = lancer::has_far_tables(view.scene);
     MediaAtHit media;
@@ -149,10 +132,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
                 if (!has_media || media.enter(view, s, surface, w.queue, steps)) {
-                    if constexpr (LooksAhead<Integrator>)
-                        integrator.hit(view, s, surface, *samplers[k], aheads[k / float_lanes], k % float_lanes, steps);
-                    else
-                        integrator.hit(view, s, surface, *samplers[k], steps);
+                    integrator.hit(view, s, surface, *samplers[k], steps);
                     if (has_media) media.leave(view, surface, w.queue);
                 }
             } else {

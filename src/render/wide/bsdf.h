@@ -12,10 +12,10 @@ template <Shading shading>
 inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
 {
     const PathPlan& plan = view_.plan;
-    UInt8 sample = path.sample * plan.parts;
+    UInt8 part{};
     if (plan.of_path() > 1)
-        for_bits(lanes, [&](uint32_t i) { sample[i] += w_.slots[path.slot[i]].sample % plan.of_path(); });
-    return sample;
+        for_bits(lanes, [&](uint32_t i) { part[i] = w_.slots[path.slot[i]].sample % plan.of_path(); });
+    return plan.first_number(path.sample, part);
 }
 
 template <Shading shading>
@@ -50,7 +50,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         const Vec3x8 wi = normalize(frame.to_world(local));
         Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
         if (roulette) goes &= roulette->get2_x(next.sample) < q;
-        next.pdf = local.z * (1 / pi);
+        next.pdf = pdf_cosine_hemisphere(local.z);
         if constexpr (looks_up) next.spread = opened(spread, next.pdf);
         send(bits(goes) & v.hit, v.origin, wi, v);
     }
@@ -95,7 +95,7 @@ inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(con
 {
     const Others& others = v.others;
     const Float8 zero{};
-    Scattered s{.wi = g.cosine, .weight = v.albedo, .pdf = g.cosine.z * (1 / pi), .eta = all_lanes(1.0f)};
+    Scattered s{.wi = g.cosine, .weight = v.albedo, .pdf = pdf_cosine_hemisphere(g.cosine.z), .eta = all_lanes(1.0f)};
     s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
     if ((lanes & others.lanes) == 0) return s;
     const uint32_t plastic = lanes & others.plastic.lanes;
@@ -183,7 +183,7 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_
         next.pdf = s.pdf;
         next.eta_scale = g.eta_scale * (s.eta * s.eta);
         next.so_far = select(is_delta, g.straight, g.spreading);
-        next.spread = select(is_delta, smaller(one, g.spread), opened(g.spread, s.pdf));
+        next.spread = spread_after(is_delta, g.spread, s.pdf);
         const Float8 q = survival(next);
         if ((bits(q != one) & goes) != 0) {
             const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
@@ -215,23 +215,18 @@ template <Shading shading>
 inline Float8 WideBatch<shading>::survival(const Lanes& next) const
 {
     const bool is_deep = depth_ + 1 >= path_.roulette_depth;
-    const Float8 one = all_lanes(1.0f), cap = all_lanes(is_deep ? roulette_cap : 1.0f);
-    const Float8 split = all_lanes(static_cast<float>(view_.plan.split));
+    const Float8 one = all_lanes(1.0f), split = all_lanes(static_cast<float>(view_.plan.split));
     // Of matt surfaces the first one splits all paths, and no ray is seen straight that one of them sent.
-    Float8 eta_scale = one, rays = view_.plan.parts > 1 ? split : one;
+    Float8 eta_scale = one, paths = view_.plan.parts > 1 ? split : one;
     Mask8 seen{};
     if constexpr (any) {
         eta_scale = next.eta_scale;
-        rays = select(is_set(next.so_far, has_split), split, one);
+        paths = select(is_set(next.so_far, has_split), split, one);
         seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
     }
-    const Vec3x8& t = next.throughput;
-    Float8 by_throughput = cap;
-    if (is_deep) by_throughput = min(max(t.x, max(t.y, t.z)) * eta_scale, cap);
+    const Float8 by_throughput = survival_by_throughput(next.throughput, eta_scale, is_deep);
     if (view_.plan.worth.empty()) return by_throughput;
-    const Vec3x8 part = times(t, next.worth);
-    const Float8 of_pixel = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
-    const Float8 by_pixel = min(max(roulette_rays * (of_pixel * rays) * eta_scale, all_lanes(least_survival)), cap);
+    const Float8 by_pixel = survival_by_pixel(next.throughput, next.worth, paths, eta_scale, is_deep);
     return select(seen, by_throughput, by_pixel);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/wide/batch.h"
+#include "scene/environment/constant.h"
 
 namespace lancer {
 
@@ -93,13 +94,12 @@ inline void WideBatch<shading>::add_even_sky(const Vertices& v, const Vec2x8& u,
     const Scene& scene = view_.scene;
     const Float8 zero{};
     const Mask8 here = lanes_of(lanes);
-    const Vec3x8 wi = FrameT<Float8>(v.ns).to_world(square_to_cosine_hemisphere(u.x, u.y));
-    const Float8 cos = dot(v.ns, wi);
+    const ConstantEnvironmentSample<Float8> sample(v.ns, u.x, u.y);
     const Color& c = scene.environment;
-    s.wi = select(here, wi, s.wi);
-    s.pdf = select(here, cos * (1 / pi) * scene.lights.pick.probability(scene.environment_light), s.pdf);
+    s.wi = select(here, sample.wi, s.wi);
+    s.pdf = select(here, sample.pdf * scene.lights.pick.probability(scene.environment_light), s.pdf);
     s.radiance = select(here, {all_lanes(c.r), all_lanes(c.g), all_lanes(c.b)}, s.radiance);
-    s.found |= here & (cos * (1 / pi) > zero) & (dot(wi, v.n) > zero);
+    s.found |= here & (sample.pdf > zero) & (dot(sample.wi, v.n) > zero);
     s.infinite |= here;
 }
 
@@ -244,7 +244,7 @@ inline void WideBatch<shading>::eval_others(const Vertices& v, const Lit& lit, u
                                             Float8& pdf) const
 {
     const Float8 zero{};
-    const Mask8 disagree = (dot(lit.light.wi, v.n) < zero) ^ (lit.wi.z < zero);  // sides_agree()
+    const Mask8 disagree = ~sides_agree(v.n, lit.light.wi, lit.wi.z);
     const uint32_t plastic = lanes & v.others.plastic.lanes;
     if (plastic != 0) {
         const BsdfValueLanes f = others_.plastic.value(v.others.plastic);
@@ -285,8 +285,7 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const Lit& to)
     if (to.asking == 0) return;
     const LightSampleLanes& light = to.light;
     const Float8 zero{}, cos_i = dot(light.wi, v.ns);
-    Float8 pdf = cos_i * (1 / pi);
-    Vec3x8 f_cos = v.albedo * pdf;
+    auto [f_cos, pdf] = lambert_value(v.albedo, cos_i);
     Mask8 lit = light.found & (dot(light.wi, v.n) > zero) & (cos_i > zero);
     if constexpr (any) {
         const uint32_t others = to.asking & v.others.lanes & bits(light.found);
@@ -297,25 +296,16 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const Lit& to)
     }
     lit &= lanes_of(to.asking) & ~is_black(f_cos);
     if (bits(lit) == 0) return;
-    Float8 weight = all_lanes(1.0f);
-    if (path_.direct.mis) {
-        const Float8 r = pdf / light.pdf;
-        weight = 1.0f / (1.0f + r * r);
-        if constexpr (looks_up) weight = select(light.delta, all_lanes(1.0f), weight);
-    }
-    const Vec3x8 radiance = times(times(v.path.throughput, f_cos), light.radiance) * (weight / light.pdf);
+    const Float8 weight =
+        weight_of_light_sample(light.pdf, pdf, looks_up ? light.delta : Mask8{}, path_.direct);
+    const Vec3x8 radiance = sampled_light(v.path.throughput, f_cos, light.radiance, weight / light.pdf);
     const uint32_t wanted = bits(lit & ~is_black(radiance));
     if (wanted == 0) return;
     Vec3x8 origin = v.origin;
     if constexpr (any)
         for_bits(wanted & v.others.lanes & bits(dot(light.wi, v.n) < zero),
                  [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
-    // shadow_ray()
-    const Float8 reach = length(light.point - origin) * gamma(16);
-    const Vec3x8 end = offset_origin(light.point, light.p_error + Vec3x8{reach, reach, reach}, light.n, -light.wi);
-    const Vec3x8 d = end - origin;
-    Float8 distance = length(d);
-    Vec3x8 dir = d / distance;
+    auto [dir, distance] = ShadowSegment<Float8>(origin, light);
     if constexpr (looks_up) {
         dir = select(light.infinite, light.wi, dir);
         distance = select(light.infinite, all_lanes(std::numeric_limits<float>::infinity()), distance);

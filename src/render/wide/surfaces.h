@@ -17,12 +17,10 @@ inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, floa
 template <Shading shading>
 inline void WideBatch<shading>::turn(const PlaceLanes& at, const Vec3x8& wo, Vertices& v)
 {
-    const Float8 zero{};
-    const Mask8 front = dot(at.n, wo) > zero;
-    v.n = select(front, at.n, -at.n), v.ns = select(front, at.ns, -at.ns);
+    v.n = at.n, v.ns = at.ns;
+    [[maybe_unused]] const Mask8 front = face_forward(v.n, v.ns, wo);
     v.origin = offset_origin(at.p, at.p_error, v.n, v.n);
-    const Float8 c = dot(v.ns, wo);
-    if (bits(c < zero) != 0) v.ns = select(c < zero, normalize(v.ns - wo * (2.0f * c)), v.ns);
+    turn_to_ray(v.ns, wo);
     if constexpr (looks_up) v.found.front = bits(front);
     if constexpr (any) v.others.p = at.p, v.others.p_error = at.p_error;
 }

@@ -1,11 +1,12 @@
 #include "scene/lights/light.h"
 
-#include "core/frame.h"
 #include "core/warp.h"
 #include "scene/alpha_test.h"
+#include "scene/environment/constant.h"
 #include "scene/environment/environment.h"
 #include "scene/lights/choice.h"
 #include "scene/lights/sphere.h"
+#include "scene/lights/triangle.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -55,20 +56,17 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     }
     // Made in place: what is copied as a whole right after it was written in parts waits for all that came before.
     std::optional<LightSample> s;
-    const Vec3 d = p - org;
-    const float d2 = dot(d, d);
-    if (!(d2 > 0)) return s;
-    const Vec3 wi = d / std::sqrt(d2);
-    const float c = -dot(wi, n);
+    const SeenTriangle<float> seen(p, n, org);
+    if (!(seen.d2 > 0)) return s;
     const MeshShading& shading = scene.shading[light.mesh];
-    const Color radiance = radiance_at(scene, shading.material_of(light.triangle), c > 0,
+    const Color radiance = radiance_at(scene, shading.material_of(light.triangle), seen.cos > 0,
                                        [&] { return texture_uv(shading, light.triangle, uv); });
-    if (c == 0 || is_black(radiance)) return s;
+    if (seen.cos == 0 || is_black(radiance)) return s;
     s.emplace();
-    s->wi = wi;
+    s->wi = seen.wi;
     s->point = p, s->p_error = p_error, s->n = n;
     s->radiance = radiance;
-    s->pdf = d2 / (std::abs(c) * area);
+    s->pdf = seen.pdf(area);
     return s;
 }
 
@@ -126,7 +124,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     return sample_at(sphere_seen_from_outside(s.center, s.radius, to_center, u.x, sin_cos_2pi(u.y)));
 }
 
-// A constant sky: by the cosine at the surface, which is all that varies.
+// A constant environment: see ConstantEnvironmentSample.
 std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
     if (scene.environment_table) {
@@ -135,11 +133,9 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
         const Color radiance = scene.background ? scene.radiance_from(s.wi) : s.radiance;
         return LightSample{.wi = s.wi, .infinite = true, .radiance = radiance, .pdf = s.pdf};
     }
-    // The density of the direction as it is after rounding, which pdf_environment() sees.
-    const Vec3 wi = Frame(from.ns).to_world(square_to_cosine_hemisphere(u));
-    const float pdf = pdf_cosine_hemisphere(dot(from.ns, wi));
-    if (!(pdf > 0)) return {};
-    return LightSample{.wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf};
+    const ConstantEnvironmentSample<float> s(from.ns, u.x, u.y);
+    if (!(s.pdf > 0)) return {};
+    return LightSample{.wi = s.wi, .infinite = true, .radiance = scene.environment, .pdf = s.pdf};
 }
 
 // Whatever it is. Out of line: most lights are triangles, and should not pay for what the others want of the stack.
@@ -230,7 +226,7 @@ float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
     if (scene.environment_light == Scene::none) return 0;
     const float choice = scene.lights.pick.probability(scene.environment_light);
     return choice *
-           (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_cosine_hemisphere(dot(normal, wi)));
+           (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_constant_environment(normal, wi));
 }
 
 }  // namespace lancer

@@ -4,6 +4,7 @@
 #include "core/warp.h"
 #include "scene/lights/sphere.h"
 #include "scene/surface.h"
+#include "scene/lights/triangle.h"
 #include "scene/wide_scene.h"
 
 namespace lancer {
@@ -40,15 +41,13 @@ inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& or
     const auto [front, by_power] = rows(W::front);
     const Float8 probability = choice ? *choice : by_power;
     s.point = at.p, s.p_error = at.p_error, s.n = n;
-    const Vec3x8 d = at.p - origin;
-    const Float8 d2 = dot(d, d);
-    s.wi = d / sqrt(d2);
-    const Float8 cos = -dot(s.wi, n);
+    const SeenTriangle<Float8> seen(at.p, n, origin);
+    s.wi = seen.wi;
     s.radiance = front;
-    const Mask8 before = cos > Float8{};
+    const Mask8 before = seen.cos > Float8{};
     if (bits(before) != 255) s.radiance = select(before, front, rows(W::back).xyz);
-    s.pdf = d2 / (abs(cos) * area) * probability;
-    s.found = (d2 > Float8{}) & (cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
+    s.pdf = seen.pdf(area) * probability;
+    s.found = (seen.d2 > Float8{}) & (seen.cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
     s.infinite = s.delta = Mask8{};
 }
 
