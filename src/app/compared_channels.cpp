@@ -46,8 +46,7 @@ void print_differing_channels(const std::string& path, const std::string& refere
     for (const std::string& name : all) {
         const bool in_both = ours.contains(name) && theirs.contains(name);
         const std::vector<float> values = read_exr_channel(ours.contains(name) ? path : reference, name);
-        const size_t pixels =
-            in_both ? differing_pixels(values, read_exr_channel(reference, name)) : values.size();
+        const size_t pixels = in_both ? differing_pixels(values, read_exr_channel(reference, name)) : values.size();
         if (pixels == 0) continue;
         list += (count++ == 0 ? ": " : ", ") + name + format_text(" %zu", pixels);
     }

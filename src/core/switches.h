@@ -25,8 +25,8 @@ enum class Switch {
     legacy,        // the ways of the two programs that this one grew from, their faults included
 };
 inline constexpr std::array<std::string_view, 15> switch_names{
-    "nee",        "mis",   "direct", "indirect", "emitters", "fresnel",      "soft_shadows", "always_nee",
-    "light_tree", "split", "roulette", "stop",   "multiscatter", "terminator",   "legacy"};
+    "nee",        "mis",   "direct",   "indirect", "emitters",     "fresnel",    "soft_shadows", "always_nee",
+    "light_tree", "split", "roulette", "stop",     "multiscatter", "terminator", "legacy"};
 
 // What somebody said of them.
 using SaidSwitches = std::array<std::optional<bool>, switch_names.size()>;

@@ -48,7 +48,8 @@ private:
     template <class T>
     Vec3T<T> direction(T x, T y) const
     {
-        const Vec3T<T> across = broadcast_to<T>(right_) * (x - centre_.x), down = broadcast_to<T>(down_) * (y - centre_.y);
+        const Vec3T<T> across = broadcast_to<T>(right_) * (x - centre_.x),
+                       down = broadcast_to<T>(down_) * (y - centre_.y);
         return broadcast_to<T>(forward_) + across + down;
     }
 

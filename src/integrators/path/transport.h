@@ -107,7 +107,8 @@ struct ShadowSegment {
     [[gnu::always_inline]] ShadowSegment(const Vec3T<T>& org, const Sample& light)
     {
         const T reach = length(light.point - org) * gamma(16);
-        const Vec3T<T> end = offset_origin(light.point, light.p_error + Vec3T<T>{reach, reach, reach}, light.n, -light.wi);
+        const Vec3T<T> end =
+            offset_origin(light.point, light.p_error + Vec3T<T>{reach, reach, reach}, light.n, -light.wi);
         const Vec3T<T> d = end - org;
         distance = length(d);
         dir = d / distance;

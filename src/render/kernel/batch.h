@@ -8,8 +8,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "integrators/view.h"
 #include "integrators/media.h"
+#include "integrators/view.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/workspace.h"
 

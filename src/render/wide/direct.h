@@ -296,8 +296,7 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const Lit& to)
     }
     lit &= lanes_of(to.asking) & ~is_black(f_cos);
     if (bits(lit) == 0) return;
-    const Float8 weight =
-        weight_of_light_sample(light.pdf, pdf, looks_up ? light.delta : Mask8{}, path_.direct);
+    const Float8 weight = weight_of_light_sample(light.pdf, pdf, looks_up ? light.delta : Mask8{}, path_.direct);
     const Vec3x8 radiance = sampled_light(v.path.throughput, f_cos, light.radiance, weight / light.pdf);
     const uint32_t wanted = bits(lit & ~is_black(radiance));
     if (wanted == 0) return;

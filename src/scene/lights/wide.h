@@ -3,8 +3,8 @@
 
 #include "core/warp.h"
 #include "scene/lights/sphere.h"
-#include "scene/surface.h"
 #include "scene/lights/triangle.h"
+#include "scene/surface.h"
 #include "scene/wide_scene.h"
 
 namespace lancer {
