@@ -44,8 +44,8 @@ compare() {
     local name=$1 scene=$2 said
     shift 2
     [[ $scene == *"$only"* ]] || return 0
-    if ! "$lancer" render "$scene" -q -o "$folder/a.exr" "$@" 2>"$folder/log" ||
-        ! "$other" render "$scene" -q -o "$folder/b.exr" "$@" ${options[@]+"${options[@]}"} 2>"$folder/log"; then
+    if ! "$lancer" render "$scene" -q -o "$folder/a.exr" "$@" >"$folder/log" 2>&1 ||
+        ! "$other" render "$scene" -q -o "$folder/b.exr" "$@" ${options[@]+"${options[@]}"} >"$folder/log" 2>&1; then
         echo "$name: cannot be drawn: $(tail -n 1 "$folder/log")"
         differ=$((differ + 1))
         return

@@ -7,7 +7,7 @@
 
 #include "app/console.h"
 #include "app/paths.h"
-#include "io/exr.h"
+#include "io/image/exr.h"
 
 namespace lancer {
 namespace {

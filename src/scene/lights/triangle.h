@@ -2,7 +2,7 @@
 // section 6.5.3. Once for one place and once for several, with the same bits.
 #pragma once
 
-#include "core/vec_lanes.h"
+#include "core/lanes/vec.h"
 
 namespace lancer {
 
