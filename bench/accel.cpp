@@ -53,7 +53,7 @@ std::vector<BareMode> built_modes(bool full)
 // Only meshes that are drawn as they are: what stands around them is not the tree's.
 bool is_plain(const Geometry& g)
 {
-    return g.instances.empty() && g.spheres.empty() && g.planes.empty() && !g.holes.let_pass;
+    return g.instances.empty() && g.spheres.empty() && g.planes.empty() && !g.alpha_test.passes_through;
 }
 
 // All that is built over one mesh.

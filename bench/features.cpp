@@ -34,7 +34,7 @@ uint64_t bytes_of(const Stage& stage, const Film& film)
     for (const MeshShading& m : s.shading)
         bytes += m.normals.bytes() + bytes_of(m.uvs) + m.uv_triangles.bytes() + m.face_material.bytes() +
                  m.emitters.bytes() + bytes_of(m.colors);
-    for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) bytes += bytes_of(asked);
+    for (const std::vector<uint8_t>& asked : s.geometry.alpha_test.meshes) bytes += bytes_of(asked);
     for (const Texture& t : s.textures)
         if (const auto* image = std::get_if<ImageTexture>(&t)) bytes += image->bytes();
     return bytes + bytes_of(film.pixels) + bytes_of(film.aovs) + bytes_of(film.wanted) + bytes_of(film.replicates);
@@ -124,7 +124,7 @@ struct Way {
 // As measure_unused() sees the picture. All must outlive what is made of it.
 struct Pictured {
     const Stage& stage;
-    const PathPlan& plan;
+    const SamplingPlan& plan;
     const Path path = std::get<Path>(stage.render.integrator);
 
     template <class V>
@@ -253,7 +253,7 @@ void measure_scene(const SharedRoom& room, const Options& options, Report& repor
     row["bytes_per_triangle"] = static_cast<double>(bytes_of(*picture.stage, Film(0, 0, {})) - textures) / triangles;
     row["texture_bytes"] = textures;
     row["seconds_to_first_ray"] = seconds;
-    for (const LeftOut& l : picture.stage->scene.left_out.all()) row["left_out: " + l.what] = l.bytes;
+    for (const UnusedFeature& l : picture.stage->scene.unused_features.all()) row["left_out: " + l.what] = l.bytes;
     print_row(row);
 }
 

@@ -10,8 +10,10 @@ namespace lancer::bench {
 // ---- what the kernel calls out of line, as functions that may be exchanged: the kernel around them stays what it is
 
 struct Calls {
-    Surface (*surface_at)(const Scene&, const Ray&, const Hit&, RayCone, const TrianglePlace&) = lancer::surface_at;
-    void (*triangle_places)(const Scene&, std::span<const Hit>, std::span<TrianglePlace>) = lancer::triangle_places;
+    Surface (*surface_at)(const Scene&, const Ray&, const Hit&, RayCone,
+                          const TriangleInteraction&) = lancer::surface_at;
+    void (*triangle_interactions)(const Scene&, std::span<const Hit>,
+                                  std::span<TriangleInteraction>) = lancer::triangle_interactions;
     std::optional<LightSample> (*sample_light)(const Scene&, const Surface&, uint32_t, Vec2,
                                                bool) = lancer::sample_chosen_light;
     float (*pdf_light)(const Scene&, Vec3, Vec3, Vec3, const Surface&) = lancer::pdf_light;
@@ -21,13 +23,13 @@ struct Calls {
 struct Everything : View {
     const Calls& calls;
 
-    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place) const
+    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& place) const
     {
         return calls.surface_at(scene, ray, hit, cone, place);
     }
-    void triangle_places(std::span<const Hit> hits, std::span<TrianglePlace> places) const
+    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> places) const
     {
-        calls.triangle_places(scene, hits, places);
+        calls.triangle_interactions(scene, hits, places);
     }
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
@@ -35,8 +37,8 @@ struct Everything : View {
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
-        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
-        const Discrete::Stretched s = pick.stretch(u.x);
+        if (!pick.can_remap()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
+        const Discrete::Remapped s = pick.sample_remapped(u.x);
         return calls.sample_light(scene, from, s.index, {s.u, u.y}, through);
     }
     float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
@@ -52,7 +54,7 @@ struct Everything : View {
     }
 };
 
-// ---- surfaces: surface_at() and triangle_places() as they are for flat triangles; of all else only the question
+// ---- surfaces: surface_at() and triangle_interactions() as they are for flat triangles; of all else only the question
 // whether it is there, and of that, what the bits of `without` name not even the question
 
 enum Asked : unsigned {
@@ -68,7 +70,7 @@ enum Asked : unsigned {
 
 template <unsigned without>
 [[gnu::noinline]] Surface surface_of(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone,
-                                     const TrianglePlace& placed)
+                                     const TriangleInteraction& placed)
 {
     constexpr auto asks = [](Asked what) { return (without & what) == 0; };
     Surface s;
@@ -92,7 +94,7 @@ template <unsigned without>
     s.t = hit.t;
     s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
     s.light = Scene::none;
-    const Marks& emitters = scene.shading[hit.geometry].emitters;
+    const RankedBitset& emitters = scene.shading[hit.geometry].emitters;
     if (!emitters.empty() && emitters.has(hit.primitive)) {
         uint32_t first = scene.mesh_first_light[hit.geometry];
         if constexpr (asks(instances))
@@ -115,17 +117,19 @@ template <unsigned without>
 }
 
 template <unsigned without>
-[[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
+[[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits,
+                                      std::span<TriangleInteraction> places)
 {
-    const auto eight = [&](const EightHits& which) {
-        constexpr auto& places_of = (without & vertex_normals) == 0 ? lancer::places_of : flat_places_of;
-        put(places_of(scene, hits, which), which, places);
+    const auto eight = [&](const HitIndices& which) {
+        constexpr auto& interactions_of =
+            (without & vertex_normals) == 0 ? lancer::interactions_of : flat_interactions_of;
+        put(interactions_of(scene, hits, which), which, places);
     };
     const auto placed = [&](size_t i) {
-        places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+        places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
     };
     if constexpr ((without & instances) == 0) return for_triangles<float_lanes>(hits, eight, placed);
-    EightHits which{};
+    HitIndices which{};
     size_t count = 0;
     for (size_t i = 0; i < hits.size(); ++i) {
         if (!hits[i]) continue;
@@ -141,7 +145,7 @@ template <unsigned without>
 Calls surfaces_without()
 {
     Calls calls;
-    calls.surface_at = surface_of<without>, calls.triangle_places = places_of_hits<without>;
+    calls.surface_at = surface_of<without>, calls.triangle_interactions = places_of_hits<without>;
     return calls;
 }
 
@@ -229,7 +233,7 @@ struct NoLightTree : Everything {
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
-        const Discrete::Stretched s = pick.stretch(u.x);
+        const Discrete::Remapped s = pick.sample_remapped(u.x);
         return calls.sample_light(scene, from, s.index, {s.u, u.y}, through);
     }
 };
@@ -237,7 +241,7 @@ struct NoLightTree : Everything {
 struct NoSky : Everything {
     Color environment(Vec3) const { return {}; }
     Color background(const Ray&, RayCone) const { return {}; }
-    bool lit_by_constant_sky() const { return false; }
+    bool has_constant_environment() const { return false; }
     float pdf_environment(Vec3, Vec3) const { return 0; }
 };
 // What shines has one colour.
@@ -292,7 +296,7 @@ struct NoTextures : Everything {
     }
 };
 struct NoCutOuts : Everything {
-    static void give_key(const Ray&, const Sampler&, uint32_t, Dim) {}
+    static void set_alpha_key(const Ray&, const Sampler&, uint32_t, Dim) {}
 };
 struct NoMedia : Everything {
     static constexpr bool has_media() { return false; }

@@ -31,7 +31,7 @@ public:
             const std::string lines = e.what();
             errors_ = 1 + static_cast<size_t>(std::count(lines.begin(), lines.end(), '\n'));
         }
-        return say_rest();
+        return print_rest();
     }
 
 private:
@@ -60,7 +60,7 @@ private:
                 files.push_back(mesh.data->file);
         return files;
     }
-    int say_rest()
+    int print_rest()
     {
         for (const auto& warning : problems_.warnings()) print_result(to_string(warning));
         for (const auto& note : notes_.warnings())

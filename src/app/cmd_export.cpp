@@ -26,7 +26,7 @@ void make_folder(const std::string& folder)
 }
 
 // A folder that holds the scene's own files may hold others of these names.
-void spare_inputs(const SceneDescription& scene, const std::vector<std::string>& outputs)
+void refuse_input_as_output(const SceneDescription& scene, const std::vector<std::string>& outputs)
 {
     std::error_code absent;
     for (const std::string& output : outputs)
@@ -43,7 +43,7 @@ void write_all(const ExportOptions& options, const Prepared& p)
     for (size_t i = 0; i < d.meshes.size(); ++i) names.push_back("mesh_" + std::to_string(i) + ".obj");
     for (const std::string& name : names) paths.push_back(std::filesystem::path(options.folder) / name);
     paths.push_back(std::filesystem::path(options.folder) / "scene.json");
-    spare_inputs(d, paths);
+    refuse_input_as_output(d, paths);
     make_folder(options.folder);
 
     // All are complete before the first takes its name.

@@ -242,7 +242,8 @@ int print_scene(const InfoOptions& options)
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         say("kernel", std::string(name_of(renderer.profile())));
         say("left out", "");
-        for (const LeftOut& l : left_out_of(renderer, renderer.profile())) print_result("  " + to_string(l));
+        for (const UnusedFeature& l : unused_features_of(renderer, renderer.profile()))
+            print_result("  " + to_string(l));
     });
     say("warnings", diagnostics.warnings().empty() ? "none" : "");
     for (const auto& warning : diagnostics.warnings()) print_result("  " + to_string(warning));

@@ -26,10 +26,10 @@ public:
     }
     PathListener listener()
     {
-        return {.ray = [this](const State& s, const Hit& h) { say_ray(s, h); },
-                .vertex = [this](const State&, const Surface& s) { say_vertex(s); },
-                .added = [](const State&, Color c) { print_result("  added          " + to_text(c)); },
-                .shadow = [this](const Ray& r, Color c, bool occluded) { say_shadow(r, c, occluded); }};
+        return {.ray = [this](const PathState& s, const Hit& h) { print_ray(s, h); },
+                .vertex = [this](const PathState&, const Surface& s) { print_vertex(s); },
+                .added = [](const PathState&, Color c) { print_result("  added          " + to_text(c)); },
+                .shadow = [this](const Ray& r, Color c, bool occluded) { print_shadow_ray(r, c, occluded); }};
     }
 
 private:
@@ -57,7 +57,7 @@ private:
         if (h.instance != Hit::no_instance) text += format_text(", instance %u", h.instance);
         return text;
     }
-    void say_ray(const State& s, const Hit& h) const
+    void print_ray(const PathState& s, const Hit& h) const
     {
         print_result(format_text("ray at depth %u%s%s", s.depth, s.specular ? ", specular" : "",
                                  s.last ? ", last: only emission counts" : ""));
@@ -74,14 +74,14 @@ private:
         if (h.kind == Kind::triangle)
             print_result(format_text("  u, v           %.9g, %.9g", double(h.uv.x), double(h.uv.y)));
     }
-    void say_vertex(const Surface& s) const
+    void print_vertex(const Surface& s) const
     {
         print_result("  point          " + place(s.p));
         print_result("  normal         " + to_text(s.n) + (s.front ? ", front side" : ", back side"));
         print_result("  shading normal " + to_text(s.ns));
         print_result(format_text("  material       %u ", s.material) + in_quotes(scene_.material_names[s.material]));
     }
-    void say_shadow(const Ray& r, Color carried, bool occluded) const
+    void print_shadow_ray(const Ray& r, Color carried, bool occluded) const
     {
         print_result("  shadow ray from " + place(r.org) + " towards " + to_text(r.dir) +
                      (std::isfinite(r.t_max) ? format_text(", length %.9g", distance(r.t_max)) : ", without end"));

@@ -46,11 +46,11 @@ private:
     std::string settings_hash(uint32_t spp) const;
     void write(const Film& film);
     void write_stats();
-    void say_settings() const;
-    void say_left_out() const;
-    void say_plan(const Renderer& renderer, const PathPlan& plan) const;
-    void say_summary() const;
-    void say_dropped() const;
+    void print_settings() const;
+    void print_specialisation() const;
+    void print_sampling_plan(const Renderer& renderer, const SamplingPlan& plan) const;
+    void print_summary() const;
+    void print_dropped_samples() const;
 
     const RenderOptions& options_;
     Signals signals_;
@@ -78,7 +78,7 @@ auto Run::timed(const char* phase, F&& f)
 void Run::load()
 {
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
-    spare_inputs(options_, prepared_.description);
+    refuse_input_as_output(options_, prepared_.description);
     settings_ = prepared_.settings;
     if ((options_.time || options_.error) && !options_.picture.spp) settings_.spp = unlimited_spp;
     settings_.tonemap = options_.tonemap.value_or(settings_.tonemap);
@@ -118,7 +118,7 @@ void Run::describe(const Renderer& renderer)
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings,
-                    .left_out = left_out_of(renderer, kernel)};
+                    .unused_features = unused_features_of(renderer, kernel)};
     stats_.settings = {.width = s.width,
                        .height = s.height,
                        .spp = s.spp,
@@ -239,7 +239,7 @@ void Run::render(const Renderer& renderer)
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose) say_plan(renderer, renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) print_sampling_plan(renderer, renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (stats_.samples + stats_.counters.dropped == 0) return;
@@ -259,7 +259,7 @@ void Run::write_stats()
     write_text(options_.stats, to_json(stats_));
 }
 
-void Run::say_settings() const
+void Run::print_settings() const
 {
     const RunStats::SceneFigures& c = stats_.scene;
     print_note(
@@ -270,26 +270,26 @@ void Run::say_settings() const
                format_text(" --spp %u --threads %u", settings_.spp, settings_.threads));
 }
 
-void Run::say_left_out() const
+void Run::print_specialisation() const
 {
     print_note("left out; drawn by the kernel '" + stats_.settings.kernel + "':");
-    for (const LeftOut& l : stats_.scene.left_out) print_note("  " + to_string(l));
+    for (const UnusedFeature& l : stats_.scene.unused_features) print_note("  " + to_string(l));
 }
 
-void Run::say_plan(const Renderer& renderer, const PathPlan& plan) const
+void Run::print_sampling_plan(const Renderer& renderer, const SamplingPlan& plan) const
 {
-    const auto open = static_cast<size_t>(std::count(plan.open.begin(), plan.open.end(), 1));
+    const auto open = static_cast<size_t>(std::count(plan.background_only.begin(), plan.background_only.end(), 1));
     if (open)
         print_note(format_text("left out: camera rays of %zu of %zu squares of %u pixels, which see only sky", open,
-                               plan.open.size(), plan.open_cell));
+                               plan.background_only.size(), plan.background_cell));
     if (!std::holds_alternative<Path>(renderer.integrator())) return;
     print_note(format_text("plan: %u rays on from the first surface that spreads light", plan.split) +
                "; roulette by " +
-               (plan.worth.empty() ? std::string("the throughput")
-                                   : format_text("what squares of %u pixels show", plan.cell)));
+               (plan.importance.empty() ? std::string("the throughput")
+                                        : format_text("what squares of %u pixels show", plan.cell)));
 }
 
-void Run::say_dropped() const
+void Run::print_dropped_samples() const
 {
     const auto& first = stats_.counters.first_dropped;
     if (!first) return;
@@ -301,7 +301,7 @@ void Run::say_dropped() const
                   command);
 }
 
-void Run::say_summary() const
+void Run::print_summary() const
 {
     const Counters& c = stats_.counters;
     const double rays = static_cast<double>(stats_.rays());
@@ -336,7 +336,7 @@ int Run::execute()
         });
         settings_.accel = name_of(renderer->accelerator_kind());  // not automatic any more
         describe(*renderer);
-        if (options_.verbose) say_settings(), say_left_out();
+        if (options_.verbose) print_settings(), print_specialisation();
         render(*renderer);
     });
     if (stats_.phases.back().name != "write") {
@@ -344,8 +344,8 @@ int Run::execute()
         return exit_interrupted;
     }
     write_stats();
-    say_dropped();
-    if (!options_.quiet) say_summary();
+    print_dropped_samples();
+    if (!options_.quiet) print_summary();
     for (const std::string& path : options_.outputs) print_result(path);
     if (!stats_.partial) return exit_done;
     print_problem(format_text(

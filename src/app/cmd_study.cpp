@@ -34,8 +34,8 @@ private:
     void take(const RunResult& result);
     bool is_left_out(const std::string& scene, const std::string& method) const;
     void write();
-    int tell() const;
-    StudyMethod& told(const std::string& method);
+    int write_report() const;
+    StudyMethod& method_figures(const std::string& method);
 
     Signals signals_;
     StudyWork work_;
@@ -45,7 +45,7 @@ private:
     LastPictures pictures_;
 };
 
-StudyMethod& StudyRunner::told(const std::string& method)
+StudyMethod& StudyRunner::method_figures(const std::string& method)
 {
     return *std::find_if(study_.methods.begin(), study_.methods.end(), [&](const auto& m) { return m.name == method; });
 }
@@ -104,7 +104,7 @@ void StudyRunner::prepare()
 void StudyRunner::take(const RunResult& result)
 {
     const StudyRun& run = result.runs.front();
-    std::vector<std::string>& biases = told(run.method).biases;
+    std::vector<std::string>& biases = method_figures(run.method).biases;
     for (const std::string& bias : result.biases)
         if (std::find(biases.begin(), biases.end(), bias) == biases.end()) biases.push_back(bias);
     if (result.picture) pictures_[{run.scene, run.method}].push_back(*result.picture);
@@ -159,7 +159,7 @@ void StudyRunner::write()
 }
 
 // What was left out and what failed.
-int StudyRunner::tell() const
+int StudyRunner::write_report() const
 {
     size_t left_out = 0;
     std::string lines;
@@ -194,7 +194,7 @@ int StudyRunner::execute()
     }
     write();
     for (const char* name : {"index.html", "study.json", "runs.csv"}) print_result(work_.file(name));
-    return tell();
+    return write_report();
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ constexpr uint64_t bytes_of_module = 106'000'000;
 
 }  // namespace
 
-std::vector<LeftOut> left_out_of(const Renderer& renderer, Profile kernel)
+std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile kernel)
 {
-    LeftOutList list = renderer.scene().left_out;
+    UnusedFeatures list = renderer.scene().unused_features;
     const Features has = features_of(renderer.scene());
     std::string kinds;
     uint64_t absent = 0;
@@ -40,7 +40,7 @@ std::vector<LeftOut> left_out_of(const Renderer& renderer, Profile kernel)
     return list.all();
 }
 
-std::string to_string(const LeftOut& l)
+std::string to_string(const UnusedFeature& l)
 {
     std::string text = std::to_string(l.count) + " " + l.what;
     if (l.bytes) text += format_text("; saves %.3f MB", 1e-6 * static_cast<double>(l.bytes));

@@ -10,8 +10,8 @@ namespace lancer {
 
 // What building the scene left out, then what tracing it with this kernel does: kinds of geometry, the kernel for all,
 // and the module for pictures.
-std::vector<LeftOut> left_out_of(const Renderer& renderer, Profile kernel);
+std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile kernel);
 // "12 materials that nothing uses", with the memory and the time that it saves where they are known.
-std::string to_string(const LeftOut& l);
+std::string to_string(const UnusedFeature& l);
 
 }  // namespace lancer

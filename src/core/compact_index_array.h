@@ -10,10 +10,10 @@
 
 namespace lancer {
 
-class PackedNumbers {
+class CompactIndexArray {
 public:
-    PackedNumbers() = default;
-    explicit PackedNumbers(std::span<const uint32_t> numbers) : count_(numbers.size())
+    CompactIndexArray() = default;
+    explicit CompactIndexArray(std::span<const uint32_t> numbers) : count_(numbers.size())
     {
         if (numbers.empty()) return;
         const uint32_t largest = *std::max_element(numbers.begin(), numbers.end());

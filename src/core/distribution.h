@@ -16,7 +16,7 @@ namespace lancer {
 
 // Samplers give 24 bits, which are too few to choose among millions: what is rarer than 2^-24 would be chosen never, or
 // far too often. This is u in [0, 1 - 2^-24] and 24 bits more, a hash of another number that was drawn with it.
-inline double lengthened(float u, float other)
+inline double extend_precision(float u, float other)
 {
     uint64_t h = std::bit_cast<uint32_t>(other) * 0x9e3779b97f4a7c15u;
     h = (h ^ h >> 32) * 0xd1342543de82ef95u;
@@ -24,7 +24,7 @@ inline double lengthened(float u, float other)
 }
 // And with all the bits that a double in [0, 1) can have, a hash of two others: of lights by the million, with powers
 // that differ by the million, there are some whose chance is below 2^-48.
-inline double lengthened(float u, Vec2 others)
+inline double extend_precision(float u, Vec2 others)
 {
     const uint64_t both = std::bit_cast<uint32_t>(others.x) | uint64_t{std::bit_cast<uint32_t>(others.y)} << 32;
     uint64_t h = (both ^ both >> 31) * 0x9e3779b97f4a7c15u;
@@ -50,8 +50,8 @@ public:
         }
         total_ = sum;
         if (total_ <= 0) cumulative_.clear();
-        stretches_ = !empty() && size() <= few;
-        for (const double w : weights) stretches_ = stretches_ && (w == 0 || w >= least_share * total_);
+        can_remap_ = !empty() && size() <= few;
+        for (const double w : weights) can_remap_ = can_remap_ && (w == 0 || w >= least_share * total_);
     }
     bool empty() const { return cumulative_.empty(); }
     size_t size() const { return cumulative_.size(); }
@@ -62,14 +62,15 @@ public:
         const auto it = std::upper_bound(cumulative_.begin(), cumulative_.end(), x);
         return static_cast<uint32_t>(std::min<size_t>(static_cast<size_t>(it - cumulative_.begin()), size() - 1));
     }
-    // Whether stretch() may be asked: there are so few, and of weights so alike, that a float has enough digits left.
-    bool stretches() const { return stretches_; }
+    // Whether sample_remapped() may be asked: there are so few, and of weights so alike, that a float has enough digits
+    // left.
+    bool can_remap() const { return can_remap_; }
     // An index, and where in its part of [0, 1) u lies, as a number in [0, 1): as good as a second one that was drawn.
-    struct Stretched {
+    struct Remapped {
         uint32_t index;
         float u;
     };
-    Stretched stretch(float u) const
+    Remapped sample_remapped(float u) const
     {
         if (size() == 1) return {0, u};
         const double x = static_cast<double>(u) * total_;
@@ -80,28 +81,28 @@ public:
         return {index, std::min(static_cast<float>(part), largest_below_1)};
     }
     // The same of eight, without jumps: nobody can predict them.
-    struct StretchedLanes {
+    struct RemappedLanes {
         UInt8 index;
         Float8 u;
     };
-    StretchedLanes stretch(Float8 u) const
+    RemappedLanes sample_remapped(Float8 u) const
     {
         if (size() == 1) return {UInt8{}, u};
         const auto four = [&](Float4 of, Mask4& at) -> Float4 {
             const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
-            Double4 below{}, above = all_lanes(cumulative_[0]);
+            Double4 below{}, above = broadcast(cumulative_[0]);
             for (size_t i = 0; i + 1 < size(); ++i) {
-                const Mask4 beyond = all_lanes(cumulative_[i]) <= x;
-                below = select(beyond, all_lanes(cumulative_[i]), below);
-                above = select(beyond, all_lanes(cumulative_[i + 1]), above);
+                const Mask4 beyond = broadcast(cumulative_[i]) <= x;
+                below = select(beyond, broadcast(cumulative_[i]), below);
+                above = select(beyond, broadcast(cumulative_[i + 1]), above);
                 at -= beyond;
             }
             return _mm256_cvtpd_ps((x - below) / (above - below));
         };
         Mask4 low_index{}, high_index{};
         const Float4 low = four(lower(u), low_index), high = four(upper(u), high_index);
-        return {reinterpret_cast<UInt8>(joined(narrowed(low_index), narrowed(high_index))),
-                min(joined(low, high), all_lanes(largest_below_1))};
+        return {reinterpret_cast<UInt8>(concat(narrow(low_index), narrow(high_index))),
+                min(concat(low, high), broadcast(largest_below_1))};
     }
     float probability(uint32_t i) const
     {
@@ -130,7 +131,7 @@ private:
 
     std::vector<double> cumulative_;
     double total_ = 0;
-    bool stretches_ = false;
+    bool can_remap_ = false;
 };
 
 }  // namespace lancer

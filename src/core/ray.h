@@ -18,9 +18,9 @@ struct Ray {
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
     uint32_t key = 0;  // address of the random numbers that decide whether half-transparent surfaces stop it
-    // Hit::place of what it starts on, of the accelerator that is asked: its search may begin there. Or nowhere.
-    uint32_t start = nowhere;
-    static constexpr uint32_t nowhere = UINT32_MAX;
+    // Hit::leaf_hint of what it starts on, of the accelerator that is asked: its search may begin there. Or nowhere.
+    uint32_t leaf_hint = no_leaf_hint;
+    static constexpr uint32_t no_leaf_hint = UINT32_MAX;
 };
 
 // Of coordinates: below the magnitude that Embree takes for infinite.

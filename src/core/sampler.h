@@ -18,7 +18,7 @@ enum class SamplerKind { sobol, independent };
 
 // Each purpose owns a group of three numbers: (u, v) from get2, w from get1. Of even ones and the next, which are
 // mostly asked for together, get2 computes both at once.
-enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, hole, shadow_hole };
+enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, alpha, shadow_alpha };
 
 namespace sobol {
 
@@ -172,11 +172,11 @@ public:
 
     // Computes what get2(bounce, dim), and that of the group that dim makes a pair with, will say of each: eight at
     // once cost a third of what they cost one by one. At most eight.
-    struct Asked {
+    struct SampleRequest {
         const Sampler* sampler;
         uint32_t bounce;
     };
-    static void prepare(std::span<const Asked> asked, Dim dim)
+    static void prepare(std::span<const SampleRequest> asked, Dim dim)
     {
         using namespace sobol;
         const uint32_t first = static_cast<uint32_t>(dim) & ~1u;
@@ -247,9 +247,9 @@ private:
 
 // Collects samplers that will be asked for the same group of numbers. They must stay where they are until prepare().
 template <size_t most>
-class AskedNumbers {
+class SampleRequests {
 public:
-    explicit AskedNumbers(Dim dim) : dim_(dim) {}
+    explicit SampleRequests(Dim dim) : dim_(dim) {}
     void add(const Sampler& sampler, uint32_t bounce) { asked_[count_++] = {&sampler, bounce}; }
     void prepare() const
     {
@@ -258,7 +258,7 @@ public:
     }
 
 private:
-    std::array<Sampler::Asked, most> asked_;
+    std::array<Sampler::SampleRequest, most> asked_;
     size_t count_ = 0;
     Dim dim_;
 };

@@ -50,7 +50,7 @@ AccelKind fastest_accelerator(const Geometry& g, RayUse use)
     const bool may_cut = triangles <= most_cut;
     const bool is_far = triangles >= least_far && triangles <= most_far && use == RayUse::bounces;
     if (!g.instances.empty() || !(may_cut || is_far)) return AccelKind::embree;
-    const double boxes = boxes_met_in_vain(g);
+    const double boxes = false_positive_box_hits(g);
     return (may_cut && boxes > too_many_boxes) || (is_far && boxes < hardly_any_boxes) ? AccelKind::bvh8
                                                                                        : AccelKind::embree;
 }

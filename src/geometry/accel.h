@@ -68,9 +68,9 @@ inline constexpr std::array accelerators{
 enum class RayUse { all, bounces };  // bounces: none that ask whether a light is seen
 
 // By what was measured (docs/benchmarks.md): list8 for at most 64 triangles and nothing else; bvh8, which cuts
-// triangles into parts, where boxes_met_in_vain() says that their boxes are in each other's way, there are at most
-// 500,000 and no instances; bvh8, too, for the bounces of one to four million fine triangles, which it does not wait
-// for; else Embree. Not from inside a parallel loop.
+// triangles into parts, where false_positive_box_hits() says that their boxes are in each other's way, there are at
+// most 500,000 and no instances; bvh8, too, for the bounces of one to four million fine triangles, which it does not
+// wait for; else Embree. Not from inside a parallel loop.
 AccelKind fastest_accelerator(const Geometry& geometry, RayUse use = RayUse::all);
 // "auto" of automatic; and back, automatic of what is no other's name.
 std::string_view name_of(AccelKind kind);

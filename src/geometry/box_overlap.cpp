@@ -37,7 +37,7 @@ Sum sum_of(const Mesh& mesh, size_t first, size_t end)
 
 }  // namespace
 
-double boxes_met_in_vain(const Geometry& g)
+double false_positive_box_hits(const Geometry& g)
 {
     constexpr size_t part = 1 << 16;
     Sum all;

@@ -11,6 +11,6 @@ namespace lancer {
 // over the surface of the box of all (lines meet convex bodies in proportion to their surface). 0 for walls along the
 // axes, and for many small triangles; grows with long ones that lie at an angle. Of the meshes that are drawn as they
 // are; triangles that are not finite count for nothing.
-double boxes_met_in_vain(const Geometry& g);
+double false_positive_box_hits(const Geometry& g);
 
 }  // namespace lancer

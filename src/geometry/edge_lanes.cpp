@@ -7,7 +7,7 @@ namespace lancer {
 uint32_t contain_origin(uint32_t lanes, const ShearedLanes& s)
 {
     uint32_t inside = 0;
-    for_bits(lanes, [&](uint32_t i) {
+    for_each_lane(lanes, [&](uint32_t i) {
         const double ax = s.ax[i], ay = s.ay[i], bx = s.bx[i], by = s.by[i], cx = s.cx[i], cy = s.cy[i];
         const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
         // All 0: seen from its edge. Its neighbours have that edge as well.

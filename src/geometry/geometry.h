@@ -12,11 +12,11 @@ struct Geometry;
 
 // Surfaces with holes: cut-outs and what stops only a part of the rays. Accelerators ask at every hit of a primitive
 // that is marked; a function pointer, so that nothing of shading is known here.
-struct Holes {
+struct AlphaTest {
     // Whether the ray goes through the surface at the hit, of which t and uv are refined. The same (ray.key, primitive,
     // side of a sphere) gets the same answer, however often and in whatever order it is asked; ray.t_max, which
     // shortens while accelerators search, has no part in it. Null: nothing has holes.
-    bool (*let_pass)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
+    bool (*passes_through)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
     const void* context = nullptr;
     // Parallel to Geometry::meshes: of each triangle whether to ask; empty where a mesh has none that is to be asked
     // about. Most of a mesh with a few leaves in it then costs next to nothing.
@@ -29,12 +29,12 @@ struct Geometry {
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
-    Holes holes;
+    AlphaTest alpha_test;
 };
 
 // Whether there are more triangles than the caches next to the processor hold, so that it pays to ask for those that
 // were hit before they are looked at. For a batch, not for each ray.
-inline bool outgrows_caches(const Geometry& g)
+inline bool exceeds_caches(const Geometry& g)
 {
     constexpr size_t most = 8192;
     size_t count = 0;
@@ -81,13 +81,15 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
 
 // Where a sphere or plane stops a ray: its nearest hit, refined, in [t_min, t_max] that does not let the ray pass.
 template <Kind kind>
-Hit first_stop(const Geometry& g, uint32_t primitive, const Ray& ray)
+Hit first_opaque_hit(const Geometry& g, uint32_t primitive, const Ray& ray)
 {
     static_assert(kind == Kind::sphere || kind == Kind::plane);
-    const bool has_holes = g.holes.let_pass && (kind == Kind::sphere ? g.holes.spheres : g.holes.planes);
+    const bool has_holes =
+        g.alpha_test.passes_through && (kind == Kind::sphere ? g.alpha_test.spheres : g.alpha_test.planes);
     const auto stop_at = [&](double t, bool exit) {
         const Hit hit{static_cast<float>(t), Hit::no_instance, 0, primitive, {}, kind, exit};
-        return reaches(ray, t) && !(has_holes && g.holes.let_pass(g.holes.context, ray, hit)) ? hit : Hit{};
+        return reaches(ray, t) && !(has_holes && g.alpha_test.passes_through(g.alpha_test.context, ray, hit)) ? hit
+                                                                                                              : Hit{};
     };
     if constexpr (kind == Kind::plane) {
         const auto t = intersect(g.planes[primitive], ray);

@@ -32,13 +32,14 @@ std::vector<uint32_t> giants(const std::vector<Sphere>& spheres)
 
 }  // namespace
 
-WideShapes choose_wide_shapes(const Geometry& g)
+LargeShapes choose_large_shapes(const Geometry& g)
 {
-    const auto asks = [&](bool any) { return g.holes.let_pass && any; };
+    const auto asks = [&](bool any) { return g.alpha_test.passes_through && any; };
     const size_t few = g.meshes.empty() ? most : most / 2;
-    WideShapes wide;
-    if (!asks(g.holes.spheres)) wide.spheres = g.spheres.size() <= few ? numbers(g.spheres.size()) : giants(g.spheres);
-    if (!asks(g.holes.planes) && g.planes.size() <= most) wide.planes = numbers(g.planes.size());
+    LargeShapes wide;
+    if (!asks(g.alpha_test.spheres))
+        wide.spheres = g.spheres.size() <= few ? numbers(g.spheres.size()) : giants(g.spheres);
+    if (!asks(g.alpha_test.planes) && g.planes.size() <= most) wide.planes = numbers(g.planes.size());
     return wide;
 }
 

@@ -13,12 +13,12 @@ namespace lancer {
 
 // Which shapes: all that few are, or of many spheres those beyond which everything smaller is a speck. Shapes with
 // holes are left to the accelerator.
-struct WideShapes {
+struct LargeShapes {
     std::vector<uint32_t> spheres, planes;  // numbers in the Geometry, ascending
 
     bool empty() const { return spheres.empty() && planes.empty(); }
 };
-WideShapes choose_wide_shapes(const Geometry& g);
+LargeShapes choose_large_shapes(const Geometry& g);
 
 // Four rays, in double.
 struct RayLanes {
@@ -50,7 +50,7 @@ struct SphereLanes {
     Double4 radius;
 
     explicit SphereLanes(const Sphere& s)
-        : center{all_lanes(s.center.x), all_lanes(s.center.y), all_lanes(s.center.z)}, radius(all_lanes(s.radius))
+        : center{broadcast(s.center.x), broadcast(s.center.y), broadcast(s.center.z)}, radius(broadcast(s.radius))
     {
     }
     SphereLanes(const Sphere& a, const Sphere& b, const Sphere& c, const Sphere& d)
@@ -85,9 +85,9 @@ inline StopLanes stop(const SphereLanes& s, const RayLanes& r)
 // that of stop(), which near the silhouette is half of double's digits, and that of t to float.
 inline Mask4 surely_misses(const Sphere& s, const RayLanes& r, Double4 end)
 {
-    const Double4 radius2 = all_lanes(s.radius * s.radius);
+    const Double4 radius2 = broadcast(s.radius * s.radius);
     const Vec3T<Double4> oc =
-        r.org - Vec3T<Double4>{all_lanes(s.center.x), all_lanes(s.center.y), all_lanes(s.center.z)};
+        r.org - Vec3T<Double4>{broadcast(s.center.x), broadcast(s.center.y), broadcast(s.center.z)};
     const Double4 oc2 = dot(oc, oc), b = -dot(oc, r.dir), c = oc2 - radius2;
     const Double4 outside = c - (oc2 + radius2) * 0x1p-36, beyond = end * (1 + 0x1p-20), reach = r.dir2 * beyond;
     const Mask4 ends_before = (reach < b) & (beyond * (2 * b - reach) < outside);
@@ -103,13 +103,13 @@ std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& sphe
     const auto load8 = [](const float* from) { return Float8{_mm256_loadu_ps(from)}; };
     const Vec3T<Float8> org{load8(r.org_x), load8(r.org_y), load8(r.org_z)};
     const Vec3T<Float8> dir{load8(r.dir_x), load8(r.dir_y), load8(r.dir_z)};
-    Float8 first = all_lanes(std::numeric_limits<float>::infinity());
+    Float8 first = broadcast(std::numeric_limits<float>::infinity());
     Mask8 place{};
     for (uint32_t k = 0; k < order.size(); ++k) {
         const Sphere& s = spheres[order[k]];
         const Vec3 center = to_float(s.center);
         const auto radius = static_cast<float>(s.radius);
-        const Vec3T<Float8> oc = org - Vec3T<Float8>{all_lanes(center.x), all_lanes(center.y), all_lanes(center.z)};
+        const Vec3T<Float8> oc = org - Vec3T<Float8>{broadcast(center.x), broadcast(center.y), broadcast(center.z)};
         const Float8 oc2 = dot(oc, oc), b = -dot(oc, dir), c = oc2 - radius * radius;
         // On the surface, as far as float tells, is outside: most rays leave one.
         const Float8 t = b - copysign(sqrt(b * b - c), c + oc2 * 0x1p-16f);
@@ -124,7 +124,7 @@ std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& sphe
 
 inline StopLanes stop(const Plane& p, const RayLanes& r)
 {
-    const Vec3T<Double4> n{all_lanes(p.normal.x), all_lanes(p.normal.y), all_lanes(p.normal.z)};
+    const Vec3T<Double4> n{broadcast(p.normal.x), broadcast(p.normal.y), broadcast(p.normal.z)};
     const Double4 exact = (p.offset - dot(n, r.org)) / dot(n, r.dir), t = as_stored(exact);
     return {t, (exact <= plane_extent) & (t >= r.t_min), Mask4{}};
 }

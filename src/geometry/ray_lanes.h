@@ -19,28 +19,28 @@ inline Float4 org_and_t_min(const Ray& r) { return load4(&r.org.x); }
 inline Float4 dir_and_t_max(const Ray& r) { return load4(&r.dir.x); }
 
 // Eight rays, a number of each to a register.
-struct RayOctet {
+struct RayPacket {
     Vec3T<Float8> org, dir;
     Float8 t_min, t_max;
 
     // One to eight of them; the last one fills the lanes that are left.
-    explicit RayOctet(std::span<const Ray> rays)
-        : RayOctet(rays.size(), [&](size_t i) -> const Ray& { return rays[i]; })
+    explicit RayPacket(std::span<const Ray> rays)
+        : RayPacket(rays.size(), [&](size_t i) -> const Ray& { return rays[i]; })
     {
     }
     // Those of the rays, likewise.
-    RayOctet(std::span<const Ray> rays, std::span<const uint32_t> which)
-        : RayOctet(which.size(), [&](size_t i) -> const Ray& { return rays[which[i]]; })
+    RayPacket(std::span<const Ray> rays, std::span<const uint32_t> which)
+        : RayPacket(which.size(), [&](size_t i) -> const Ray& { return rays[which[i]]; })
     {
     }
 
 private:
     template <class At>
-    RayOctet(size_t count, const At& at)
+    RayPacket(size_t count, const At& at)
     {
         const auto ray = [&](size_t i) -> const Ray& { return at(std::min(i, count - 1)); };
         const auto turn = [&](auto of, Vec3T<Float8>& v, Float8& behind) {
-            const RowLanes rows = turned_rows([&](size_t i) { return of(ray(i)); });
+            const RowLanes rows = transpose([&](size_t i) { return of(ray(i)); });
             v = rows.xyz, behind = rows.w;
         };
         turn([](const Ray& r) { return org_and_t_min(r); }, org, t_min);
@@ -51,21 +51,21 @@ private:
 // Of those that stand there, one behind the other.
 inline Vec3T<Float8> directions_of_eight(const Ray* rays)
 {
-    return turned_rows([&](size_t i) { return dir_and_t_max(rays[i]); }).xyz;
+    return transpose([&](size_t i) { return dir_and_t_max(rays[i]); }).xyz;
 }
 
 // Of each ray whether accelerators accept it: is_traceable() of a single one.
 inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_min, Float8 t_max)
 {
     const auto limited = [](const Vec3T<Float8>& v) {
-        const Float8 limit = all_lanes(largest_traceable);
+        const Float8 limit = broadcast(largest_traceable);
         return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
     };
     const Float8 zero{};
     return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) & (t_min >= zero) &
-           (t_min < all_lanes(std::numeric_limits<float>::infinity())) & (t_max >= t_min);
+           (t_min < broadcast(std::numeric_limits<float>::infinity())) & (t_max >= t_min);
 }
-inline Mask8 is_traceable(const RayOctet& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
+inline Mask8 is_traceable(const RayPacket& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
 
 // Writes the wanted rays, in order, and says how many; their keys stay what they are. to: room for eight, of which
 // those behind the last become anything.
@@ -83,17 +83,17 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
         store(0, _mm256_shuffle_ps(xy0, zw0, 0x44)), store(1, _mm256_shuffle_ps(xy0, zw0, 0xee));
         store(2, _mm256_shuffle_ps(xy2, zw2, 0x44)), store(3, _mm256_shuffle_ps(xy2, zw2, 0xee));
     };
-    turn(org, all_lanes(Ray{}.t_min), [](Ray& r) { return &r.org.x; });
+    turn(org, broadcast(Ray{}.t_min), [](Ray& r) { return &r.org.x; });
     turn(dir, packing(t_max), [](Ray& r) { return &r.dir.x; });
     return static_cast<size_t>(std::popcount(wanted));
 }
 
-// Where the rays that were written so start: Ray::start of the wanted lanes. No loop over these, the number of which
-// nobody can predict. to: likewise.
-inline void store_starts(Ray* to, uint32_t wanted, UInt8 start)
+// Where the rays that were written so start: Ray::leaf_hint of the wanted lanes. No loop over these, the number of
+// which nobody can predict. to: likewise.
+inline void store_leaf_hints(Ray* to, uint32_t wanted, UInt8 start)
 {
     const UInt8 packed = Packing(wanted)(start);
-    for (size_t i = 0; i < float_lanes; ++i) to[i].start = packed[i];
+    for (size_t i = 0; i < float_lanes; ++i) to[i].leaf_hint = packed[i];
 }
 
 // The axes of a space in which a ray goes along the third one most; in the order of the hand.

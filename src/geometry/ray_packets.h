@@ -11,8 +11,8 @@ namespace lancer {
 
 // Eight rays in a space of which the third axis is that along which they all go most; as ShearedRay of
 // triangle_float.h.
-struct ShearedOctet {
-    RayOctet rays;               // in the scene's own space
+struct ShearedPacket {
+    RayPacket rays;              // in the scene's own space
     Mask8 valid;                 // those that are there and traceable
     std::array<size_t, 3> axes;  // the order, as AxisOrder
     Vec3x8 org;
@@ -20,7 +20,7 @@ struct ShearedOctet {
     Float8 length_z;    // of dir
 
     // One to eight of the rays, all of one largest_axis().
-    ShearedOctet(std::span<const Ray> all, std::span<const uint32_t> which)
+    ShearedPacket(std::span<const Ray> all, std::span<const uint32_t> which)
         : rays(all, which), valid(is_traceable(rays) & first_lanes(which.size()))
     {
         const auto& order = axis_order(all[which[0]].dir).axes;
@@ -38,7 +38,7 @@ struct ShearedOctet {
 
 // f(which) for one to eight rays of one largest_axis() at a time, until all had their turn.
 template <class F>
-void for_octets(std::span<const Ray> rays, const F& f)
+void for_each_packet(std::span<const Ray> rays, const F& f)
 {
     constexpr size_t most = 512;
     std::array<std::array<uint32_t, most>, 3> of_axis;

@@ -24,7 +24,7 @@ void refine_four(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hi
     }
     const auto in_double = [](const std::array<Float4, double_lanes>& v) { return to_double(turned(v)); };
     const PlaneHit<Double4> h(in_double(v0), in_double(v1), in_double(v2), in_double(org), in_double(dir));
-    const Double4 u = clamp(h.u, Double4{}, all_lanes(1.0)), v = clamp(h.v, Double4{}, 1.0 - u);
+    const Double4 u = clamp(h.u, Double4{}, broadcast(1.0)), v = clamp(h.v, Double4{}, 1.0 - u);
     const Float4 t4 = _mm256_cvtpd_ps(h.t), u4 = _mm256_cvtpd_ps(u), v4 = _mm256_cvtpd_ps(v);
     for (size_t k = 0; k < double_lanes; ++k) {
         Hit& hit = hits[which[k]];
@@ -51,7 +51,7 @@ void fetch_corners(const Geometry& g, std::span<const Hit> hits)
 
 void refine_all(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits)
 {
-    if (outgrows_caches(g)) fetch_corners(g, hits);
+    if (exceeds_caches(g)) fetch_corners(g, hits);
     for_triangles<double_lanes>(
         hits, [&](const FourHits& which) { refine_four(g, rays, hits, which); },
         [&](size_t i) { hits[i] = refine(g, rays[i], hits[i]); });

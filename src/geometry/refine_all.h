@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// hits[i]: what rays[i] met. Spheres and planes stay as they are: first_stop() gave them refined.
+// hits[i]: what rays[i] met. Spheres and planes stay as they are: first_opaque_hit() gave them refined.
 void refine_all(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits);
 
 }  // namespace lancer

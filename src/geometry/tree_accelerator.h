@@ -41,23 +41,24 @@ public:
     bool any(const Ray& ray) const override
     {
         if (!is_traceable(ray)) return false;
-        return stops_at_plane(ray) || (plain_ && stops_in(*plain_, ray, ray, Hit::no_instance)) || stops_at_object(ray);
+        return occluded_by_plane(ray) || (plain_ && occluded_in(*plain_, ray, ray, Hit::no_instance)) ||
+               occluded_by_object(ray);
     }
     void closest(std::span<const Ray> rays, std::span<Hit> hits, [[maybe_unused]] Coherence coherence) const override
     {
-        if constexpr (OctetTree<Tree>)
-            find_by_octets(rays, hits);
+        if constexpr (PacketTree<Tree>)
+            closest_by_packets(rays, hits);
         else if constexpr (is_bvh8)
-            coherence == Coherence::coherent ? find_together<Bvh8Packets>(rays, hits)
-                                             : find_together<Bvh8Turns>(rays, hits);
+            coherence == Coherence::coherent ? closest_batch<Bvh8Packets>(rays, hits)
+                                             : closest_batch<Bvh8Interleaved>(rays, hits);
         else
-            find_alone(rays, hits);
+            closest_one_by_one(rays, hits);
         refine_all(g_, rays, hits);
     }
     void any(std::span<const Ray> rays, std::span<uint8_t> occluded) const override
     {
-        if constexpr (OctetTree<Tree>)
-            any_by_octets(rays, occluded);
+        if constexpr (PacketTree<Tree>)
+            any_by_packets(rays, occluded);
         else
             for (size_t i = 0; i < rays.size(); ++i) occluded[i] = TreeAccelerator::any(rays[i]);
     }
@@ -86,27 +87,27 @@ private:
         Hit best;
         if (!is_traceable(ray)) return best;
         find_plane(ray, best);
-        if (plain_) best.place = find_in(*plain_, ray, ray, Hit::no_instance, best);
+        if (plain_) best.leaf_hint = find_in(*plain_, ray, ray, Hit::no_instance, best);
         find_object(ray, best);
         return best;
     }
-    void find_alone(std::span<const Ray> rays, std::span<Hit> hits) const
+    void closest_one_by_one(std::span<const Ray> rays, std::span<Hit> hits) const
     {
         for (size_t i = 0; i < rays.size(); ++i) hits[i] = find(rays[i]);
     }
-    // How: Bvh8Turns or Bvh8Packets.
+    // How: Bvh8Interleaved or Bvh8Packets.
     template <class How>
-    void find_together(std::span<const Ray> rays, std::span<Hit> hits) const
+    void closest_batch(std::span<const Ray> rays, std::span<Hit> hits) const
     {
-        std::array<float, Bvh8Turns::most> t_max;
-        std::array<uint32_t, Bvh8Turns::most> places;
-        for (size_t first = 0; first < rays.size(); first += Bvh8Turns::most) {
-            const size_t n = std::min(Bvh8Turns::most, rays.size() - first);
+        std::array<float, Bvh8Interleaved::most> t_max;
+        std::array<uint32_t, Bvh8Interleaved::most> leaf_hints;
+        for (size_t first = 0; first < rays.size(); first += Bvh8Interleaved::most) {
+            const size_t n = std::min(Bvh8Interleaved::most, rays.size() - first);
             const auto some = rays.subspan(first, n);
             const auto best = hits.subspan(first, n);
             for (size_t i = 0; i < n; ++i) {
                 best[i] = {};
-                places[i] = Ray::nowhere;
+                leaf_hints[i] = Ray::no_leaf_hint;
                 t_max[i] = -1;
                 if (!is_traceable(some[i])) continue;
                 find_plane(some[i], best[i]);
@@ -114,28 +115,28 @@ private:
             }
             if (plain_)
                 How(plain_->tree)
-                    .closest(some, std::span(t_max).first(n), places, [&](uint32_t i, uint32_t number, float t) {
+                    .closest(some, std::span(t_max).first(n), leaf_hints, [&](uint32_t i, uint32_t number, float t) {
                         return asking(*plain_, some[i], Hit::no_instance, best[i])(number, t);
                     });
             for (size_t i = 0; i < n; ++i) {
                 if (t_max[i] < 0) continue;
-                best[i].place = places[i];
+                best[i].leaf_hint = leaf_hints[i];
                 find_object(some[i], best[i]);
             }
         }
     }
-    void find_by_octets(std::span<const Ray> rays, std::span<Hit> hits) const
+    void closest_by_packets(std::span<const Ray> rays, std::span<Hit> hits) const
     {
         std::fill(hits.begin(), hits.end(), Hit{});
         if (plain_)
-            for_octets(rays, [&](std::span<const uint32_t> which) {
-                const ShearedOctet octet(rays, which);
-                NearestOctet best{.t = octet.rays.t_max};
-                plain_->tree.closest(octet, best, [&](Mask8 met, uint32_t number, Float8 t) {
+            for_each_packet(rays, [&](std::span<const uint32_t> which) {
+                const ShearedPacket packet(rays, which);
+                PacketHits best{.t = packet.rays.t_max};
+                plain_->tree.closest(packet, best, [&](Mask8 met, uint32_t number, Float8 t) {
                     return met & ~passed(rays, which, met, number, t);
                 });
                 for (size_t i = 0; i < which.size(); ++i) {
-                    if (best.number[i] == NearestOctet::none) continue;
+                    if (best.number[i] == PacketHits::none) continue;
                     const TriangleSet::Id id = plain_->triangles.id(best.number[i]);
                     hits[which[i]] = {best.t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
                 }
@@ -147,29 +148,29 @@ private:
             find_object(rays[i], hits[i]);
         }
     }
-    void any_by_octets(std::span<const Ray> rays, std::span<uint8_t> occluded) const
+    void any_by_packets(std::span<const Ray> rays, std::span<uint8_t> occluded) const
     {
         std::fill(occluded.begin(), occluded.end(), uint8_t{0});
         if (!is_plain())
             for (size_t i = 0; i < rays.size(); ++i)
-                occluded[i] = is_traceable(rays[i]) && (stops_at_plane(rays[i]) || stops_at_object(rays[i]));
+                occluded[i] = is_traceable(rays[i]) && (occluded_by_plane(rays[i]) || occluded_by_object(rays[i]));
         if (plain_)
-            for_octets(rays, [&](std::span<const uint32_t> which) {
+            for_each_packet(rays, [&](std::span<const uint32_t> which) {
                 const uint32_t stopped = plain_->tree.any(
-                    ShearedOctet(rays, which),
+                    ShearedPacket(rays, which),
                     [&](Mask8 met, uint32_t number, Float8 t) { return met & ~passed(rays, which, met, number, t); });
-                for_bits(stopped, [&](uint32_t i) { occluded[which[i]] = 1; });
+                for_each_lane(stopped, [&](uint32_t i) { occluded[which[i]] = 1; });
             });
     }
     // Those of the lanes that go through a hole where they meet a triangle of plain_.
     Mask8 passed(std::span<const Ray> rays, std::span<const uint32_t> which, Mask8 met, uint32_t number, Float8 t) const
     {
-        if (!g_.holes.let_pass) return Mask8{};
+        if (!g_.alpha_test.passes_through) return Mask8{};
         const TriangleSet::Id id = plain_->triangles.id(number);
         uint32_t through = 0;
-        for_bits(bits(met), [&](uint32_t i) {
+        for_each_lane(movemask(met), [&](uint32_t i) {
             const Hit hit{t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
-            through |= uint32_t{lets_pass(rays[which[i]], hit)} << i;
+            through |= uint32_t{passes_through(rays[which[i]], hit)} << i;
         });
         return lanes_of(through);
     }
@@ -188,19 +189,20 @@ private:
     }
     void find_plane(const Ray& ray, Hit& best) const
     {
-        for (uint32_t i = 0; i < g_.planes.size(); ++i) take(first_stop<Kind::plane>(g_, i, up_to(ray, best)), best);
+        for (uint32_t i = 0; i < g_.planes.size(); ++i)
+            take(first_opaque_hit<Kind::plane>(g_, i, up_to(ray, best)), best);
     }
     static void take(const Hit& hit, Hit& best)
     {
         if (hit && is_nearer(hit, best)) best = hit;
     }
-    // Says Hit::place, where the tree tells one. local: the ray in the space of the triangles.
+    // Says Hit::leaf_hint, where the tree tells one. local: the ray in the space of the triangles.
     uint32_t find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
         float t_max = reach(ray, best);
         if constexpr (is_bvh8) return s.tree.closest(local, t_max, asking(s, ray, instance, best)).bits();
         s.tree.closest(local, t_max, asking(s, ray, instance, best));
-        return Ray::nowhere;
+        return Ray::no_leaf_hint;
     }
     static bool is_of(const Hit& best, uint32_t instance)
     {
@@ -213,7 +215,7 @@ private:
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
             if (!(is_bvh8 && is_of(best, instance)) && !is_nearer(hit, best)) return false;
-            if (lets_pass(ray, hit)) return false;
+            if (passes_through(ray, hit)) return false;
             best = hit;
             return true;
         };
@@ -228,7 +230,7 @@ private:
             if (!is_known && best.kind == Kind::triangle) best.t = refine(g_, ray, best).t;
             is_known = true;
             if (is_sphere(object))
-                take(first_stop<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
+                take(first_opaque_hit<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
             else if (const Ray local = into_mesh(ray, object); is_traceable(local)) {
                 find_in(*placed_[g_.instances[object].mesh], ray, local, object, best);
                 is_known = !(is_bvh8 && is_of(best, object));
@@ -237,25 +239,25 @@ private:
         });
     }
 
-    bool stops_at_plane(const Ray& ray) const
+    bool occluded_by_plane(const Ray& ray) const
     {
         for (uint32_t i = 0; i < g_.planes.size(); ++i)
-            if (first_stop<Kind::plane>(g_, i, ray)) return true;
+            if (first_opaque_hit<Kind::plane>(g_, i, ray)) return true;
         return false;
     }
-    bool stops_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance) const
+    bool occluded_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance) const
     {
         return s.tree.any(local, [&](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
-            return !lets_pass(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
+            return !passes_through(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
         });
     }
-    bool stops_at_object(const Ray& ray) const
+    bool occluded_by_object(const Ray& ray) const
     {
         return objects_.any(ray, [&](uint32_t object, uint32_t) {
-            if (is_sphere(object)) return static_cast<bool>(first_stop<Kind::sphere>(g_, sphere(object), ray));
+            if (is_sphere(object)) return static_cast<bool>(first_opaque_hit<Kind::sphere>(g_, sphere(object), ray));
             const Ray local = into_mesh(ray, object);
-            return is_traceable(local) && stops_in(*placed_[g_.instances[object].mesh], ray, local, object);
+            return is_traceable(local) && occluded_in(*placed_[g_.instances[object].mesh], ray, local, object);
         });
     }
 
@@ -265,11 +267,11 @@ private:
         const auto place = [](const Hit& h) { return std::tuple(h.kind, h.instance, h.geometry, h.primitive); };
         return place(a) < place(b);
     }
-    bool lets_pass(const Ray& ray, const Hit& hit) const
+    bool passes_through(const Ray& ray, const Hit& hit) const
     {
-        if (!g_.holes.let_pass || g_.holes.meshes[hit.geometry].empty()) return false;
-        return g_.holes.meshes[hit.geometry][hit.primitive] &&
-               g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit));
+        if (!g_.alpha_test.passes_through || g_.alpha_test.meshes[hit.geometry].empty()) return false;
+        return g_.alpha_test.meshes[hit.geometry][hit.primitive] &&
+               g_.alpha_test.passes_through(g_.alpha_test.context, ray, refine(g_, ray, hit));
     }
     // Objects are numbered: first the instances, then the spheres.
     bool is_sphere(uint32_t object) const { return object >= g_.instances.size(); }
@@ -296,7 +298,7 @@ private:
         Ray local = ray;
         local.org = to_float(m.point(to_double(ray.org)));
         local.dir = to_float(m.vector(to_double(ray.dir)));
-        local.start = Ray::nowhere;
+        local.leaf_hint = Ray::no_leaf_hint;
         return local;
     }
 

@@ -15,7 +15,7 @@ namespace lancer {
 template <size_t n>
 using SomeHits = std::array<size_t, n>;
 using FourHits = SomeHits<double_lanes>;
-using EightHits = SomeHits<float_lanes>;
+using HitIndices = SomeHits<float_lanes>;
 
 // some(which), n at a time, of the triangles that are drawn as they are, placed(i) of each one that an instance places.
 // Spheres, planes and misses are left out.

@@ -4,7 +4,7 @@
 
 #include "core/frame.h"
 #include "core/warp.h"
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 #include "integrators/view.h"
 
 namespace lancer {
@@ -13,20 +13,21 @@ struct AmbientOcclusion {
     static constexpr const char* name = "ao";
 
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
         const Vec3 wi =
             normalize(Frame(surface.ns).to_world(square_to_cosine_hemisphere(sampler.get2(s.depth, Dim::bsdf))));
         if (dot(wi, surface.side) <= 0) return;
         Ray ray{.org = ray_origin(surface, wi), .dir = wi};
         ray.t_max = std::max(1.0f, static_cast<float>(view.scene.bounds.radius()));
-        view.give_key(ray, sampler, s.depth, Dim::shadow_hole);
-        steps.shadow(ray, {1, 1, 1});
+        view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
+        actions.shadow(ray, {1, 1, 1});
     }
     template <class V>
-    void miss(const V&, const State&, Steps& steps) const
+    void miss(const V&, const PathState&, PathActions& actions) const
     {
-        steps.add({1, 1, 1});
+        actions.add({1, 1, 1});
     }
 };
 

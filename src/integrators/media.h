@@ -5,18 +5,18 @@
 
 #include <limits>
 
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 #include "integrators/view.h"
 
 namespace lancer {
 
 // No vertex: the ray goes on, its random numbers are not touched. But shadow rays stop there, so no light sampling can
 // have found what lies beyond.
-inline State passed(const State& s, const Surface& surface, const MediumStack& beyond)
+inline PathState passed(const PathState& s, const Surface& surface, const MediumStack& beyond)
 {
-    State n = s;
+    PathState n = s;
     n.ray.org = ray_origin(surface, s.ray.dir);
-    n.ray.start = surface.start;
+    n.ray.leaf_hint = surface.leaf_hint;
     n.cone.width += s.cone.spread * surface.t;
     n.specular = true;
     n.light_sampled = false;
@@ -30,13 +30,13 @@ class MediaAtHit {
 public:
     // Changes `s` and `surface` to what the integrator is to see. False if the surface is not there for the ray: then
     // that has been sent on, and nothing else is to happen here.
-    bool enter(const View& view, State& s, Surface& surface, const Queue& queue, Steps& steps)
+    bool enter(const View& view, PathState& s, Surface& surface, const Queue& queue, PathActions& actions)
     {
         const std::vector<Medium>& media = view.scene.media;
         at_ = cross(media, s.media, view.scene.traits[surface.material].medium, surface.front);
         s.throughput *= at_.here.transmittance(media, surface.t);
         if (at_.absent) {
-            steps.next(passed(s, surface, at_.beyond));
+            actions.next(passed(s, surface, at_.beyond));
             return false;
         }
         surface.eta = at_.eta;
@@ -77,7 +77,7 @@ Color shadow_in_media(const View& view, MediumStack& in, Surface& surface, const
 }
 
 // Of a ray that left the scene.
-inline void miss_in_media(const View& view, State& s)
+inline void miss_in_media(const View& view, PathState& s)
 {
     s.throughput *= s.media.transmittance(view.scene.media, std::numeric_limits<float>::infinity());
 }

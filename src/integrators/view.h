@@ -1,4 +1,4 @@
-// All that an integrator can see of a scene. No accelerator: rays are asked for through Steps.
+// All that an integrator can see of a scene. No accelerator: rays are asked for through PathActions.
 #pragma once
 
 #include <span>
@@ -13,20 +13,20 @@ namespace lancer {
 
 struct View {
     const Scene& scene;
-    const PathPlan& plan;
+    const SamplingPlan& plan;
 
     Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone) const
     {
         return lancer::surface_at(scene, ray, hit, cone);
     }
-    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place) const
+    Surface surface_at(const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& place) const
     {
         return lancer::surface_at(scene, ray, hit, cone, place);
     }
-    // See scene/triangle_place.h.
-    void triangle_places(std::span<const Hit> hits, std::span<TrianglePlace> places) const
+    // See scene/triangle_interaction.h.
+    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> places) const
     {
-        lancer::triangle_places(scene, hits, places);
+        lancer::triangle_interactions(scene, hits, places);
     }
 
     // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
@@ -97,11 +97,11 @@ struct View {
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
-        if (!pick.stretches()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
-        const Discrete::Stretched s = pick.stretch(u.x);
+        if (!pick.can_remap()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
+        const Discrete::Remapped s = pick.sample_remapped(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
-    bool lit_by_constant_sky() const { return scene.lit_by_constant_sky(); }
+    bool has_constant_environment() const { return scene.has_constant_environment(); }
     // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
     // choice.
     uint32_t delta_lights() const { return scene.lights.deltas; }
@@ -123,18 +123,18 @@ struct View {
     }
     bool has_media() const { return !scene.media.empty(); }
     // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
-    uint32_t ray_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
+    uint32_t alpha_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
-        return scene.geometry.holes.let_pass ? key_in_scene_with_holes(sampler, bounce, dim) : 0;
+        return scene.geometry.alpha_test.passes_through ? hash_alpha_key(sampler, bounce, dim) : 0;
     }
     // The same for a ray that has none yet. Costs a scene without holes no more than the question.
-    void give_key(Ray& ray, const Sampler& sampler, uint32_t bounce, Dim dim) const
+    void set_alpha_key(Ray& ray, const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
-        if (scene.geometry.holes.let_pass) [[unlikely]]
-            ray.key = key_in_scene_with_holes(sampler, bounce, dim);
+        if (scene.geometry.alpha_test.passes_through) [[unlikely]]
+            ray.key = hash_alpha_key(sampler, bounce, dim);
     }
     // Out of line, so that the hash does not stand in the kernel for each kind of ray.
-    [[gnu::noinline]] static uint32_t key_in_scene_with_holes(const Sampler& sampler, uint32_t bounce, Dim dim)
+    [[gnu::noinline]] static uint32_t hash_alpha_key(const Sampler& sampler, uint32_t bounce, Dim dim)
     {
         return sampler.key(bounce, dim);
     }

@@ -54,7 +54,7 @@ struct PlasticCoat {
         const T pdf_base = pdf_cosine_hemisphere(wi.z);
         const Value smooth{o.through * through(wi.z) * pdf_base, T{}, (1.0f - o.choice) * pdf_base};
         const auto is_rough = alpha > 0.0f;
-        if (bits(is_rough) == 0) return smooth;
+        if (movemask(is_rough) == 0) return smooth;
         const auto f = eval_facets(GgxT<D>{to_double(alpha)}, o.wo, unit_in_double(wi));
         const D c = to_double(to_float(f.cos_h));
         const T reflected = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);

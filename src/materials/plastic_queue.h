@@ -20,7 +20,7 @@ struct BsdfSampleLanes {
 // Each question takes three steps: what is asked is put down for eight lanes after eight, in the order in which these
 // were added; all is computed; what came out is taken for eight lanes. What goes in and out is by lane; in lanes that
 // are not plastic it is anything. Directions are local and unit.
-class PlasticList {
+class PlasticQueue {
 public:
     static constexpr size_t most = 128;  // places
 
@@ -78,13 +78,13 @@ public:
     {
         const Float8 zero{};
         for (size_t k = 0; k < count_; k += float_lanes) {
-            const Float8 choice = joined(seen_[k / 4].choice, seen_[k / 4 + 1].choice);
+            const Float8 choice = concat(seen_[k / 4].choice, seen_[k / 4 + 1].choice);
             const Mask8 by_coat = u_.eight(k)<choice, is_rough = alpha_.eight(k)> zero, is_delta = by_coat & ~is_rough;
             const Vec3x8 wo = wo_.eight(k);
             Vec3x8 wi = wi_.eight(k);
-            if (bits(by_coat & is_rough) != 0) wi = select(by_coat, reflected(k), wi);
+            if (movemask(by_coat & is_rough) != 0) wi = select(by_coat, reflected(k), wi);
             const BsdfValueLanes f = eval_lobes(k, wi);
-            const Float8 sent = (1.0f - joined(seen_[k / 4].through, seen_[k / 4 + 1].through)) / choice;
+            const Float8 sent = (1.0f - concat(seen_[k / 4].through, seen_[k / 4 + 1].through)) / choice;
             wi_.set_eight(k, select(is_delta, {-wo.x, -wo.y, wo.z}, wi));
             color_.set_eight(k, select(is_delta, specular_.eight(k) * sent, f.f_cos / f.pdf));
             pdf_.set_eight(k, select(is_delta, choice, f.pdf));
@@ -94,8 +94,8 @@ public:
     }
     BsdfSampleLanes sampled(const Eight& of) const
     {
-        const uint32_t found = bits(found_.of(of)) & of.lanes;
-        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & bits(delta_.of(of))};
+        const uint32_t found = movemask(found_.of(of)) & of.lanes;
+        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & movemask(delta_.of(of))};
     }
 
 private:
@@ -107,11 +107,11 @@ private:
         void set_eight(size_t k, Lanes x) { _mm256_store_ps(&(*this)[k], reinterpret_cast<__m256>(x)); }
         void put(const Eight& of, Lanes x)
         {
-            _mm256_storeu_ps(&(*this)[of.first], reinterpret_cast<__m256>(permuted(x, of.from)));
+            _mm256_storeu_ps(&(*this)[of.first], reinterpret_cast<__m256>(permute(x, of.from)));
         }
         Lanes of(const Eight& of) const
         {
-            return permuted(reinterpret_cast<Lanes>(_mm256_loadu_ps(&(*this)[of.first])), of.to);
+            return permute(reinterpret_cast<Lanes>(_mm256_loadu_ps(&(*this)[of.first])), of.to);
         }
     };
     struct Vectors {
@@ -140,8 +140,8 @@ private:
     {
         std::array<Coat::Value, 2> of{};
         for_fours(k, [&](size_t i, size_t at, auto four) { of[i] = coat(at).eval(seen_[at / 4], four(wi)); });
-        return {base_.eight(k) * joined(of[0].base, of[1].base) + specular_.eight(k) * joined(of[0].coat, of[1].coat),
-                joined(of[0].pdf, of[1].pdf)};
+        return {base_.eight(k) * concat(of[0].base, of[1].base) + specular_.eight(k) * concat(of[0].coat, of[1].coat),
+                concat(of[0].pdf, of[1].pdf)};
     }
     // Directions that facets send the light to; some lie below the surface.
     Vec3x8 reflected(size_t k) const
@@ -155,7 +155,7 @@ private:
                                                            {to_double(four(phi.sin)), to_double(four(phi.cos))});
             wi[i] = to_float(mirrored(wo, h));
         });
-        return joined(wi[0], wi[1]);
+        return concat(wi[0], wi[1]);
     }
 
     uint32_t count_ = 0;

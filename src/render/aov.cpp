@@ -119,7 +119,7 @@ AovLayout layout_of(const std::vector<Aov>& which)
     return layout;
 }
 
-void AovListener::vertex(const State& s, const Surface& surface) const
+void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
     if (!is_counted(s)) return;
     const SampleId& id = w_.slots[s.slot];

@@ -34,17 +34,17 @@ public:
         : scene_(scene), film_(film), tile_(tile), w_(w)
     {
     }
-    void ray(const State& s, const Hit&) const
+    void ray(const PathState& s, const Hit&) const
     {
         if (is_counted(s)) count(w_.slots[s.slot]);
     }
-    void open_sky(const SampleId& id) const { count(id); }
-    void vertex(const State& s, const Surface& surface) const;
+    void background_only(const SampleId& id) const { count(id); }
+    void vertex(const PathState& s, const Surface& surface) const;
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
 
 private:
-    static bool is_counted(const State& s) { return s.depth == 0; }  // camera rays
+    static bool is_counted(const PathState& s) { return s.depth == 0; }  // camera rays
     void count(const SampleId& id) const
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);

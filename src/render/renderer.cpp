@@ -26,7 +26,7 @@ std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& set
 {
     if (settings.accel == AccelKind::automatic)
         settings.accel = fastest_accelerator(scene.geometry, use_of_rays(scene, settings.integrator));
-    bind_holes(scene);
+    bind_alpha_test(scene);
     return make_accelerator(settings.accel, scene.geometry, settings.isa);
 }
 
@@ -45,7 +45,7 @@ Renderer::~Renderer() = default;
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                           const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
 {
-    const PathPlan& plan = this->plan(camera, film.width, film.height);
+    const SamplingPlan& plan = this->plan(camera, film.width, film.height);
     PassResult result;
     std::atomic<bool> skipped{false};
     parallel_for(tiles.size(), [&](size_t i) {
@@ -82,12 +82,13 @@ Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, co
                           width, id, listener);
 }
 
-const PathPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
+const SamplingPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
 {
     if (!piloted_ || !(piloted_->camera == camera) || piloted_->width != width || piloted_->height != height) {
         const auto* path = std::get_if<Path>(&settings_.integrator);
-        PathPlan plan = path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : PathPlan{};
-        find_open_sky(scene_, camera, width, height, plan);
+        SamplingPlan plan =
+            path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
+        find_background_only(scene_, camera, width, height, plan);
         piloted_.emplace(Piloted{camera, width, height, std::move(plan)});
     }
     return piloted_->plan;

@@ -49,7 +49,7 @@ public:
                  const PathListener& listener) const;
 
     // How paths spend their rays in a picture of that size: found out once, then known.
-    const PathPlan& plan(const Camera& camera, uint32_t width, uint32_t height) const;
+    const SamplingPlan& plan(const Camera& camera, uint32_t width, uint32_t height) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }

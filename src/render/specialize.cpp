@@ -6,7 +6,7 @@ namespace {
 // Null if the scene is not so plain, or the path wants of it what is left out there.
 std::shared_ptr<const WideScene> wide_scene_for(const Scene& scene, const Path& path)
 {
-    if (scene.lit_by_constant_sky() && path.direct.always) return {};
+    if (scene.has_constant_environment() && path.direct.always) return {};
     auto plain = WideScene::of(scene);
     return plain ? std::make_shared<const WideScene>(std::move(*plain)) : nullptr;
 }
@@ -16,8 +16,8 @@ auto* render_eight(Shading shading)
     switch (shading) {
         case Shading::plain:
             return WideKernel<Shading::plain>::render;
-        case Shading::looked_up:
-            return WideKernel<Shading::looked_up>::render;
+        case Shading::textured:
+            return WideKernel<Shading::textured>::render;
         case Shading::any:
             break;
     }
@@ -41,13 +41,13 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
             if constexpr (std::is_same_v<Integrator, Path>)
                 if (profile == Profile::wide)
-                    return [&, plain = wide_scene_for(scene, concrete)](const PathPlan& plan, const Camera& camera,
+                    return [&, plain = wide_scene_for(scene, concrete)](const SamplingPlan& plan, const Camera& camera,
                                                                         Film& film, Tile tile, SampleRange samples,
                                                                         Workspace& w, Counters& counters) {
                         render_eight(plain->shading)(View{scene, plan}, accel, camera, settings, concrete, *plain, film,
                                                      tile, samples, w, counters);
                     };
-            return [&](const PathPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
+            return [&](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters) {
                 Kernels<Integrator>::render(View{scene, plan}, accel, camera, settings, concrete, film, tile, samples,
                                             w, counters);
@@ -57,7 +57,7 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
 }
 
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-             const KernelSettings& settings, const PathPlan& plan, const Camera& camera, uint32_t width,
+             const KernelSettings& settings, const SamplingPlan& plan, const Camera& camera, uint32_t width,
              const SampleId& id, const PathListener& listener)
 {
     return std::visit(

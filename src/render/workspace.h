@@ -6,7 +6,7 @@
 #include "core/film.h"
 #include "core/sampler.h"
 #include "geometry/accel.h"
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 #include "integrators/view.h"
 #include "render/estimators/stop_rule.h"
 #include "render/filter.h"
@@ -47,7 +47,7 @@ struct SampleId {
 
 struct Counters {
     uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
-    uint64_t open_samples = 0;              // of camera rays that were not traced: see PathPlan::open
+    uint64_t background_only_samples = 0;   // of camera rays that were not traced: see SamplingPlan::background_only
     uint64_t dropped = 0;                   // samples that were not finite
     std::optional<SampleId> first_dropped;  // in order of x, y, sample
 
@@ -59,7 +59,7 @@ struct Counters {
     Counters& operator+=(const Counters& o)
     {
         camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays;
-        open_samples += o.open_samples, dropped += o.dropped;
+        background_only_samples += o.background_only_samples, dropped += o.dropped;
         if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
         return *this;
     }
@@ -68,7 +68,7 @@ struct Counters {
 // Memory of one thread at work, kept from tile to tile.
 struct Workspace {
     Queue queue;
-    std::vector<State> states;
+    std::vector<PathState> states;
     std::vector<Ray> rays;
     std::vector<Hit> hits;
     std::vector<uint8_t> occluded;
@@ -89,10 +89,10 @@ struct Workspace {
 // Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
 // one hears nothing, at no cost.
 struct NoListener {
-    void ray(const State&, const Hit&) const {}
-    void open_sky(const SampleId&) const {}  // in place of ray(): nothing would be hit
-    void vertex(const State&, const Surface&) const {}
-    void added(const State&, Color) const {}
+    void ray(const PathState&, const Hit&) const {}
+    void background_only(const SampleId&) const {}  // in place of ray(): nothing would be hit
+    void vertex(const PathState&, const Surface&) const {}
+    void added(const PathState&, Color) const {}
     void shadow(uint32_t /*slot*/, const Ray&, Color, bool) const {}
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}

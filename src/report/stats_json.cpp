@@ -21,10 +21,10 @@ Json context_of(const RunStats& s)
             {"command_line", c.command_line}};
 }
 
-Json left_out_of(const std::vector<LeftOut>& all)
+Json unused_features_of(const std::vector<UnusedFeature>& all)
 {
     Json json = Json::array();
-    for (const LeftOut& l : all)
+    for (const UnusedFeature& l : all)
         json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}, {"time", l.time}});
     return json;
 }
@@ -41,7 +41,7 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"lights", s.lights},
             {"materials", s.materials},
             {"accelerator_bytes", s.accelerator_bytes},
-            {"left_out", left_out_of(s.left_out)},
+            {"unused_features", unused_features_of(s.unused_features)},
             {"warnings", s.warnings}};
 }
 
@@ -89,7 +89,7 @@ Json samples_of(const RunStats& s)
     if (const auto& first = s.counters.first_dropped)
         dropped["first"] = {{"x", first->x}, {"y", first->y}, {"sample", first->sample}};
     return {{"count", s.samples},
-            {"of_open_sky", s.counters.open_samples},
+            {"background_only", s.counters.background_only_samples},
             {"per_second", rate(s.samples, s.render_s)},
             {"dropped", dropped}};
 }

@@ -23,7 +23,7 @@ struct RunStats {
         uint64_t triangles = 0, meshes = 0, instances = 0, spheres = 0, planes = 0, lights = 0, materials = 0;
         uint64_t accelerator_bytes = 0;
         std::vector<std::string> warnings;
-        std::vector<LeftOut> left_out;
+        std::vector<UnusedFeature> unused_features;
     };
     struct SettingsUsed {
         uint32_t width = 0, height = 0, spp = 0, replicates = 1, max_depth = 0, threads = 0, tile = 0, batch = 0;

@@ -16,7 +16,7 @@ float number_of(uint32_t key, const Hit& hit)
     return static_cast<float>(mix_bits(surface ^ (uint64_t{key} << 32 | hit.primitive)) >> 40) * 0x1p-24f;
 }
 
-bool let_pass(const void* context, const Ray& ray, const Hit& hit)
+bool passes_through(const void* context, const Ray& ray, const Hit& hit)
 {
     const Scene& scene = *static_cast<const Scene*>(context);
     const uint32_t material = scene.material_of(hit);
@@ -32,29 +32,29 @@ bool let_pass(const void* context, const Ray& ray, const Hit& hit)
 
 }  // namespace
 
-void bind_holes(Scene& scene)
+void bind_alpha_test(Scene& scene)
 {
     const auto has_holes = [&](uint32_t material) { return scene.traits[material].has_holes(); };
     const auto any = [&](const std::vector<uint32_t>& materials) {
         return std::any_of(materials.begin(), materials.end(), has_holes);
     };
-    Holes holes;
-    holes.spheres = any(scene.sphere_material);
-    holes.planes = any(scene.plane_material);
+    AlphaTest alpha_test;
+    alpha_test.spheres = any(scene.sphere_material);
+    alpha_test.planes = any(scene.plane_material);
     bool meshes = false;
     for (size_t i = 0; i < scene.shading.size(); ++i) {
         const MeshShading& s = scene.shading[i];
-        std::vector<uint8_t>& ask = holes.meshes.emplace_back();
-        if (!s.wears(has_holes)) continue;
+        std::vector<uint8_t>& ask = alpha_test.meshes.emplace_back();
+        if (!s.uses(has_holes)) continue;
         meshes = true;
         ask.resize(scene.geometry.meshes[i].triangles.size());
         for (uint32_t t = 0; t < ask.size(); ++t) ask[t] = has_holes(s.material_of(t)) ? 1 : 0;
     }
-    if (holes.spheres || holes.planes || meshes) {
-        holes.let_pass = let_pass;
-        holes.context = &scene;
+    if (alpha_test.spheres || alpha_test.planes || meshes) {
+        alpha_test.passes_through = passes_through;
+        alpha_test.context = &scene;
     }
-    scene.geometry.holes = std::move(holes);
+    scene.geometry.alpha_test = std::move(alpha_test);
 }
 
 float opacity_at(const Scene& scene, uint32_t material, const ShadingPoint& point)

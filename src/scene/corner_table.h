@@ -21,7 +21,7 @@ public:
     CornerTable(const std::vector<Corners>& all, const Has& has)
     {
         const auto count = static_cast<uint32_t>(all.size());
-        Marks marks(count, has);
+        RankedBitset marks(count, has);
         const size_t kept = marks.marked();
         if (kept == 0) return;
         if (kept * sizeof(Corners) + marks.bytes() >= all.size() * sizeof(Corners)) {
@@ -56,7 +56,7 @@ public:
 
 private:
     std::vector<Corners> corners_;
-    Marks marks_;  // empty: nearly all triangles have corners, and there is an entry for each; or none has
+    RankedBitset marks_;  // empty: nearly all triangles have corners, and there is an entry for each; or none has
 };
 
 }  // namespace lancer

@@ -6,22 +6,22 @@ namespace lancer {
 namespace {
 
 // Which materials some surface wears, with the parts of those that are mixes.
-std::vector<bool> worn_materials(const Scene& scene)
+std::vector<bool> used_materials(const Scene& scene)
 {
-    std::vector<bool> worn(scene.materials.size());
-    for (const uint32_t m : scene.sphere_material) worn[m] = true;
-    for (const uint32_t m : scene.plane_material) worn[m] = true;
+    std::vector<bool> used(scene.materials.size());
+    for (const uint32_t m : scene.sphere_material) used[m] = true;
+    for (const uint32_t m : scene.plane_material) used[m] = true;
     for (const MeshShading& mesh : scene.shading) {
-        if (mesh.face_material.empty()) worn[mesh.material] = true;
-        for (size_t i = 0; i < mesh.face_material.size(); ++i) worn[mesh.face_material[i]] = true;
+        if (mesh.face_material.empty()) used[mesh.material] = true;
+        for (size_t i = 0; i < mesh.face_material.size(); ++i) used[mesh.face_material[i]] = true;
     }
     // Parts come before the mixes that are made of them.
     for (size_t id = scene.mix_of.size(); id-- > 0;) {
-        if (!worn[id] || scene.mix_of[id] == Scene::none) continue;
+        if (!used[id] || scene.mix_of[id] == Scene::none) continue;
         const Mix& mix = scene.mixes[scene.mix_of[id]];
-        worn[mix.first] = worn[mix.second] = true;
+        used[mix.first] = used[mix.second] = true;
     }
-    return worn;
+    return used;
 }
 
 void add_material(const Scene& scene, uint32_t id, Features& f)
@@ -61,10 +61,10 @@ Features features_of(const Scene& scene)
         f.add(Feature::vertex_normals, !mesh.normals.empty());
         f.add(Feature::vertex_colors, !mesh.colors.empty());
     }
-    const std::vector<bool> worn = worn_materials(scene);
-    for (uint32_t id = 0; id < worn.size(); ++id)
-        if (worn[id]) add_material(scene, id, f);
-    f.add(Feature::cut_outs, scene.geometry.holes.let_pass != nullptr);
+    const std::vector<bool> used = used_materials(scene);
+    for (uint32_t id = 0; id < used.size(); ++id)
+        if (used[id]) add_material(scene, id, f);
+    f.add(Feature::cut_outs, scene.geometry.alpha_test.passes_through != nullptr);
     f.add(Feature::media, !scene.media.empty());
     for (const Light& light : scene.lights.lights) add_light(light, f);
     f.add(Feature::constant_sky, !is_black(scene.environment));

@@ -32,7 +32,7 @@ FlatTable FlatTable::of(const Scene& scene)
             const auto corner = [&](size_t k) { return mesh.positions[corners[k]]; };
             const uint32_t material = scene.shading[m].material_of(t);
             const uint32_t shines = scene.emission[material].is_dark() ? 0 : UINT32_MAX;
-            const TrianglePlace place = triangle_place(scene, Hit::no_instance, m, t, {});
+            const TriangleInteraction place = triangle_interaction(scene, Hit::no_instance, m, t, {});
             const float rounding = PointOnTriangle<float>::rounding(corner(0), corner(1), corner(2));
             table.records_.push_back({{row(corner(0), std::bit_cast<float>(material)), row(corner(1), rounding),
                                        row(corner(2), std::bit_cast<float>(shines)), row(place.n, place.area)}});

@@ -1,12 +1,13 @@
 // All there is to know of triangles that are drawn as they are and have no normals of their own: a line of memory each,
-// where there are so few of them that all stay in the caches. triangle_place() gathers the same from three tables.
+// where there are so few of them that all stay in the caches. triangle_interaction() gathers the same from three
+// tables.
 #pragma once
 
 #include <vector>
 
 #include "core/lanes/row_table.h"
 #include "geometry/hit_lanes.h"
-#include "scene/triangle_place.h"
+#include "scene/triangle_interaction.h"
 
 namespace lancer {
 
@@ -17,14 +18,14 @@ public:
 
     bool empty() const { return records_.empty(); }
     struct Found {
-        PlaceLanes place;
+        InteractionLanes place;
         UInt8 material;
         Mask8 shines;  // whether any of its sides does
     };
     // Of lanes without a hit: anything finite.
     Found at(const HitLanes& hits) const
     {
-        const UInt8 number = select(hits.exist, permuted(first_, hits.geometry) + hits.primitive, UInt8{});
+        const UInt8 number = select(hits.exist, permute(first_, hits.geometry) + hits.primitive, UInt8{});
         const RowLanes a = rows(number, 0), b = rows(number, 1), c = rows(number, 2), n = rows(number, 3);
         const PointOnTriangle<Float8> at(a.xyz, b.xyz, c.xyz, hits.u, hits.v, b.w);
         return {{at.p, at.p_error, n.xyz, n.xyz, n.w}, reinterpret_cast<UInt8>(a.w), reinterpret_cast<Mask8>(c.w)};
@@ -37,7 +38,7 @@ private:
 
     RowLanes rows(UInt8 records, size_t k) const
     {
-        return turned_rows([&](size_t i) { return load4(&records_[records[i]][k].x); });
+        return transpose([&](size_t i) { return load4(&records_[records[i]][k].x); });
     }
 
     std::vector<Record> records_;

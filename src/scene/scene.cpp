@@ -126,7 +126,8 @@ private:
                 set_materials(shading, of_faces);
             }
         }
-        fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading, scene_.left_out);
+        fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading,
+                    scene_.unused_features);
         for (size_t i = 0; i < mesh.vertices(); ++i)
             if (const Vec3& p = mesh.vertex(i);
                 !is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
@@ -173,7 +174,7 @@ private:
         const double s2 = scene_.normalisation.scale * scene_.normalisation.scale;
         for (const auto& l : d_.lights) {
             if (is_black(l.power)) {
-                scene_.left_out.add("lights without power", 1);
+                scene_.unused_features.add("lights without power", 1);
                 continue;
             }
             if (l.type == LightType::point) {

@@ -26,18 +26,19 @@ namespace lancer {
 
 // What shading needs to know of a mesh, beside its geometry.
 struct MeshShading {
-    CornerNormals normals;        // empty if the mesh is flat
-    std::vector<Vec2> uvs;        // empty unless a texture is looked up with them
-    CornerTable uv_triangles;     // of those triangles that have any and read them
-    PackedNumbers face_material;  // per triangle; empty if the mesh has one material
-    std::vector<Color> colors;    // of the vertices, linear; empty if the mesh has none
+    CornerNormals normals;            // empty if the mesh is flat
+    std::vector<Vec2> uvs;            // empty unless a texture is looked up with them
+    CornerTable uv_triangles;         // of those triangles that have any and read them
+    CompactIndexArray face_material;  // per triangle; empty if the mesh has one material
+    std::vector<Color> colors;        // of the vertices, linear; empty if the mesh has none
     uint32_t material = 0;
-    Marks emitters;  // which of its triangles shine: their lights follow each other in their order; empty if none does
+    RankedBitset
+        emitters;  // which of its triangles shine: their lights follow each other in their order; empty if none does
 
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
     // Whether holds(material) of one that some triangle of it wears.
     template <class Holds>
-    bool wears(const Holds& holds) const
+    bool uses(const Holds& holds) const
     {
         return face_material.empty() ? holds(material) : face_material.any(holds);
     }
@@ -78,7 +79,7 @@ struct Scene {
     std::vector<DirectionalLight> directional_lights;         // likewise
 
     std::string file;  // of the description
-    LeftOutList left_out;
+    UnusedFeatures unused_features;
     Normalisation normalisation;
     Bounds bounds;  // of all but planes and giant spheres, scene units
 
@@ -125,12 +126,12 @@ struct Scene {
         return shading[hit.geometry].material_of(hit.primitive);
     }
     // Whether all light that can be sampled is that of a sky of one colour: drawn by the cosine.
-    bool lit_by_constant_sky() const
+    bool has_constant_environment() const
     {
         return environment_light != none && lights.lights.size() == 1 && !environment_table;
     }
     // Whether what leaves the scene meets the same light everywhere, also as the camera sees it.
-    bool has_even_sky() const { return !environment_map && !background && !glow; }
+    bool has_uniform_background() const { return !environment_map && !background && !glow; }
 
     // What arrives along a ray that leaves the scene towards `dir` (unit).
     Color radiance_from(Vec3 dir) const;

@@ -53,7 +53,7 @@ float uv_per_length(const std::array<Vec2, 3>& t, float area)
 
 uint32_t light_of(const Scene& scene, const Hit& hit)
 {
-    const Marks& emitters = scene.shading[hit.geometry].emitters;
+    const RankedBitset& emitters = scene.shading[hit.geometry].emitters;
     if (emitters.empty() || !emitters.has(hit.primitive)) return Scene::none;
     const uint32_t first = hit.instance == Hit::no_instance ? scene.mesh_first_light[hit.geometry]
                                                             : scene.instance_first_light[hit.instance];
@@ -149,7 +149,7 @@ Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
-    const TrianglePlace s = triangle_place(scene, instance, mesh, triangle, uv);
+    const TriangleInteraction s = triangle_interaction(scene, instance, mesh, triangle, uv);
     return {s.p, s.p_error, s.n, s.area, texture_uv(scene.shading[mesh], triangle, uv)};
 }
 
@@ -163,10 +163,11 @@ Vec2 sphere_uv(Vec3 n)
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
 {
     if (hit.kind != Kind::triangle) return surface_at(scene, ray, hit, cone, {});
-    return surface_at(scene, ray, hit, cone, triangle_place(scene, hit.instance, hit.geometry, hit.primitive, hit.uv));
+    return surface_at(scene, ray, hit, cone,
+                      triangle_interaction(scene, hit.instance, hit.geometry, hit.primitive, hit.uv));
 }
 
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& placed)
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& placed)
 {
     Surface s;
     s.t = hit.t;
@@ -217,7 +218,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             }
         }
     }
-    s.start = hit.place;
+    s.leaf_hint = hit.leaf_hint;
     s.front = true;  // so far everything is said of the front
     const MaterialTraits& traits = scene.traits[s.material];
     if (tangents && traits.tilts()) {

@@ -5,7 +5,7 @@
 #include "core/ray.h"
 #include "geometry/geometry.h"
 #include "materials/textures/texture.h"
-#include "scene/triangle_place.h"
+#include "scene/triangle_interaction.h"
 
 namespace lancer {
 
@@ -30,7 +30,7 @@ struct Surface {
     float eta = 0;                // index beyond over index before, where the media on the ray's way tell; else 0
     Vec3 ns_front{};              // shading normal on the front side, as the shape and its maps say: not turned or bent
     Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
-    uint32_t start = Ray::nowhere;  // of rays that start there, as in Ray
+    uint32_t leaf_hint = Ray::no_leaf_hint;  // of rays that start there, as in Ray
 };
 
 // How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).
@@ -49,7 +49,7 @@ struct RayCone {
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone = {});
 // The same where it is known where on its triangle the hit is; of other hits `place` is not looked at.
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TrianglePlace& place);
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& place);
 
 // What a material wants to know at a hit of a triangle that is drawn as it is and that no map tilts. front: of the
 // surface; width: of the ray's cone there; area: of the triangle.
@@ -76,7 +76,7 @@ template <class T>
 void turn_to_ray(Vec3T<T>& ns, const Vec3T<T>& wo)
 {
     const T c = dot(ns, wo);
-    if (bits(c < T{}) != 0) ns = select(c < T{}, normalize(ns - wo * (2.0f * c)), ns);
+    if (movemask(c < T{}) != 0) ns = select(c < T{}, normalize(ns - wo * (2.0f * c)), ns);
 }
 
 // Texture coordinates of a sphere: longitude and latitude, both to [0, 1]; u grows from -z over -x, +z and +x, v from

@@ -15,16 +15,18 @@ bool is_plain(const Scene& scene, uint32_t material)
     return scene.emission[material].radiance.texture == no_texture && !scene.traits[material].has_holes();
 }
 
-WideScene::Lamp lamp_of(const Scene& scene, const Light& light)
+WideScene::LightKind light_kind_of(const Scene& scene, const Light& light)
 {
-    using Lamp = WideScene::Lamp;
+    using LightKind = WideScene::LightKind;
     if (const auto* triangle = std::get_if<TriangleLight>(&light)) {
         const uint32_t material = scene.shading[triangle->mesh].material_of(triangle->triangle);
-        return triangle->area > 0 && is_plain(scene, material) ? Lamp::triangle : Lamp::other;
+        return triangle->area > 0 && is_plain(scene, material) ? LightKind::triangle : LightKind::other;
     }
     if (const auto* sphere = std::get_if<SphereLight>(&light))
-        return scene.soft_shadows && is_plain(scene, scene.sphere_material[sphere->sphere]) ? Lamp::ball : Lamp::other;
-    return std::holds_alternative<EnvironmentLight>(light) && !scene.environment_table ? Lamp::even_sky : Lamp::other;
+        return scene.soft_shadows && is_plain(scene, scene.sphere_material[sphere->sphere]) ? LightKind::sphere
+                                                                                            : LightKind::other;
+    return std::holds_alternative<EnvironmentLight>(light) && !scene.environment_table ? LightKind::constant_environment
+                                                                                       : LightKind::other;
 }
 
 RowTable<WideScene::light_rows>::Record light_of(const Scene& scene, uint32_t id)
@@ -42,7 +44,7 @@ RowTable<WideScene::light_rows>::Record light_of(const Scene& scene, uint32_t id
             row(emission.plain_towards(false))};
 }
 
-WideScene::Ball ball_of(const Scene& scene, uint32_t id)
+WideScene::SphereLightRow sphere_light_of(const Scene& scene, uint32_t id)
 {
     const uint32_t sphere = std::get<SphereLight>(scene.lights.lights[id]).sphere;
     const Sphere& s = scene.geometry.spheres[sphere];
@@ -53,13 +55,13 @@ WideScene::Ball ball_of(const Scene& scene, uint32_t id)
 
 // Room for all lights, the rows of others being empty.
 template <class T, class Of>
-std::vector<T> rows_of(const std::vector<WideScene::Lamp>& lamps, WideScene::Lamp which, const Of& of)
+std::vector<T> rows_of(const std::vector<WideScene::LightKind>& light_kinds, WideScene::LightKind which, const Of& of)
 {
     std::vector<T> rows;
-    if (std::find(lamps.begin(), lamps.end(), which) == lamps.end()) return rows;
-    rows.resize(lamps.size());
-    for (uint32_t id = 0; id < lamps.size(); ++id)
-        if (lamps[id] == which) rows[id] = of(id);
+    if (std::find(light_kinds.begin(), light_kinds.end(), which) == light_kinds.end()) return rows;
+    rows.resize(light_kinds.size());
+    for (uint32_t id = 0; id < light_kinds.size(); ++id)
+        if (light_kinds[id] == which) rows[id] = of(id);
     return rows;
 }
 
@@ -72,7 +74,7 @@ WideScene::Fixed fixed_of(const Scene& scene, size_t material)
     for (const bool front : {false, true}) {
         fixed.bsdf[front] =
             std::visit([&](const auto& m) { return AnyBsdf(m.at({.front = front})); }, scene.materials[material]);
-        fixed.facts[front] = std::visit([](const auto& bsdf) { return facts_of(bsdf); }, fixed.bsdf[front]);
+        fixed.flags[front] = std::visit([](const auto& bsdf) { return bsdf_flags(bsdf); }, fixed.bsdf[front]);
     }
     return fixed;
 }
@@ -83,28 +85,30 @@ std::optional<WideScene> WideScene::of(const Scene& scene)
 {
     const Features needed = features_of(scene);
     const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
-    if (!(plain | looked_up | any).covers(needed)) return {};
+    if (!(plain | textured | any).covers(needed)) return {};
     WideScene d;
     std::vector<RowTable<1>::Record> albedo;
-    if (!plain.covers(needed) || (has_lamps && has_sky)) d.shading = Shading::looked_up;
-    if (!(plain | looked_up).covers(needed)) d.shading = Shading::any;
+    if (!plain.covers(needed) || (has_lamps && has_sky)) d.shading = Shading::textured;
+    if (!(plain | textured).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         albedo.push_back({row(lambert ? lambert->albedo.value : Color{})});
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));
-        d.of_drawn.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) | (d.fixed[i].is ? is_fixed : 0) |
-                             (scene.traits[i].mirrors ? is_mirroring : 0));
+        d.triangle_flags.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) |
+                                   (d.fixed[i].is ? is_fixed : 0) | (scene.traits[i].mirrors ? is_mirroring : 0));
     }
     d.albedo = RowTable<1>(std::move(albedo));
     if (d.shading == Shading::plain) d.flat = FlatTable::of(scene);
     for (const MeshShading& s : scene.shading) d.has_colors |= !s.colors.empty();
-    for (const lancer::Light& light : scene.lights.lights) d.lamps.push_back(lamp_of(scene, light));
+    for (const lancer::Light& light : scene.lights.lights) d.light_kinds.push_back(light_kind_of(scene, light));
     d.lights = RowTable<light_rows>(rows_of<RowTable<light_rows>::Record>(
-        d.lamps, Lamp::triangle, [&](uint32_t id) { return light_of(scene, id); }));
-    d.balls = rows_of<Ball>(d.lamps, Lamp::ball, [&](uint32_t id) { return ball_of(scene, id); });
-    d.has_triangles_only = std::all_of(d.lamps.begin(), d.lamps.end(), [](Lamp l) { return l == Lamp::triangle; });
+        d.light_kinds, LightKind::triangle, [&](uint32_t id) { return light_of(scene, id); }));
+    d.sphere_lights = rows_of<SphereLightRow>(d.light_kinds, LightKind::sphere,
+                                              [&](uint32_t id) { return sphere_light_of(scene, id); });
+    d.has_triangles_only =
+        std::all_of(d.light_kinds.begin(), d.light_kinds.end(), [](LightKind l) { return l == LightKind::triangle; });
     return d;
 }
 

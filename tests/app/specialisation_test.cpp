@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-class LeftOut : public AppTest {
+class Specialisation : public AppTest {
 protected:
     // What is mapped into a render of the scene once it traces rays.
     std::string mapped_while_rendering(const std::string& scene)
@@ -21,7 +21,7 @@ protected:
     }
 };
 
-TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
+TEST_F(Specialisation, OpenImageIoIsOpenedOnFirstNeed)
 {
     write("grey.ppm", "P6 1 2 255\n\x10\x20\x30\x40\x50\x60");
     write("worn.toml", std::string(small_scene) +
@@ -41,7 +41,7 @@ TEST_F(LeftOut, OpenImageIoIsOpenedOnFirstNeed)
 }
 
 // Of a picture that nothing wears neither the bytes nor the name count: it may be gone.
-TEST_F(LeftOut, PicturesThatNothingWearsAreNotOpened)
+TEST_F(Specialisation, PicturesThatNothingWearsAreNotOpened)
 {
     const auto scene_hash = [&](const std::string& scene) {
         EXPECT_EQ(run({"render", scene, "--size", "8x8", "-s", "1", "-q", "-o", "x.exr"}).code, 0);
@@ -59,7 +59,7 @@ TEST_F(LeftOut, PicturesThatNothingWearsAreNotOpened)
     EXPECT_NE(scene_hash("worn.toml"), worn);
 }
 
-TEST_F(LeftOut, IsInTheStatistics)
+TEST_F(Specialisation, IsInTheStatistics)
 {
     write("some.toml", std::string(small_scene) +
                            "[material.unused]\n[[light]]\ntype = \"point\"\nposition = [0, 5, 0]\nintensity = 0\n");
@@ -69,9 +69,9 @@ TEST_F(LeftOut, IsInTheStatistics)
     expect_words(said.err, "left out; drawn by the kernel 'wide':\nlancer:   1 lights without power");
     const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
     EXPECT_EQ(stats["settings"]["kernel"], "wide");
-    EXPECT_EQ(stats["samples"]["of_open_sky"], 0) << "there is a plane";
+    EXPECT_EQ(stats["samples"]["background_only"], 0) << "there is a plane";
     std::string all;
-    for (const auto& l : stats["scene"]["left_out"]) {
+    for (const auto& l : stats["scene"]["unused_features"]) {
         all += l["what"].get<std::string>() + "\n";
         EXPECT_GT(l["count"], 0);
         EXPECT_GE(l["bytes"], 0);
@@ -92,7 +92,7 @@ TEST_F(LeftOut, IsInTheStatistics)
 }
 
 // Whatever AOVs are wanted, the kernel is the same, and the open sky is left out.
-TEST_F(LeftOut, AovsTakeNothingBack)
+TEST_F(Specialisation, AovsTakeNothingBack)
 {
     write("plain.toml", R"([camera]
 position = [0, 0, 9]
@@ -112,7 +112,7 @@ file = "quad.obj"
         const auto kernel = stats["settings"]["kernel"].get<std::string>();
         expect_words(said.err, "drawn by the kernel '" + kernel + "'");
         EXPECT_EQ(said.err.find("1 kernel for all scenes; saves ") != std::string::npos, kernel != "all") << said.err;
-        const bool leaves_out = stats["samples"]["of_open_sky"] > 0;
+        const bool leaves_out = stats["samples"]["background_only"] > 0;
         EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
         return kernel + (leaves_out ? " without sky" : "");
     };

@@ -31,20 +31,20 @@ TEST(Discrete, StretchesEachPartOverAll)
 {
     const std::vector<double> weights{3, 0, 1, 2};
     const Discrete d(weights);
-    ASSERT_TRUE(d.stretches());
+    ASSERT_TRUE(d.can_remap());
     constexpr uint32_t n = 600000, bins = 10;
     std::vector<uint64_t> observed(weights.size() * bins);
     for (uint32_t i = 0; i < n; ++i) {
-        const Discrete::Stretched s = d.stretch((static_cast<float>(i) + 0.5f) / n);
+        const Discrete::Remapped s = d.sample_remapped((static_cast<float>(i) + 0.5f) / n);
         ASSERT_GE(s.u, 0);
         ASSERT_LT(s.u, 1);
         ++observed[s.index * bins + static_cast<uint32_t>(s.u * bins)];
     }
     for (size_t i = 0; i < observed.size(); ++i)
         EXPECT_NEAR(static_cast<double>(observed[i]), n * weights[i / bins] / 6 / bins, 2) << i;
-    EXPECT_FALSE(Discrete({1, 1e-3}).stretches()) << "a small part has too few digits";
-    EXPECT_FALSE(Discrete(std::vector<double>(33, 1)).stretches());
-    EXPECT_FALSE(Discrete().stretches());
+    EXPECT_FALSE(Discrete({1, 1e-3}).can_remap()) << "a small part has too few digits";
+    EXPECT_FALSE(Discrete(std::vector<double>(33, 1)).can_remap());
+    EXPECT_FALSE(Discrete().can_remap());
 }
 
 TEST(Discrete, DrawsAmongTheLastInProportionToTheirWeights)
@@ -134,7 +134,7 @@ TEST(Discrete, LengthenedNumbersReachWhatIsRare)
     Random random(52);
     for (int i = 0; i < 200000; ++i) {
         const float u = 1 - static_cast<float>(1 + random.below(20)) * 0x1p-24f;
-        const double longer = lengthened(u, random.unit());
+        const double longer = extend_precision(u, random.unit());
         ASSERT_GE(longer, static_cast<double>(u));
         ASSERT_LT(longer, static_cast<double>(u) + 0x1p-24);
         ++observed[d.sample(longer)];
@@ -150,7 +150,7 @@ TEST(Discrete, LengthenedByTwoNumbersIsUniformToItsLastBit)
     Random random(54);
     for (int i = 0; i < 400000; ++i) {
         const float u = random.unit();
-        const double below = (lengthened(u, random.unit2()) - static_cast<double>(u)) * 0x1p53;
+        const double below = (extend_precision(u, random.unit2()) - static_cast<double>(u)) * 0x1p53;
         ASSERT_LT(below, 0x1p29);
         ASSERT_EQ(below, std::floor(below));
         ++first[static_cast<size_t>(below) >> 21], ++last[static_cast<size_t>(below) & 255];
@@ -166,7 +166,7 @@ TEST(Discrete, LengthenedPairsAreUniform)
     Random random(53);
     for (int i = 0; i < 400000; ++i) {
         const Vec2 u = random.unit2();
-        const double below = (lengthened(u.x, u.y) - static_cast<double>(u.x)) * 0x1p24;
+        const double below = (extend_precision(u.x, u.y) - static_cast<double>(u.x)) * 0x1p24;
         ++fine[static_cast<size_t>(below * 256)];
         ++joint[static_cast<size_t>(below * 32) * 32 + static_cast<size_t>(u.y * 32)];
     }

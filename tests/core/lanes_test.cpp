@@ -18,7 +18,7 @@ TEST(Lanes, MasksAreTheirBits)
 {
     const UInt8 yes{1, 2, 3, 4, 5, 6, 7, 8}, no{};
     for (uint32_t set = 0; set < 256; ++set) {
-        EXPECT_EQ(bits(lanes_of(set)), set);
+        EXPECT_EQ(movemask(lanes_of(set)), set);
         const UInt8 chosen = select(lanes_of(set), yes, no);
         for (uint32_t i = 0; i < float_lanes; ++i) EXPECT_EQ(chosen[i], set >> i & 1 ? i + 1 : 0) << set;
     }
@@ -61,7 +61,7 @@ TEST(Lanes, StepsToTheNextFloatAreTheSame)
     const std::array<float, 8> ends{0.0f, -0.0f, 0x1p-149f, -0x1p-149f, 1.0f, -1.0f, 1e38f, 0x1p-126f};
     for (const float x : ends)
         for (const float by : ends)
-            EXPECT_EQ(bits_of(next_towards(all_lanes(x), all_lanes(by))[3]), bits_of(next_towards(x, by)))
+            EXPECT_EQ(bits_of(next_towards(broadcast(x), broadcast(by))[3]), bits_of(next_towards(x, by)))
                 << x << " by " << by;
 }
 
@@ -72,7 +72,7 @@ TEST(Lanes, OriginsOffASurfaceAreTheSame)
         const Vec3 p = to_float(random.point(-3, 3)), n = to_float(random.direction()),
                    w = to_float(random.direction());
         const Vec3 error = abs(p) * gamma(7);
-        const auto all = [](Vec3 v) { return Vec3x8{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; };
+        const auto all = [](Vec3 v) { return Vec3x8{broadcast(v.x), broadcast(v.y), broadcast(v.z)}; };
         const Vec3 alone = offset_origin(p, error, n, w);
         const Vec3 of = lane(offset_origin(all(p), all(error), all(n), all(w)), 5);
         EXPECT_TRUE(of == alone) << of.x << " " << alone.x;
@@ -99,15 +99,15 @@ TEST(Lanes, StretchedChoicesAreTheSame)
     for (const std::vector<double>& weights :
          {std::vector<double>{1}, {1, 1}, {3, 1, 0, 2}, {0, 0, 5, 0.1, 0}, std::vector<double>(32, 0.7)}) {
         const Discrete d(weights);
-        ASSERT_TRUE(d.stretches());
+        ASSERT_TRUE(d.can_remap());
         for (int round = 0; round < 500; ++round) {
             Float8 u{};
             for (uint32_t i = 0; i < float_lanes; ++i)
                 u[i] = round == 0 ? (i % 2 ? 0 : 1 - 0x1p-24f) : static_cast<float>(random.unit());
-            u = min(u, all_lanes(1 - 0x1p-24f));
-            const Discrete::StretchedLanes of = d.stretch(u);
+            u = min(u, broadcast(1 - 0x1p-24f));
+            const Discrete::RemappedLanes of = d.sample_remapped(u);
             for (uint32_t i = 0; i < float_lanes; ++i) {
-                const Discrete::Stretched alone = d.stretch(u[i]);
+                const Discrete::Remapped alone = d.sample_remapped(u[i]);
                 EXPECT_EQ(of.index[i], alone.index);
                 EXPECT_EQ(bits_of(of.u[i]), bits_of(alone.u));
                 EXPECT_GT(weights[alone.index], 0);

@@ -74,7 +74,7 @@ TEST(Sampler, NumbersPreparedForManyAreThoseOfEach)
                 bounces.push_back(random.below(32));
             }
             alone = samplers;
-            AskedNumbers<16> asked(dim);
+            SampleRequests<16> asked(dim);
             for (uint32_t i = 0; i < n; ++i) asked.add(samplers[i], bounces[i]);
             asked.prepare();
             for (uint32_t i = 0; i < n; ++i)

@@ -10,7 +10,7 @@
 namespace lancer {
 namespace {
 
-TEST(PackedNumbers, AreThoseThatWerePutIn)
+TEST(CompactIndexArray, AreThoseThatWerePutIn)
 {
     std::mt19937 random(7);
     for (const auto& [largest, width] : {std::pair{0u, 1u},
@@ -26,7 +26,7 @@ TEST(PackedNumbers, AreThoseThatWerePutIn)
             for (uint32_t& n : numbers) n = std::uniform_int_distribution<uint32_t>(0, largest)(random);
             for (const size_t at : {size_t{0}, count / 2, count - 1}) {
                 numbers[at] = largest;
-                const PackedNumbers packed(numbers);
+                const CompactIndexArray packed(numbers);
                 ASSERT_EQ(packed.size(), count);
                 EXPECT_EQ(packed.bytes(), count * width + 4 - width) << "but for what is read past the end";
                 for (size_t i = 0; i < count; ++i) ASSERT_EQ(packed[i], numbers[i]) << largest << ' ' << i;
@@ -36,9 +36,9 @@ TEST(PackedNumbers, AreThoseThatWerePutIn)
         }
 }
 
-TEST(PackedNumbers, OfNothingTakeNothing)
+TEST(CompactIndexArray, OfNothingTakeNothing)
 {
-    const PackedNumbers none = PackedNumbers(std::vector<uint32_t>());
+    const CompactIndexArray none = CompactIndexArray(std::vector<uint32_t>());
     EXPECT_TRUE(none.empty());
     EXPECT_EQ(none.bytes(), 0u);
     EXPECT_FALSE(none.any([](uint32_t) { return true; }));
@@ -73,14 +73,14 @@ TEST(RowTable, GivesTheRowsThatWerePutIn)
     EXPECT_TRUE(RowTable<3>().empty());
 }
 
-TEST(Marks, CountThoseBeforeEach)
+TEST(RankedBitset, CountThoseBeforeEach)
 {
     std::mt19937 random(8);
     for (const uint32_t count : {1, 63, 64, 65, 128, 1000})
         for (const double part : {0.0, 0.02, 0.5, 1.0}) {
             std::vector<bool> marked(count);
             for (uint32_t i = 0; i < count; ++i) marked[i] = std::bernoulli_distribution(part)(random);
-            const Marks marks(count, [&](uint32_t i) { return marked[i]; });
+            const RankedBitset marks(count, [&](uint32_t i) { return marked[i]; });
             uint32_t before = 0;
             for (uint32_t i = 0; i < count; ++i) {
                 ASSERT_EQ(marks.has(i), marked[i]) << count << ' ' << i;
@@ -91,8 +91,8 @@ TEST(Marks, CountThoseBeforeEach)
             EXPECT_FALSE(marks.empty());
             EXPECT_EQ(marks.bytes(), 16 * (count / 64 + 1));
         }
-    EXPECT_TRUE(Marks().empty());
-    EXPECT_EQ(Marks().bytes(), 0u);
+    EXPECT_TRUE(RankedBitset().empty());
+    EXPECT_EQ(RankedBitset().bytes(), 0u);
 }
 
 }  // namespace

@@ -25,24 +25,24 @@ bool half_of_all(const void*, const Ray& ray, const Hit& hit)
 bool none_passes(const void*, const Ray&, const Hit&) { return false; }
 bool all_pass(const void*, const Ray&, const Hit&) { return true; }
 
-Geometry with_holes(Geometry g, bool (*let_pass)(const void*, const Ray&, const Hit&))
+Geometry with_holes(Geometry g, bool (*passes_through)(const void*, const Ray&, const Hit&))
 {
-    g.holes.let_pass = let_pass;
-    for (const Mesh& m : g.meshes) g.holes.meshes.emplace_back(m.triangles.size(), uint8_t{1});
-    g.holes.spheres = g.holes.planes = true;
+    g.alpha_test.passes_through = passes_through;
+    for (const Mesh& m : g.meshes) g.alpha_test.meshes.emplace_back(m.triangles.size(), uint8_t{1});
+    g.alpha_test.spheres = g.alpha_test.planes = true;
     return g;
 }
 // Two of three triangles in every other mesh of random_geometry(), instanced or not, and its spheres or its planes.
-Geometry with_some_holes(uint64_t seed, bool (*let_pass)(const void*, const Ray&, const Hit&))
+Geometry with_some_holes(uint64_t seed, bool (*passes_through)(const void*, const Ray&, const Hit&))
 {
-    Geometry g = with_holes(random_geometry(seed), let_pass);
+    Geometry g = with_holes(random_geometry(seed), passes_through);
     for (size_t i = 0; i < g.meshes.size(); ++i) {
-        auto& ask = g.holes.meshes[i];
+        auto& ask = g.alpha_test.meshes[i];
         if ((i + seed) % 2 == 0) ask.clear();
         for (size_t t = 0; t < ask.size(); ++t) ask[t] = t % 3 != 0;
     }
-    g.holes.spheres = seed % 3 != 0;
-    g.holes.planes = seed % 3 != 1;
+    g.alpha_test.spheres = seed % 3 != 0;
+    g.alpha_test.planes = seed % 3 != 1;
     return g;
 }
 Ray keyed(Ray ray, Random& random)
@@ -162,10 +162,10 @@ TEST_P(HoleLaws, ThatLetEverythingPassAreNotThere)
     const Geometry empty = with_holes(random_geometry(41), all_pass);
     const auto nothing = GetParam()(empty);
     Geometry half = with_some_holes(42, all_pass), rest = random_geometry(42);
-    half.holes.spheres = true, half.holes.planes = false;
+    half.alpha_test.spheres = true, half.alpha_test.planes = false;
     for (size_t i = 0; i < rest.meshes.size(); ++i)
-        for (size_t t = 0; t < half.holes.meshes[i].size(); ++t)
-            if (half.holes.meshes[i][t]) rest.meshes[i].triangles[t] = {0, 0, 0};  // a point
+        for (size_t t = 0; t < half.alpha_test.meshes[i].size(); ++t)
+            if (half.alpha_test.meshes[i][t]) rest.meshes[i].triangles[t] = {0, 0, 0};  // a point
     rest.spheres.clear();
     const auto some = GetParam()(half), expected = GetParam()(rest);
     Random random(500);

@@ -74,9 +74,8 @@ TEST(Bvh8, IsTheSameForAnyNumberOfThreads)
         const Bvh8Layout other = build(threads);
         ASSERT_EQ(one.bytes, other.bytes);
         EXPECT_EQ(std::memcmp(one.memory.get(), other.memory.get(), one.bytes), 0) << threads;
-        EXPECT_TRUE(std::equal(one.place_of_leaf.begin(), one.place_of_leaf.end(), other.place_of_leaf.begin(),
-                               other.place_of_leaf.end(),
-                               [](Bvh8Place a, Bvh8Place b) { return a.bits() == b.bits(); }));
+        EXPECT_TRUE(std::equal(one.slot_of_leaf.begin(), one.slot_of_leaf.end(), other.slot_of_leaf.begin(),
+                               other.slot_of_leaf.end(), [](Bvh8Slot a, Bvh8Slot b) { return a.bits() == b.bits(); }));
         EXPECT_EQ(one.sah_cost, other.sah_cost);
         EXPECT_EQ(one.depth, other.depth);
     }
@@ -108,9 +107,9 @@ TEST(Bvh8, SearchesThatBeginOnATriangleFindTheSame)
         const auto send = [&](const Ray& from, Vec3 dir) {
             const Hit hit = accel->closest(from);
             if (!hit) return;
-            EXPECT_NE(hit.place, Ray::nowhere);
-            places.insert(hit.place);
-            rays.push_back({.org = from.org + from.dir * hit.t, .dir = dir, .start = hit.place});
+            EXPECT_NE(hit.leaf_hint, Ray::no_leaf_hint);
+            places.insert(hit.leaf_hint);
+            rays.push_back({.org = from.org + from.dir * hit.t, .dir = dir, .leaf_hint = hit.leaf_hint});
         };
         for (int i = 0; i < 3000; ++i)
             send({.org = to_float(random.point(-1.5, 1.5)), .dir = random.unit_vector()}, random.unit_vector());
@@ -131,11 +130,11 @@ TEST(Bvh8, SearchesThatBeginOnATriangleFindTheSame)
         int hits = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
             Ray from_root = rays[i];
-            from_root.start = Ray::nowhere;
+            from_root.leaf_hint = Ray::no_leaf_hint;
             const Hit alone = accel->closest(rays[i]), wanted = accel->closest(from_root);
             EXPECT_TRUE(same_bits(alone, wanted)) << i;
             EXPECT_TRUE(same_bits(found[i], wanted)) << i;
-            EXPECT_TRUE(!wanted || found[i].place != Ray::nowhere);
+            EXPECT_TRUE(!wanted || found[i].leaf_hint != Ray::no_leaf_hint);
             hits += bool{wanted};
         }
         EXPECT_GT(hits, 100);
@@ -210,7 +209,7 @@ TEST(Bvh8, RaysThatGoTogetherFindTheSame)
         for (size_t i = 0; i < rays.size(); ++i) {
             const Hit alone = accel->closest(rays[i]);
             EXPECT_TRUE(same_bits(found[i], alone)) << i;
-            EXPECT_TRUE(!alone || found[i].place != Ray::nowhere);  // of several leaves with parts of it, any
+            EXPECT_TRUE(!alone || found[i].leaf_hint != Ray::no_leaf_hint);  // of several leaves with parts of it, any
             hits += bool{alone};
         }
         EXPECT_GT(hits, 300);
@@ -265,7 +264,7 @@ TEST(Bvh8Node, MeetsTheBoxesThatARayMeets)
             ray = {.org = {o[0], o[1], o[2]}, .dir = {d[0], d[1], d[2]}};
         }
         Float8 near;
-        const uint32_t bits = NodeRay(ray).meets(node, all_lanes(ray.t_max), near);
+        const uint32_t bits = NodeRay(ray).meets(node, broadcast(ray.t_max), near);
         ASSERT_TRUE(i % 2 == 0 || (bits >> 3 & 1)) << i;
         for (size_t k = 0; k < 8; ++k) {
             ASSERT_EQ(bits >> k & 1, meets(boxes[k], SlabRay(ray), ray.t_max) ? 1u : 0u) << i;
@@ -304,7 +303,7 @@ TEST(Bvh8, NoneOneAndWhatIsNoTriangle)
             const Bvh8 tree(all_of(g));
             if (bad.x != huge) {
                 EXPECT_EQ(closest(tree, ray).number, 0u);
-                EXPECT_EQ(tree.bytes(), sizeof(Bvh8Node) + sizeof(Bvh8Leaf) + 3 * sizeof(Bvh8Place))
+                EXPECT_EQ(tree.bytes(), sizeof(Bvh8Node) + sizeof(Bvh8Leaf) + 3 * sizeof(Bvh8Slot))
                     << "it holds what no ray can meet";
             }
             EXPECT_EQ(any(tree, ray), true);

@@ -27,34 +27,34 @@ Geometry room(uint32_t balls, uint64_t seed)
     return g;
 }
 
-TEST(WideShapes, AreTheWallsOfARoomOfManyAndAllOfFew)
+TEST(LargeShapes, AreTheWallsOfARoomOfManyAndAllOfFew)
 {
-    EXPECT_EQ(choose_wide_shapes(room(100, 1)).spheres, (std::vector<uint32_t>{50, 51, 52, 53, 54, 55, 56}));
-    EXPECT_EQ(choose_wide_shapes(room(2, 1)).spheres.size(), 9u);
+    EXPECT_EQ(choose_large_shapes(room(100, 1)).spheres, (std::vector<uint32_t>{50, 51, 52, 53, 54, 55, 56}));
+    EXPECT_EQ(choose_large_shapes(room(2, 1)).spheres.size(), 9u);
     Geometry g = room(2, 1);
     g.meshes.push_back(to_mesh(*make_cube()));
-    EXPECT_EQ(choose_wide_shapes(g).spheres, (std::vector<uint32_t>{1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(choose_large_shapes(g).spheres, (std::vector<uint32_t>{1, 2, 3, 4, 5, 6, 7}));
     g.planes.resize(2);
-    EXPECT_EQ(choose_wide_shapes(g).planes.size(), 2u);
+    EXPECT_EQ(choose_large_shapes(g).planes.size(), 2u);
 }
 
 // Of spheres of much the same size a tree is the better home.
-TEST(WideShapes, AreNotTheLargestOfManyAlike)
+TEST(LargeShapes, AreNotTheLargestOfManyAlike)
 {
     Random random(2);
     Geometry g;
     for (int i = 0; i < 1000; ++i) g.spheres.push_back({random.point(-1, 1), random.uniform(0.01, 0.5)});
-    EXPECT_TRUE(choose_wide_shapes(g).spheres.empty());
+    EXPECT_TRUE(choose_large_shapes(g).spheres.empty());
 }
 
-TEST(WideShapes, AreNotThoseWithHoles)
+TEST(LargeShapes, AreNotThoseWithHoles)
 {
     Geometry g = room(2, 1);
     g.planes.resize(1);
-    g.holes.let_pass = [](const void*, const Ray&, const Hit&) { return false; };
-    g.holes.spheres = true;
-    EXPECT_TRUE(choose_wide_shapes(g).spheres.empty());
-    EXPECT_EQ(choose_wide_shapes(g).planes.size(), 1u);
+    g.alpha_test.passes_through = [](const void*, const Ray&, const Hit&) { return false; };
+    g.alpha_test.spheres = true;
+    EXPECT_TRUE(choose_large_shapes(g).spheres.empty());
+    EXPECT_EQ(choose_large_shapes(g).planes.size(), 1u);
 }
 
 struct FourRays {
@@ -89,7 +89,7 @@ Round make_round(Random& random)
     return round;
 }
 
-TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
+TEST(LargeShapes, FourAtOnceAreTheSameBitsAsOneByOne)
 {
     Random random(3);
     int met = 0, left = 0;
@@ -98,7 +98,8 @@ TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
         const RayLanes wide(four, 0);
         const StopLanes sphere = stop(SphereLanes(g.spheres[0]), wide), plane = stop(g.planes[0], wide);
         for (size_t i = 0; i < 4; ++i) {
-            const Hit s = first_stop<Kind::sphere>(g, 0, rays[i]), p = first_stop<Kind::plane>(g, 0, rays[i]);
+            const Hit s = first_opaque_hit<Kind::sphere>(g, 0, rays[i]),
+                      p = first_opaque_hit<Kind::plane>(g, 0, rays[i]);
             ASSERT_EQ(static_cast<bool>(s), sphere.ok[i] != 0) << round;
             ASSERT_EQ(static_cast<bool>(p), plane.ok[i] != 0) << round;
             if (p) {
@@ -116,7 +117,7 @@ TEST(WideShapes, FourAtOnceAreTheSameBitsAsOneByOne)
 }
 
 // What may be left out is not met, up to ends that are just before, at and beyond the place; and much is left out.
-TEST(WideShapes, WhatIsSurelyMissedIsNotMet)
+TEST(LargeShapes, WhatIsSurelyMissedIsNotMet)
 {
     Random random(4);
     int met = 0, missed = 0, ends_before = 0;
@@ -125,7 +126,7 @@ TEST(WideShapes, WhatIsSurelyMissedIsNotMet)
         const RayLanes wide(four, 0);
         const StopLanes sphere = stop(SphereLanes(g.spheres[0]), wide);
         for (const double part : {0.5, 1 - 0x1p-19, 1 - 0x1p-23, 1.0, 1 + 0x1p-23, 2.0}) {
-            const Double4 end = select(sphere.ok, sphere.t * part, all_lanes(part));
+            const Double4 end = select(sphere.ok, sphere.t * part, broadcast(part));
             const Mask4 misses = surely_misses(g.spheres[0], wide, end);
             for (size_t i = 0; i < 4; ++i) {
                 const bool is_met = sphere.ok[i] && sphere.t[i] <= end[i];

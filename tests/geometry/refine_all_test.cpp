@@ -54,7 +54,7 @@ TEST(RefineAll, GivesTheBitsOfRefine)
     }
 }
 
-TEST(RayOctet, HoldsTheNumbersOfEightRaysAndTheirVerdicts)
+TEST(RayPacket, HoldsTheNumbersOfEightRaysAndTheirVerdicts)
 {
     constexpr float inf = std::numeric_limits<float>::infinity();
     const std::array values{0.0f, -0.0f, 1.0f, -1.7e18f, 1.8e18f, -1e30f, inf, -inf, NAN, 1e-40f};
@@ -66,14 +66,14 @@ TEST(RayOctet, HoldsTheNumbersOfEightRaysAndTheirVerdicts)
         for (Ray& r : rays) r = {{value(), value(), value()}, std::abs(value()), {value(), value(), value()}, value()};
         if (i % 2)
             for (Ray& r : rays) r.t_max = inf;
-        const RayOctet octet(rays);
-        const uint32_t verdicts = bits(is_traceable(octet));
+        const RayPacket packet(rays);
+        const uint32_t verdicts = movemask(is_traceable(packet));
         for (size_t k = 0; k < 8; ++k) {
             const Ray& r = rays[std::min(k, rays.size() - 1)];
             ASSERT_EQ(verdicts >> k & 1, is_traceable(r) ? 1u : 0u) << i << " " << k;
             traceable += is_traceable(r) ? 1 : 0;
-            const std::array lane{octet.org.x[k], octet.org.y[k], octet.org.z[k], octet.t_min[k],
-                                  octet.dir.x[k], octet.dir.y[k], octet.dir.z[k], octet.t_max[k]};
+            const std::array lane{packet.org.x[k], packet.org.y[k], packet.org.z[k], packet.t_min[k],
+                                  packet.dir.x[k], packet.dir.y[k], packet.dir.z[k], packet.t_max[k]};
             ASSERT_EQ(std::memcmp(lane.data(), &r, sizeof lane), 0) << i << " " << k;
         }
     }

@@ -18,9 +18,8 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
 {
     std::vector<std::vector<stats::Tally>> ways;
     uint64_t seed = 100;
-    for (const Path& path :
-         {path_with(false, false), path_with(true, false), path_with(false, true), path_with(true, true),
-          path_with(false, false, {.always = true})})
+    for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
+                             path_with(true, true), path_with(false, false, {.always = true})})
         ways.push_back(tiles_over_seeds(d, {.integrator = path, .spp = 32, .seed = ++seed}, 16));
     expect_one_mean(ways, detectable, name);
 }
@@ -37,7 +36,7 @@ TEST(Estimators, Cornell) { expect_same_light(cornell_scene(), 0.02, "cornell");
 TEST(Estimators, Spheres) { expect_same_light(spheres_scene(), 0.02, "spheres"); }
 TEST(Estimators, Sky) { expect_same_light(under_a_sky(), 0.02, "sky"); }
 TEST(Estimators, Textured) { expect_same_light(textured_scene(), 0.02, "textured"); }
-TEST(Estimators, Holes) { expect_same_light(holes_scene(), 0.02, "holes"); }
+TEST(Estimators, AlphaTest) { expect_same_light(holes_scene(), 0.02, "holes"); }
 TEST(Estimators, Media) { expect_same_light(media_scene(), 0.02, "media"); }
 
 }  // namespace

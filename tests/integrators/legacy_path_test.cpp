@@ -223,7 +223,7 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
     d.planes.push_back(plane_of({0, 0, 0}, {0, 1, 0}, "glass"));
     d.camera = make_camera({0, 8, 8}, {0, 0, 0}, 30);
     const Stage stage(d);
-    const PathPlan no_plan;
+    const SamplingPlan no_plan;
     const View view{stage.scene, no_plan};
     const float unit = static_cast<float>(stage.scene.normalisation.scale);
     constexpr uint32_t tries = 20000;
@@ -231,7 +231,7 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
     for (const bool leaves : {false, true})
         for (const double angle : {0.0, 0.4, 0.7, 1.2, 1.5}) {
             const float up = leaves ? 1.0f : -1.0f;
-            State s;
+            PathState s;
             s.ray.dir = to_float(Vec3d{std::sin(angle), up * std::cos(angle), 0});
             const auto surface = stage.look(s.ray.dir * -unit, s.ray.dir);
             ASSERT_TRUE(surface);
@@ -243,9 +243,9 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
             queue.radiance.resize(1);
             for (uint32_t i = 0; i < tries; ++i) {
                 queue.next.clear();
-                Steps steps(queue, 0);
+                PathActions actions(queue, 0);
                 const Sampler sampler(SamplerKind::independent, 9, 0, i, 0);
-                LegacyPath{}.hit(view, s, *surface, sampler, {}, 0, steps);
+                LegacyPath{}.hit(view, s, *surface, sampler, actions);
                 ASSERT_EQ(queue.next.size(), 1u);
                 const Ray& ray = queue.next[0].ray;
                 const bool back = ray.dir.y * up < 0;
@@ -257,7 +257,7 @@ TEST(LegacyPath, GlassReflectsBySchlickWithTheCosineOfTheSideOfTheRay)
                 LegacyPath plain;
                 plain.fresnel = false;
                 queue.next.clear();
-                plain.hit(view, s, *surface, sampler, {}, 0, steps);
+                plain.hit(view, s, *surface, sampler, actions);
                 ASSERT_EQ(queue.next[0].ray.dir.y * up < 0, total);
             }
             if (total) {

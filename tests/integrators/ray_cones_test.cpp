@@ -53,16 +53,17 @@ SceneDescription striped_floor(Route route)
 struct Sharp {
     Path path;
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
         Surface point = surface;
         point.uv_width = 0;
-        path.hit(view, s, point, sampler, steps);
+        path.hit(view, s, point, sampler, actions);
     }
     template <class V>
-    void miss(const V& view, const State& s, Steps& steps) const
+    void miss(const V& view, const PathState& s, PathActions& actions) const
     {
-        path.miss(view, s, steps);
+        path.miss(view, s, actions);
     }
 };
 
@@ -78,7 +79,7 @@ stats::Tally trace(Route route, const Integrator& integrator, uint64_t seed, con
     for (uint32_t i = 0; i < side * side; ++i) w.slots.push_back({i % side, i / side, 0});
     const KernelSettings settings{.sampler = SamplerKind::independent, .seed = seed, .filter = Filter(FilterKind::box)};
     Counters counters;
-    trace_batch(View{stage.scene, PathPlan{}}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings,
+    trace_batch(View{stage.scene, SamplingPlan{}}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings,
                 integrator, w, counters, listener);
     stats::Tally t;
     for (const RadianceSum& c : w.queue.radiance) t.add(static_cast<double>(luminance(c.color())));
@@ -119,7 +120,7 @@ struct ConesOfPixels : NoListener {
     float& worst;                 // relative error of a footprint
     int& checked;
 
-    void vertex(const State& s, const Surface& surface) const
+    void vertex(const PathState& s, const Surface& surface) const
     {
         RayCone& cone = cones[s.slot];
         if (s.depth == 0) cone = {0, pixel_spread};

@@ -26,16 +26,16 @@ void expect_color(const Vec3x8& found, uint32_t i, Color wanted)
     EXPECT_EQ(found.z[i], wanted.b);
 }
 
-constexpr size_t eights = PlasticList::most / float_lanes;
+constexpr size_t eights = PlasticQueue::most / float_lanes;
 
 // As many eights of lanes as a list may have to do with, some of them plastic, each of any kind.
 struct Places {
     struct Eight {
         std::array<std::optional<PlasticBsdf>, float_lanes> bsdf;
-        PlasticList::Eight of;
+        PlasticQueue::Eight of;
         Vec3x8 wo;
     };
-    PlasticList list;
+    PlasticQueue list;
     std::array<Eight, eights> eight;
 
     // Other places have been there before.
@@ -69,12 +69,12 @@ struct Places {
             for (uint32_t i = 0; i < float_lanes; ++i)
                 if (e.bsdf[i]) there |= 1u << i;
             ASSERT_EQ(e.of.lanes, there);
-            for_bits(there, [&](uint32_t i) { f(k, e, i, *e.bsdf[i], lane(e.wo, i)); });
+            for_each_lane(there, [&](uint32_t i) { f(k, e, i, *e.bsdf[i], lane(e.wo, i)); });
         }
     }
 };
 
-TEST(PlasticList, EvaluatesAsEachAlone)
+TEST(PlasticQueue, EvaluatesAsEachAlone)
 {
     Random random(1);
     Places places;
@@ -96,7 +96,7 @@ TEST(PlasticList, EvaluatesAsEachAlone)
     }
 }
 
-TEST(PlasticList, SamplesAsEachAlone)
+TEST(PlasticQueue, SamplesAsEachAlone)
 {
     Random random(2);
     Places places;

@@ -277,7 +277,7 @@ TEST(Aovs, TraceNoRaysOfTheirOwn)
     const auto counted = [&](const std::vector<Aov>& which) {
         r.aovs = which;
         const Counters c = render(d, r).counters;
-        return std::array{c.camera_rays, c.open_samples, c.bounce_rays, c.shadow_rays};
+        return std::array{c.camera_rays, c.background_only_samples, c.bounce_rays, c.shadow_rays};
     };
     ASSERT_GT(counted({})[1], 0u) << "no square of open sky";
     EXPECT_EQ(counted(all_aovs()), counted({}));

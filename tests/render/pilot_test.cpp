@@ -14,7 +14,7 @@ namespace {
 constexpr uint32_t width = 32, height = 24;
 
 struct Planned {
-    PathPlan plan;
+    SamplingPlan plan;
     // Of the rays that samples 0 to 3 of a pixel sent on from where it splits.
     std::vector<std::set<uint32_t>> numbers;
 };
@@ -28,11 +28,11 @@ Planned planned(const SceneDescription& d, RenderSettings settings = {})
         out.plan = renderer.plan(camera, width, height);
         for (uint32_t i = 0; i < 4; ++i) {
             auto& numbers = out.numbers.emplace_back();
-            PathListener listener{[&](const State& s, const Hit&) {
+            PathListener listener{[&](const PathState& s, const Hit&) {
                                       if (s.depth != 1) return;
                                       EXPECT_TRUE(numbers.insert(s.sample).second);
                                   },
-                                  [](const State&, const Surface&) {}, [](const State&, Color) {},
+                                  [](const PathState&, const Surface&) {}, [](const PathState&, Color) {},
                                   [](const Ray&, Color, bool) {}};
             renderer.replay(camera, width, height, {width / 2, height / 2, i}, listener);
         }
@@ -51,15 +51,15 @@ RenderSettings with(bool split, bool roulette)
 
 TEST(Pilot, PlansNothingThatIsSwitchedOff)
 {
-    const PathPlan none = planned(cornell_scene(), with(false, false)).plan;
+    const SamplingPlan none = planned(cornell_scene(), with(false, false)).plan;
     EXPECT_EQ(none.split, 1u);
-    EXPECT_TRUE(none.worth.empty());
-    const PathPlan split = planned(cornell_scene(), with(true, false)).plan;
+    EXPECT_TRUE(none.importance.empty());
+    const SamplingPlan split = planned(cornell_scene(), with(true, false)).plan;
     EXPECT_GT(split.split, 1u);
-    EXPECT_TRUE(split.worth.empty());
-    const PathPlan roulette = planned(cornell_scene(), with(false, true)).plan;
+    EXPECT_TRUE(split.importance.empty());
+    const SamplingPlan roulette = planned(cornell_scene(), with(false, true)).plan;
     EXPECT_EQ(roulette.split, 1u);
-    EXPECT_EQ(roulette.worth.size(), 4u * 3u);
+    EXPECT_EQ(roulette.importance.size(), 4u * 3u);
 }
 
 // Where nothing shines there is nothing to plan for, and no 0 / 0.
@@ -73,9 +73,9 @@ TEST(Pilot, LeavesADarkSceneAlone)
         mesh.data = std::make_shared<const MeshData>(std::move(dark));
     }
     for (auto& m : d.materials) m.emission = {};
-    const PathPlan plan = planned(d).plan;
+    const SamplingPlan plan = planned(d).plan;
     EXPECT_EQ(plan.split, 1u);
-    EXPECT_TRUE(plan.worth.empty());
+    EXPECT_TRUE(plan.importance.empty());
 }
 
 // The parts of all samples together have the numbers of one sequence, each once.
@@ -115,13 +115,13 @@ TEST(Pilot, SplitsLessWhereOneOfManyLightsIsChosen)
 TEST(Pilot, PlansTheSameByAnyAccelerator)
 {
     for (const auto& [name, d] : all_test_scenes()) {
-        const PathPlan embree = planned(d).plan;
+        const SamplingPlan embree = planned(d).plan;
         EXPECT_LE(embree.split, 4u) << name;
         RenderSettings settings;
         settings.accel = AccelKind::bvh8;
-        const PathPlan bvh8 = planned(d, settings).plan;
+        const SamplingPlan bvh8 = planned(d, settings).plan;
         EXPECT_EQ(embree.split, bvh8.split) << name;
-        EXPECT_TRUE(embree.worth == bvh8.worth) << name;
+        EXPECT_TRUE(embree.importance == bvh8.importance) << name;
     }
 }
 

@@ -12,9 +12,9 @@
 namespace lancer {
 namespace {
 
-const PathListener deaf{.ray = [](const State&, const Hit&) {},
-                        .vertex = [](const State&, const Surface&) {},
-                        .added = [](const State&, Color) {},
+const PathListener deaf{.ray = [](const PathState&, const Hit&) {},
+                        .vertex = [](const PathState&, const Surface&) {},
+                        .added = [](const PathState&, Color) {},
                         .shadow = [](const Ray&, Color, bool) {}};
 
 TEST(MakeTiles, CoversTheCropOnceAlignedToThePicture)
@@ -41,7 +41,7 @@ TEST(Pass, CountsItsRays)
 {
     RenderRequest r;
     const Counters c = render(cornell_scene(), r).counters;
-    EXPECT_EQ(c.camera_rays + c.open_samples, uint64_t{r.width} * r.height * r.spp[0]);
+    EXPECT_EQ(c.camera_rays + c.background_only_samples, uint64_t{r.width} * r.height * r.spp[0]);
     EXPECT_GT(c.bounce_rays, c.camera_rays / 2);
     EXPECT_GT(c.shadow_rays, c.camera_rays / 2);
     EXPECT_EQ(c.dropped, 0u);
@@ -150,7 +150,7 @@ TEST_P(Stopping, LeavesEachTileWholeOrUntouched)
                     }
             }
             EXPECT_EQ(touched, done);
-            EXPECT_EQ(result.counters.camera_rays + result.counters.open_samples,
+            EXPECT_EQ(result.counters.camera_rays + result.counters.background_only_samples,
                       static_cast<uint64_t>(done) * 8 * 8 * 16);
         }
     });
@@ -191,7 +191,7 @@ TEST(Replay, IsTheSampleThatTheFilmGot)
                 for (uint32_t x = 0; x < r.width; ++x) {
                     Color added{};
                     PathListener listener = deaf;
-                    listener.added = [&](const State&, Color c) { added += c; };
+                    listener.added = [&](const PathState&, Color c) { added += c; };
                     listener.shadow = [&](const Ray&, Color c, bool occluded) { added += occluded ? Color{} : c; };
                     const Color c = renderer.replay(camera, r.width, r.height, {x, y, 0}, listener);
                     const Pixel& p = film.at(x, y);

@@ -13,7 +13,7 @@
 namespace lancer {
 namespace {
 
-TEST(LeftOut, EveryProfileThatCoversASceneDrawsTheSameBits)
+TEST(Specialisation, EveryProfileThatCoversASceneDrawsTheSameBits)
 {
     uint32_t compared = 0;
     for (const auto& [name, d] : all_test_scenes())
@@ -38,7 +38,7 @@ TEST(LeftOut, EveryProfileThatCoversASceneDrawsTheSameBits)
 }
 
 // Whatever a picture of one value belongs to, the scene is that in which its value stands in the file.
-TEST(LeftOut, APictureOfOneValueIsItsValue)
+TEST(Specialisation, APictureOfOneValueIsItsValue)
 {
     const RasterSource even = [](const std::string&) {
         Raster r = {.width = 3, .height = 4, .channels = 1, .bytes = {}, .floats = {}, .is_float = false};
@@ -78,7 +78,7 @@ TEST(LeftOut, APictureOfOneValueIsItsValue)
 }
 
 // Of light and of AOVs: the same as if the rays were traced.
-TEST(LeftOut, PixelsOfOpenSkyHaveTheirBitsUntraced)
+TEST(Specialisation, PixelsOfOpenSkyHaveTheirBitsUntraced)
 {
     uint64_t untraced = 0;
     for (const auto& [name, scene] : all_test_scenes())
@@ -101,17 +101,18 @@ TEST(LeftOut, PixelsOfOpenSkyHaveTheirBitsUntraced)
                 EXPECT_TRUE(same_bits(some.film, all.film)) << name;
                 EXPECT_EQ(some.film.aovs, all.film.aovs) << name;
                 EXPECT_EQ(some.film.open_aovs, all.film.open_aovs) << name;
-                EXPECT_EQ(light.counters.open_samples, some.counters.open_samples) << name;
-                EXPECT_EQ(some.counters.camera_rays + some.counters.open_samples, all.counters.camera_rays) << name;
-                EXPECT_EQ(all.counters.open_samples, 0u) << name;
-                untraced += some.counters.open_samples;
+                EXPECT_EQ(light.counters.background_only_samples, some.counters.background_only_samples) << name;
+                EXPECT_EQ(some.counters.camera_rays + some.counters.background_only_samples, all.counters.camera_rays)
+                    << name;
+                EXPECT_EQ(all.counters.background_only_samples, 0u) << name;
+                untraced += some.counters.background_only_samples;
             }
     EXPECT_GT(untraced, 100'000u);
 }
 
 // Rays all over the pixels around one that is said to be open meet nothing: any camera, near and far, also within the
 // bounds of the scene and above floors that go on behind it.
-TEST(LeftOut, OpenSkyIsOpen)
+TEST(Specialisation, OpenSkyIsOpen)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -145,12 +146,12 @@ TEST(LeftOut, OpenSkyIsOpen)
         d.camera = make_camera(somewhere(i % 2 ? 4 : 0.8), somewhere(0.5), i % 3 ? 60 : 120);
         const Stage stage(d);
         const Camera camera = camera_of(d, stage.scene, 40, 30);
-        PathPlan plan;
-        find_open_sky(stage.scene, camera, 40, 30, plan);
+        SamplingPlan plan;
+        find_background_only(stage.scene, camera, 40, 30, plan);
         uint64_t here = 0;
         for (uint32_t y = 0; y < 30; ++y)
             for (uint32_t x = 0; x < 40; ++x) {
-                if (!plan.is_open(x, y)) continue;
+                if (!plan.is_background_only(x, y)) continue;
                 ++here;
                 for (int n = 0; n < 9; ++n) {
                     const Vec2 film{static_cast<float>(x + 0.5 + 1.5 * number(random)),
@@ -166,13 +167,13 @@ TEST(LeftOut, OpenSkyIsOpen)
 }
 
 // The camera's first rays are replayed, shadow rays heard: each has something to bring.
-TEST(LeftOut, NoShadowRayIsTracedForNothing)
+TEST(Specialisation, NoShadowRayIsTracedForNothing)
 {
     uint64_t heard = 0;
     bool tints = false;
-    const PathListener listener{.ray = [](const State& s, const Hit&) { EXPECT_FALSE(is_black(s.throughput)); },
-                                .vertex = [](const State&, const Surface&) {},
-                                .added = [](const State&, Color) {},
+    const PathListener listener{.ray = [](const PathState& s, const Hit&) { EXPECT_FALSE(is_black(s.throughput)); },
+                                .vertex = [](const PathState&, const Surface&) {},
+                                .added = [](const PathState&, Color) {},
                                 .shadow =
                                     [&](const Ray&, Color brings, bool occluded) {
                                         // What tints a shadow may stop all of it, on the way.

@@ -130,7 +130,7 @@ TEST(StopRules, ConfidenceDoesNotMoveTheMean)
             r.settings = settings_of(StopRule::confidence, 0.2, 2 * seed + 1, sampler);
             const Rendered early = render(d, r);
             stopped.add(mean_of(early.film));
-            traced += early.counters.camera_rays + early.counters.open_samples;
+            traced += early.counters.camera_rays + early.counters.background_only_samples;
 
             r.settings.kernel.stop = StopRule::never;
             const Film all = render(d, r).film;
@@ -188,7 +188,7 @@ TEST(StopRules, WhatNeedsNoSamplesCostsNone)
     r.spp = {256};
     const auto samples = [&] {
         const Counters c = render(d, r).counters;
-        return c.camera_rays + c.open_samples;
+        return c.camera_rays + c.background_only_samples;
     };
     const uint64_t all = samples();
     r.settings = settings_of(StopRule::confidence, 0.05, 0, SamplerKind::sobol);
@@ -208,9 +208,9 @@ TEST(StopRules, TheLastSampleEndsThePixel)
     const Film film = render(d, r).film;
     const Renderer renderer(build_scene(d), r.settings);
     const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
-    const PathListener deaf{.ray = [](const State&, const Hit&) {},
-                            .vertex = [](const State&, const Surface&) {},
-                            .added = [](const State&, Color) {},
+    const PathListener deaf{.ray = [](const PathState&, const Hit&) {},
+                            .vertex = [](const PathState&, const Surface&) {},
+                            .added = [](const PathState&, Color) {},
                             .shadow = [](const Ray&, Color, bool) {}};
     uint32_t fewest = 48, most = 0;
     for (uint32_t y = 0; y < 5; ++y)

@@ -40,11 +40,11 @@ TEST(PackedStates, HoldTheLanesThatWereWanted)
             for (size_t i = 0; i < float_lanes; ++i) {
                 t_max[i] = random.unit(), start[i] = random.below(1000), lanes.sum[i] = random.below(1000);
                 if ((wanted >> i & 1) == 0) continue;
-                const Ray ray{.org = lane(org, i), .dir = lane(dir, i), .t_max = t_max[i], .start = start[i]};
+                const Ray ray{.org = lane(org, i), .dir = lane(dir, i), .t_max = t_max[i], .leaf_hint = start[i]};
                 sent.push_back({ray, lane(lanes.radiance, i), lanes.sum[i]});
             }
             packed.push(wanted, org, dir, t_max, lanes);
-            packed.say_starts(wanted, together(start));
+            packed.set_leaf_hints(wanted, from_array(start));
         }
         ASSERT_EQ(packed.size(), sent.size());
         ASSERT_EQ(packed.rays().size(), sent.size());
@@ -58,7 +58,7 @@ TEST(PackedStates, HoldTheLanesThatWereWanted)
             EXPECT_EQ(ray.dir, wanted.dir);
             EXPECT_EQ(ray.t_min, Ray{}.t_min);
             EXPECT_EQ(ray.t_max, wanted.t_max);
-            EXPECT_EQ(ray.start, wanted.start) << i;
+            EXPECT_EQ(ray.leaf_hint, wanted.leaf_hint) << i;
         }
     }
 }

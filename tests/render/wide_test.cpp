@@ -14,22 +14,23 @@ TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
     EXPECT_TRUE(build_scene(wide_cases()[3].scene).lights.tree);
     EXPECT_FALSE(build_scene(wide_cases()[2].scene).lights.tree);
     EXPECT_FALSE(build_scene(all_lights()).lights.tree);
-    EXPECT_TRUE(build_scene(balls_of_light()).lights.pick.stretches());
-    EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.pick.stretches());
+    EXPECT_TRUE(build_scene(balls_of_light()).lights.pick.can_remap());
+    EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.pick.can_remap());
     EXPECT_FALSE(build_scene(a_dim_ball_more()).lights.tree);
     EXPECT_TRUE(build_scene(many_balls()).lights.tree);
     EXPECT_FALSE(build_scene(many_balls()).lights.far.empty());
     EXPECT_FALSE(WideScene::of(build_scene(flat_scene(5, 8)))->flat.empty());
     EXPECT_TRUE(WideScene::of(build_scene(flat_scene(30, 40)))->flat.empty());
-    const std::vector<WideScene::Lamp> lamps = WideScene::of(build_scene(balls_of_light()))->lamps;
-    for (const auto lamp :
-         {WideScene::Lamp::triangle, WideScene::Lamp::ball, WideScene::Lamp::even_sky, WideScene::Lamp::other})
-        EXPECT_TRUE(std::find(lamps.begin(), lamps.end(), lamp) != lamps.end()) << static_cast<int>(lamp);
+    const std::vector<WideScene::LightKind> light_kinds = WideScene::of(build_scene(balls_of_light()))->light_kinds;
+    for (const auto lamp : {WideScene::LightKind::triangle, WideScene::LightKind::sphere,
+                            WideScene::LightKind::constant_environment, WideScene::LightKind::other})
+        EXPECT_TRUE(std::find(light_kinds.begin(), light_kinds.end(), lamp) != light_kinds.end())
+            << static_cast<int>(lamp);
     EXPECT_TRUE(build_scene(many_lights()).lights.tree);
     EXPECT_FALSE(build_scene(many_lights()).lights.far.empty());
     Features all;
     for (const WideCase& c : wide_cases()) all = all | features_of(build_scene(c.scene));
-    EXPECT_TRUE(all.covers(WideScene::plain | WideScene::looked_up | WideScene::any));
+    EXPECT_TRUE(all.covers(WideScene::plain | WideScene::textured | WideScene::any));
 }
 
 void expect_same(const WideCase& c, const RenderRequest& r, const std::string& how)
@@ -113,7 +114,7 @@ TEST(Wide, IsForScenesWithoutMedia)
 {
     const auto way = [](const SceneDescription& d) { return WideScene::of(build_scene(d))->shading; };
     EXPECT_EQ(way(smooth_scene()), Shading::plain);
-    EXPECT_EQ(way(looked_up_scene()), Shading::looked_up);
+    EXPECT_EQ(way(looked_up_scene()), Shading::textured);
     EXPECT_EQ(way(glossy_scene()), Shading::any);
     EXPECT_FALSE(WideScene::of(build_scene(media_scene())));
     for (const MaterialType type : {MaterialType::plastic, MaterialType::metal, MaterialType::mirror,

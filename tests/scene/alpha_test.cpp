@@ -125,7 +125,7 @@ TEST(Opacity, OfOneOrNoneDoesNotLookAtTheKey)
         data.face_material = {0, 0, 1};
         d.meshes[2].data = std::make_shared<const MeshData>(data);
         const Stage stage(d);
-        ASSERT_TRUE(stage.scene.geometry.holes.let_pass);
+        ASSERT_TRUE(stage.scene.geometry.alpha_test.passes_through);
         for (uint32_t key = 0; key < 3000; ++key) {
             const Ray ray{.org = stage.to_scene({0.013, 0.029, 0.4}), .dir = {0, 0, -1}, .key = key};
             EXPECT_EQ(stage.embree->any(ray), stops);
@@ -138,9 +138,9 @@ TEST(Opacity, IsAskedForOnlyWhereItMatters)
 {
     for (const auto& [name, d] : all_test_scenes()) {
         const Stage stage(d);
-        const Holes& holes = stage.scene.geometry.holes;
-        EXPECT_EQ(holes.let_pass != nullptr, std::string(name) == "holes") << name;
-        if (!holes.let_pass) continue;
+        const AlphaTest& holes = stage.scene.geometry.alpha_test;
+        EXPECT_EQ(holes.passes_through != nullptr, std::string(name) == "holes") << name;
+        if (!holes.passes_through) continue;
         EXPECT_TRUE(holes.spheres && holes.planes);
         ASSERT_EQ(holes.meshes.size(), 5u);
         EXPECT_TRUE(holes.meshes[0].empty());
@@ -171,7 +171,7 @@ TEST(Opacity, OfAPictureCutsCrispHoles)
     std::promise<std::shared_ptr<const Raster>> reading;
     Diagnostics diagnostics;
     Scene scene = Scene::begin(d, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
-    bind_holes(scene);
+    bind_alpha_test(scene);
     const auto embree = make_accelerator(AccelKind::embree, scene.geometry, "avx2");
     reading.set_value(std::make_shared<const Raster>(raster));
     scene.complete(diagnostics);

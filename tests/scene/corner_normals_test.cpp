@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "scene/surface.h"
-#include "scene/triangle_place.h"
+#include "scene/triangle_interaction.h"
 #include "support/scenes.h"
 #include "support/stage.h"
 
@@ -59,12 +59,12 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
         std::vector<Hit> hits;
         for (uint32_t t = 0; t < triangles; ++t)
             hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
-        std::vector<TrianglePlace> of_a(triangles), of_b(triangles);
-        triangle_places(a.scene, hits, of_a);
-        triangle_places(b.scene, hits, of_b);
+        std::vector<TriangleInteraction> of_a(triangles), of_b(triangles);
+        triangle_interactions(a.scene, hits, of_a);
+        triangle_interactions(b.scene, hits, of_b);
         uint32_t smooth = 0;
         for (uint32_t t = 0; t + 1 < triangles; ++t) {
-            const TrianglePlace alone = triangle_place(a.scene, Hit::no_instance, 0, t, hits[t].uv);
+            const TriangleInteraction alone = triangle_interaction(a.scene, Hit::no_instance, 0, t, hits[t].uv);
             expect_same_bits(of_a[t].n, of_b[t].n, t);
             expect_same_bits(of_a[t].ns, of_b[t].ns, t);
             expect_same_bits(of_a[t].ns, alone.ns, t);

@@ -38,8 +38,9 @@ TEST(FlatTable, HasTheBitsOfSingleTriangles)
             for (uint32_t i = 0; i < float_lanes; ++i) {
                 const Hit& h = hits[i];
                 if (!h) continue;
-                const TrianglePlace one = triangle_place(stage.scene, h.instance, h.geometry, h.primitive, h.uv);
-                const TrianglePlace of_eight = found.place.of(i);
+                const TriangleInteraction one =
+                    triangle_interaction(stage.scene, h.instance, h.geometry, h.primitive, h.uv);
+                const TriangleInteraction of_eight = found.place.of(i);
                 EXPECT_EQ(std::memcmp(&one, &of_eight, sizeof one), 0) << name << " " << round << " " << i;
                 const uint32_t material = stage.scene.material_of(h);
                 EXPECT_EQ(found.material[i], material);

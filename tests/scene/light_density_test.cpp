@@ -328,7 +328,7 @@ TEST(LightDensity, WeightsOfBothTechniquesSumToOne)
             const float pick = random.unit();
             const auto s = sample_light(stage.scene, from, pick, random.unit2());
             if (!s || s->delta) continue;
-            State found;
+            PathState found;
             found.ray = {.org = start_of(from, s->wi), .dir = s->wi};
             found.pdf = pdf_cosine_hemisphere(dot(s->wi, from.ns));  // of a diffuse BSDF
             found.specular = false;

@@ -13,7 +13,7 @@ namespace {
 // How many of something were left out.
 uint64_t count_of(const Scene& scene, const std::string& what)
 {
-    for (const LeftOut& l : scene.left_out.all())
+    for (const UnusedFeature& l : scene.unused_features.all())
         if (l.what.find(what) != std::string::npos) return l.count;
     return 0;
 }
@@ -42,7 +42,7 @@ SceneDescription worn(const std::string& picture)
     return d;
 }
 
-TEST(LeftOut, PicturesOfOneValueBecomeFactors)
+TEST(Specialisation, PicturesOfOneValueBecomeFactors)
 {
     const Scene one = build_scene(worn("one"), even_picture), two = build_scene(worn("two"), even_picture);
     const uint32_t id = one.shading[0].material;
@@ -65,7 +65,7 @@ TEST(LeftOut, PicturesOfOneValueBecomeFactors)
     EXPECT_EQ(count_of(two, "textures of one value"), 1u);
 }
 
-TEST(LeftOut, TheSamePictureUnderTwoNamesIsKeptOnce)
+TEST(Specialisation, TheSamePictureUnderTwoNamesIsKeptOnce)
 {
     MaterialDescription a = make_lambert("a", {1, 1, 1}), b = a;
     b.name = "b";
@@ -83,7 +83,7 @@ TEST(LeftOut, TheSamePictureUnderTwoNamesIsKeptOnce)
 }
 
 // Vertices, normals and texture coordinates that no triangle names, put between those that some does.
-TEST(LeftOut, WhatNoTriangleNamesIsNotKept)
+TEST(Specialisation, WhatNoTriangleNamesIsNotKept)
 {
     MaterialDescription mapped = make_lambert("mapped", {1, 1, 1});
     mapped.base_color_map = picture_of("two", Encoding::linear);
@@ -125,7 +125,7 @@ TEST(LeftOut, WhatNoTriangleNamesIsNotKept)
     }
 }
 
-TEST(LeftOut, CornersAreFoundWhereverTheyAre)
+TEST(Specialisation, CornersAreFoundWhereverTheyAre)
 {
     std::vector<CornerTable::Corners> all(1000);
     for (uint32_t i = 0; i < all.size(); ++i) all[i] = {i, 2 * i, 3 * i};
@@ -148,7 +148,7 @@ TEST(LeftOut, CornersAreFoundWhereverTheyAre)
 }
 
 // A material file that two meshes name, and one material of it on all faces of one of them.
-TEST(LeftOut, MaterialsThatComeAgainAreMerged)
+TEST(Specialisation, MaterialsThatComeAgainAreMerged)
 {
     MeshData data = *make_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, make_lambert("a", {0.1f, 0.2f, 0.3f}));
     data.materials.push_back(make_lambert("b", {1, 1, 1}));
@@ -169,7 +169,7 @@ TEST(LeftOut, MaterialsThatComeAgainAreMerged)
     EXPECT_EQ(build_scene(d).materials.size(), 3u);
 }
 
-TEST(LeftOut, LightsAndMaterialsAreCounted)
+TEST(Specialisation, LightsAndMaterialsAreCounted)
 {
     SceneDescription d;
     d.materials = {make_lambert("unused", {1, 1, 1})};
@@ -190,7 +190,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
         {"planes", s.geometry.planes.size() + s.plane_material.size()},
         {"maps of planes", s.plane_maps.size()},
         {"instances", s.geometry.instances.size() + s.instance_first_light.size()},
-        {"holes", s.geometry.holes.let_pass != nullptr},
+        {"holes", s.geometry.alpha_test.passes_through != nullptr},
         {"textures", s.textures.size()},
         {"mixes", s.mixes.size() + s.mix_of.size()},
         {"media", s.media.size()},
@@ -200,7 +200,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
         {"environment", s.environment_map != nullptr},
         {"table of the environment", s.environment_table != nullptr},
         {"background", s.background != nullptr}};
-    for (const std::vector<uint8_t>& asked : s.geometry.holes.meshes) t["triangles with holes"] += asked.size();
+    for (const std::vector<uint8_t>& asked : s.geometry.alpha_test.meshes) t["triangles with holes"] += asked.size();
     for (const Mesh& m : s.geometry.meshes) t["normals of vertices"] += m.rows - 1;
     for (const MeshShading& m : s.shading) {
         t["normals"] += m.normals.bytes();
@@ -213,7 +213,7 @@ std::map<std::string, size_t> tables_of_features(const Scene& s)
 
 // A room of one material, a lamp of another: nothing of it is there for what it lacks. Each of the tables is that of
 // some scene, so that none of them is empty always.
-TEST(LeftOut, AFeatureThatASceneLacksTakesNoByte)
+TEST(Specialisation, AFeatureThatASceneLacksTakesNoByte)
 {
     SceneDescription room;
     const auto wall = make_lambert("wall", {0.7f, 0.7f, 0.7f});

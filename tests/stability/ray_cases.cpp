@@ -52,10 +52,12 @@ Outcome many_rays(const Setup& setup)
     Found all;
     const uint64_t count = setup.scaled(1000, 100000, 1000000);
     // Embree's fast mode sees meshes alone, without holes.
-    const auto plain = [](const Geometry& g) { return g.spheres.empty() && g.planes.empty() && !g.holes.let_pass; };
+    const auto plain = [](const Geometry& g) {
+        return g.spheres.empty() && g.planes.empty() && !g.alpha_test.passes_through;
+    };
     for (const auto& [name, d] : all_test_scenes()) {
         Scene scene = build_scene(d);
-        bind_holes(scene);
+        bind_alpha_test(scene);
         const bool triangles = scene.triangle_count() > 0;
         if (triangles && (!setup.fast() || plain(scene.geometry))) all += compare(scene.geometry, setup, count);
     }

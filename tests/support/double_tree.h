@@ -192,7 +192,7 @@ public:
         Hit best;
         double t_max = beyond(ray.t_max);
         each_triangle(ray, t_max, [&](const Hit& hit) {
-            if (!(best && !precedes(hit, best)) && !lets_pass(ray, hit)) {
+            if (!(best && !precedes(hit, best)) && !passes_through(ray, hit)) {
                 best = hit;
                 t_max = beyond(hit.t);
             }
@@ -206,7 +206,7 @@ public:
     {
         if (!is_traceable(ray)) return false;
         const double t_max = beyond(ray.t_max);
-        if (each_triangle(ray, t_max, [&](const Hit& hit) { return !lets_pass(ray, hit); })) return true;
+        if (each_triangle(ray, t_max, [&](const Hit& hit) { return !passes_through(ray, hit); })) return true;
         Hit best;
         shapes<Kind::sphere>(g_.spheres.size(), ray, best);
         shapes<Kind::plane>(g_.planes.size(), ray, best);
@@ -232,11 +232,11 @@ private:
         return std::tie(a.t, a.kind, a.instance, a.geometry, a.primitive) <
                std::tie(b.t, b.kind, b.instance, b.geometry, b.primitive);
     }
-    bool lets_pass(const Ray& ray, const Hit& hit) const
+    bool passes_through(const Ray& ray, const Hit& hit) const
     {
-        if (!g_.holes.let_pass || g_.holes.meshes[hit.geometry].empty()) return false;
-        return g_.holes.meshes[hit.geometry][hit.primitive] &&
-               g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit));
+        if (!g_.alpha_test.passes_through || g_.alpha_test.meshes[hit.geometry].empty()) return false;
+        return g_.alpha_test.meshes[hit.geometry][hit.primitive] &&
+               g_.alpha_test.passes_through(g_.alpha_test.context, ray, refine(g_, ray, hit));
     }
     // f(hit), t as it is stored, until it says true; whether it did.
     template <class F>
@@ -260,7 +260,7 @@ private:
     void shapes(size_t count, const Ray& ray, Hit& best) const
     {
         for (uint32_t i = 0; i < count; ++i) {
-            const Hit hit = first_stop<kind>(g_, i, ray);
+            const Hit hit = first_opaque_hit<kind>(g_, i, ray);
             if (hit && (!best || precedes(hit, best))) best = hit;
         }
     }

@@ -17,7 +17,7 @@ struct Stage {
 
     explicit Stage(const SceneDescription& d, const RasterSource& images = test_picture) : scene(build_scene(d, images))
     {
-        bind_holes(scene);
+        bind_alpha_test(scene);
         embree = make_embree(scene.geometry, "avx2");
     }
     Stage(const Stage&) = delete;

@@ -60,7 +60,7 @@ void probe_outputs(const RenderOptions& options)
     if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
 }
 
-void spare_inputs(const RenderOptions& options, const SceneDescription& scene)
+void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene)
 {
     const std::vector<std::string> inputs = input_files(scene);
     const auto check = [&](const std::string& option, const std::string& path) {

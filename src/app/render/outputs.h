@@ -13,7 +13,7 @@ namespace lancer {
 void probe_outputs(const RenderOptions& options);
 
 // Throws Error (usage) if an output, be it through a link, is a file that the scene was read from.
-void spare_inputs(const RenderOptions& options, const SceneDescription& scene);
+void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene);
 
 // Each pixel is the mean of its own samples; one without any is black.
 Image to_image(const Film& film);

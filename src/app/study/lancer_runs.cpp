@@ -86,7 +86,7 @@ std::string render(StudyWork& work, const std::vector<std::string>& arguments, c
 
 }  // namespace
 
-std::optional<Reference> draw_reference(StudyWork& work, const StudyPlan::Scene& scene, StudyScene& told)
+std::optional<Reference> draw_reference(StudyWork& work, const StudyPlan::Scene& scene, StudyScene& figures)
 {
     Diagnostics diagnostics;
     SceneChoice choice;
@@ -112,13 +112,13 @@ std::optional<Reference> draw_reference(StudyWork& work, const StudyPlan::Scene&
         reference.limits = ledger_of(metadata);
         reference.box_filter = said(metadata, "filter") == "box";
     }
-    told.name = scene.name, told.description = scene.description;
-    told.reference = format_text("lancer %s, two halves of %u spp each, seeds of their own, scene %s", LANCER_VERSION,
-                                 scene.reference_spp, reference.hash.c_str());
+    figures.name = scene.name, figures.description = scene.description;
+    figures.reference = format_text("lancer %s, two halves of %u spp each, seeds of their own, scene %s",
+                                    LANCER_VERSION, scene.reference_spp, reference.hash.c_str());
     for (size_t i = 0; i < reference.limits.size(); ++i)
-        told.reference += (i ? ", " : "; its limits, shared by the methods: ") + reference.limits[i];
+        figures.reference += (i ? ", " : "; its limits, shared by the methods: ") + reference.limits[i];
     // Half of how far they lie apart is the noise of one of them; their mean has half of that.
-    told.reference_noise_relmse = compare(reference.halves[0], reference.halves[1]).relmse / 4;
+    figures.reference_noise_relmse = compare(reference.halves[0], reference.halves[1]).relmse / 4;
     return reference;
 }
 

@@ -21,11 +21,11 @@ using Mask8 = int32_t __attribute__((vector_size(32)));
 using UInt8 = uint32_t __attribute__((vector_size(32)));
 using ULong4 = uint64_t __attribute__((vector_size(32)));
 
-inline constexpr uint32_t double_lanes = 4, all_bits = 15;  // all_bits: bits() of a mask of all lanes
+inline constexpr uint32_t double_lanes = 4, all_bits = 15;  // all_bits: movemask() of a mask of all lanes
 inline constexpr uint32_t float_lanes = 8;
 
-inline Double4 all_lanes(double x) { return Double4{x, x, x, x}; }
-inline Float8 all_lanes(float x) { return Float8{x, x, x, x, x, x, x, x}; }
+inline Double4 broadcast(double x) { return Double4{x, x, x, x}; }
+inline Float8 broadcast(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 // x as a T, which is float or Float8: for what is written once for both.
 template <class T>
 T broadcast_to(float x)
@@ -33,14 +33,14 @@ T broadcast_to(float x)
     if constexpr (std::is_same_v<T, float>)
         return x;
     else
-        return all_lanes(x);
+        return broadcast(x);
 }
 
 // The lower four lanes and the upper four.
-inline Float8 joined(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
-inline Mask8 joined(Mask4f low, Mask4f high)
+inline Float8 concat(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
+inline Mask8 concat(Mask4f low, Mask4f high)
 {
-    return reinterpret_cast<Mask8>(joined(reinterpret_cast<Float4>(low), reinterpret_cast<Float4>(high)));
+    return reinterpret_cast<Mask8>(concat(reinterpret_cast<Float4>(low), reinterpret_cast<Float4>(high)));
 }
 inline Float4 lower(Float8 x) { return _mm256_castps256_ps128(x); }
 inline Float4 upper(Float8 x) { return _mm256_extractf128_ps(x, 1); }
@@ -51,7 +51,7 @@ inline Double4 load4(const double* from) { return _mm256_loadu_pd(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
 // Put together in a register: what is written lane by lane and then read as a whole is waited for.
-inline UInt8 together(const std::array<uint32_t, float_lanes>& x)
+inline UInt8 from_array(const std::array<uint32_t, float_lanes>& x)
 {
     return UInt8{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
 }
@@ -76,12 +76,12 @@ inline float sqrt(float x) { return std::sqrt(x); }
 
 inline Double4 copysign(Double4 x, Double4 sign)
 {
-    const Double4 bit = all_lanes(-0.0);
+    const Double4 bit = broadcast(-0.0);
     return _mm256_or_pd(_mm256_andnot_pd(bit, x), _mm256_and_pd(bit, sign));
 }
 inline Float8 copysign(Float8 x, Float8 sign)
 {
-    const Float8 bit = all_lanes(-0.0f);
+    const Float8 bit = broadcast(-0.0f);
     return _mm256_or_ps(_mm256_andnot_ps(bit, x), _mm256_and_ps(bit, sign));
 }
 inline Float4 copysign(Float4 x, Float4 sign)
@@ -103,19 +103,19 @@ inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
     return reinterpret_cast<UInt8>(select(m, reinterpret_cast<Float8>(yes), reinterpret_cast<Float8>(no)));
 }
 // Lane i of what comes out is lane from[i] of x.
-inline Float8 permuted(Float8 x, UInt8 from) { return _mm256_permutevar8x32_ps(x, reinterpret_cast<__m256i>(from)); }
-inline UInt8 permuted(UInt8 x, UInt8 from)
+inline Float8 permute(Float8 x, UInt8 from) { return _mm256_permutevar8x32_ps(x, reinterpret_cast<__m256i>(from)); }
+inline UInt8 permute(UInt8 x, UInt8 from)
 {
-    return reinterpret_cast<UInt8>(permuted(reinterpret_cast<Float8>(x), from));
+    return reinterpret_cast<UInt8>(permute(reinterpret_cast<Float8>(x), from));
 }
-inline Mask8 permuted(Mask8 x, UInt8 from)
+inline Mask8 permute(Mask8 x, UInt8 from)
 {
-    return reinterpret_cast<Mask8>(permuted(reinterpret_cast<Float8>(x), from));
+    return reinterpret_cast<Mask8>(permute(reinterpret_cast<Float8>(x), from));
 }
 inline double select(bool m, double yes, double no) { return m ? yes : no; }
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
 // Of four doubles, for what is done with four floats.
-inline Mask4f narrowed(Mask4 m)
+inline Mask4f narrow(Mask4 m)
 {
     const __m256i low =
         _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(m), _mm256_setr_epi32(0, 2, 4, 6, 0, 2, 4, 6));
@@ -142,9 +142,9 @@ inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline double abs(double x) { return std::abs(x); }
 inline float abs(float x) { return std::abs(x); }
-inline Double4 abs(Double4 x) { return _mm256_andnot_pd(all_lanes(-0.0), x); }
+inline Double4 abs(Double4 x) { return _mm256_andnot_pd(broadcast(-0.0), x); }
 inline Float4 abs(Float4 x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
-inline Float8 abs(Float8 x) { return _mm256_andnot_ps(all_lanes(-0.0f), x); }
+inline Float8 abs(Float8 x) { return _mm256_andnot_ps(broadcast(-0.0f), x); }
 // c - a * b, rounded once.
 inline Float8 minus_product(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }
 
@@ -164,19 +164,19 @@ inline bool is_odd(uint32_t x) { return x & 1; }
 inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
 // Bit i: lane i.
-inline uint32_t bits(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
-inline uint32_t bits(bool m) { return m; }
-inline uint32_t bits(Mask4f m) { return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(m))); }
-inline uint32_t bits_le(Float8 a, Float8 b) { return bits(a <= b); }
-inline uint32_t bits_eq(Float8 a, Float8 b) { return bits(a == b); }
+inline uint32_t movemask(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
+inline uint32_t movemask(bool m) { return m; }
+inline uint32_t movemask(Mask4f m) { return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(m))); }
+inline uint32_t movemask_le(Float8 a, Float8 b) { return movemask(a <= b); }
+inline uint32_t movemask_eq(Float8 a, Float8 b) { return movemask(a == b); }
 // a: 32-byte aligned.
-inline uint32_t bits_eq(const std::array<uint32_t, 8>& a, uint32_t b)
+inline uint32_t movemask_eq(const std::array<uint32_t, 8>& a, uint32_t b)
 {
     const __m256i same = _mm256_cmpeq_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(a.data())),
                                             _mm256_set1_epi32(static_cast<int>(b)));
     return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
 }
-inline uint32_t bits(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
+inline uint32_t movemask(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
 
 // The other way round.
 inline Mask8 lanes_of(uint32_t bits)
@@ -190,7 +190,7 @@ inline Mask8 first_lanes(size_t n) { return Mask8{0, 1, 2, 3, 4, 5, 6, 7} < stat
 
 // f(lane) for each bit that is set.
 template <class F>
-void for_bits(uint32_t bits, F&& f)
+void for_each_lane(uint32_t bits, F&& f)
 {
     for (; bits != 0; bits &= bits - 1) f(static_cast<uint32_t>(std::countr_zero(bits)));
 }

@@ -32,8 +32,8 @@ public:
     // The row of that place in each of eight records.
     RowLanes at(UInt8 numbers, size_t row = 0) const
     {
-        if (!are_few()) return turned_rows([&](size_t i) { return load4(&records_[numbers[i]][row].x); });
-        return {permuted(columns_[row].xyz, numbers), permuted(columns_[row].w, numbers)};
+        if (!are_few()) return transpose([&](size_t i) { return load4(&records_[numbers[i]][row].x); });
+        return {permute(columns_[row].xyz, numbers), permute(columns_[row].w, numbers)};
     }
 
 private:

@@ -11,7 +11,7 @@ struct Vec2x8 {
     Float8 x, y;
 };
 
-inline Vec3x8 all_lanes(Vec3 v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }
+inline Vec3x8 broadcast(Vec3 v) { return {broadcast(v.x), broadcast(v.y), broadcast(v.z)}; }
 inline Float8 length(const Vec3x8& a) { return sqrt(dot(a, a)); }
 inline Vec3x8 normalize(const Vec3x8& a) { return a * (1.0f / length(a)); }
 inline Double4 length(const Vec3T<Double4>& a) { return sqrt(dot(a, a)); }
@@ -21,9 +21,9 @@ inline Vec3x8 select(Mask8 m, const Vec3x8& yes, const Vec3x8& no)
 {
     return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
-inline Vec3x8 permuted(const Vec3x8& v, UInt8 from)
+inline Vec3x8 permute(const Vec3x8& v, UInt8 from)
 {
-    return {permuted(v.x, from), permuted(v.y, from), permuted(v.z, from)};
+    return {permute(v.x, from), permute(v.y, from), permute(v.z, from)};
 }
 inline Vec3T<Float4> abs(const Vec3T<Float4>& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
 inline Vec3T<Float4> select(Mask4f m, const Vec3T<Float4>& yes, const Vec3T<Float4>& no)
@@ -50,9 +50,9 @@ inline Vec3T<Double4> to_double(const Vec3T<Float4>& v) { return {to_double(v.x)
 inline Vec3T<Float4> to_float(const Vec3T<Double4>& v) { return {to_float(v.x), to_float(v.y), to_float(v.z)}; }
 inline Vec3T<Float4> lower(const Vec3x8& v) { return {lower(v.x), lower(v.y), lower(v.z)}; }
 inline Vec3T<Float4> upper(const Vec3x8& v) { return {upper(v.x), upper(v.y), upper(v.z)}; }
-inline Vec3x8 joined(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
+inline Vec3x8 concat(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
 {
-    return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
+    return {concat(low.x, high.x), concat(low.y, high.y), concat(low.z, high.z)};
 }
 
 // Eight rows of four numbers, the first of all in one register, and so on.
@@ -62,9 +62,9 @@ struct RowLanes {
 };
 // row(i): the i-th.
 template <class Row>
-RowLanes turned_rows(const Row& row)
+RowLanes transpose(const Row& row)
 {
-    const auto pair = [&](size_t i) { return joined(row(i), row(i + 4)); };
+    const auto pair = [&](size_t i) { return concat(row(i), row(i + 4)); };
     const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
     const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
     const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
@@ -78,7 +78,7 @@ struct RowsOfFour {
     Double4 w;
 };
 template <class Row>
-RowsOfFour turned_rows4(const Row& row)
+RowsOfFour transpose4(const Row& row)
 {
     const __m256d a = row(0), b = row(1), c = row(2), d = row(3);
     const __m256d xz0 = _mm256_unpacklo_pd(a, b), yw0 = _mm256_unpackhi_pd(a, b);

@@ -20,10 +20,10 @@ public:
     // Throws Error (failed) where there are too many triangles for one tree.
     explicit Bvh8(const TriangleSet& triangles);
 
-    // Says where the last triangle was found that counts: a Bvh8Place. found(number, t) is asked about what is nearer
+    // Says where the last triangle was found that counts: a Bvh8Slot. found(number, t) is asked about what is nearer
     // than all that counted before; t errs by most_error. t_max: no longer than its distance in the end.
     template <class Found>
-    Bvh8Place closest(const Ray& ray, float t_max, const Found& found) const
+    Bvh8Slot closest(const Ray& ray, float t_max, const Found& found) const
     {
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
@@ -31,7 +31,7 @@ public:
         Bvh8NearStack stack(entries.data());
         Bvh8Nearest nearest{t_max, t_max};
         float reach = t_max * beyond;
-        Float8 reach8 = all_lanes(reach);
+        Float8 reach8 = broadcast(reach);
         Bvh8Child last;
         Bvh8Child next = begin(ray, [&](const Bvh8Node& n, uint32_t but) {
             Float8 near;
@@ -47,14 +47,14 @@ public:
                     next = stack.push(n, met, near);
                     if (met & (met - 1)) fetch(stack.following());
                 } else if ((next = stack.pop(reach)).is_none())
-                    return place_of(last);
+                    return slot_of(last);
             }
             if (!closest_in(leaf(next), leaf_ray, nearest, found)) continue;
             last = next;
             reach = nearest.high * beyond;
-            reach8 = all_lanes(reach);
+            reach8 = broadcast(reach);
         }
-        return place_of(last);
+        return slot_of(last);
     }
 
     template <class Found>
@@ -63,7 +63,7 @@ public:
         const NodeRay node_ray(ray);
         const LeafRay leaf_ray(ray);
         Bvh8AnyStack stack;
-        const Float8 reach = all_lanes(ray.t_max * beyond);
+        const Float8 reach = broadcast(ray.t_max * beyond);
         Float8 near;
         for (Bvh8Child next; !next.is_none(); next = stack.pop()) {
             while (!next.is_leaf()) {
@@ -80,13 +80,13 @@ public:
         return false;
     }
 
-    uint64_t bytes() const { return tree_.bytes + tree_.place_of_leaf.size() * sizeof(Bvh8Place); }
+    uint64_t bytes() const { return tree_.bytes + tree_.slot_of_leaf.size() * sizeof(Bvh8Slot); }
     double sah_cost() const { return tree_.sah_cost; }
     // Nodes from the root to the deepest one; at most max_split_depth + 1.
     int depth() const { return tree_.depth; }
 
 private:
-    friend class Bvh8Turns;
+    friend class Bvh8Interleaved;
     friend class Bvh8Packets;
 
     // A box begins a few roundings nearer or farther than what is in it.
@@ -98,7 +98,7 @@ private:
     template <class Pass>
     [[gnu::always_inline]] Bvh8Child begin(const Ray& ray, const Pass& pass) const
     {
-        const Bvh8Place at(ray.start);
+        const Bvh8Slot at(ray.leaf_hint);
         if (at.is_none()) return {};
         const Bvh8Node& on = node(at.node());
         const size_t length = on.way_length();
@@ -109,23 +109,23 @@ private:
         return Bvh8Child(on.children[at.child()]);
     }
     template <class Pass>
-    [[gnu::always_inline]] void pass_one(Bvh8Place p, const Pass& pass) const
+    [[gnu::always_inline]] void pass_one(Bvh8Slot p, const Pass& pass) const
     {
         pass(node(p.node()), ~(1u << p.child()));
     }
     // The same of all that a place hangs on.
     template <class Pass>
-    [[gnu::noinline]] void pass_above(Bvh8Place place, const Pass& pass) const
+    [[gnu::noinline]] void pass_above(Bvh8Slot slot, const Pass& pass) const
     {
-        const Bvh8Node& on = node(place.node());
+        const Bvh8Node& on = node(slot.node());
         const size_t length = on.way_length();
         if (length == on.way.size()) pass_above(on.way.back(), pass);
         for (size_t i = length; i-- > 0;) pass_one(on.way[i], pass);
     }
     // Of a leaf; none of the root.
-    Bvh8Place place_of(Bvh8Child c) const
+    Bvh8Slot slot_of(Bvh8Child c) const
     {
-        return c.is_leaf() ? tree_.place_of_leaf[c.leaf_offset() / Bvh8Layout::grain] : Bvh8Place::none();
+        return c.is_leaf() ? tree_.slot_of_leaf[c.leaf_offset() / Bvh8Layout::grain] : Bvh8Slot::none();
     }
     const Bvh8Node& node(Bvh8Child c) const
     {
@@ -136,7 +136,7 @@ private:
         return {reinterpret_cast<const Bvh8Leaf*>(tree_.memory.get() + c.leaf_offset() * Bvh8Child::unit), c.blocks()};
     }
 
-    void fetch_place_of(Bvh8Child c) const { prefetch(&tree_.place_of_leaf[c.leaf_offset() / Bvh8Layout::grain]); }
+    void prefetch_slot_of(Bvh8Child c) const { prefetch(&tree_.slot_of_leaf[c.leaf_offset() / Bvh8Layout::grain]); }
     // What is visited next but one is asked for early.
     void fetch(Bvh8Child c) const
     {

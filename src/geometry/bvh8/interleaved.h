@@ -10,23 +10,23 @@
 
 namespace lancer {
 
-class Bvh8Turns {
+class Bvh8Interleaved {
 public:
     static constexpr size_t most = 128;  // rays
 
-    explicit Bvh8Turns(const Bvh8& tree) : tree_(tree) {}
+    explicit Bvh8Interleaved(const Bvh8& tree) : tree_(tree) {}
 
     // Bvh8::closest() of each of at most `most` rays; those with a t_max below 0 are left out. found(i, number, t).
-    // places[i]: what it says. At first: none.
+    // leaf_hints[i]: what it says. At first: none.
     template <class Found>
-    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
                  const Found& found)
     {
         const auto of_ray = [&](uint32_t i) {
             return [&, i](uint32_t number, float t) { return found(i, number, t); };
         };
         const auto go_alone = [&](uint32_t i) {
-            places[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
+            leaf_hints[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
             searches_[i].last = {};
             return Bvh8Child::none();
         };
@@ -43,14 +43,14 @@ public:
                 Search& s = searches_[i];
                 if (Bvh8::closest_in(tree_.leaf(s.next), s.leaf_ray, s.nearest, of_ray(i))) {
                     s.last = s.next, s.reach = s.nearest.high * Bvh8::beyond;
-                    tree_.fetch_place_of(s.last);
+                    tree_.prefetch_slot_of(s.last);
                 }
                 put(i, s.stack.pop(s.reach), *next);
             }
             for (const uint32_t i : now->nodes.all()) put(i, has_room(i) ? step(searches_[i]) : go_alone(i), *next);
         }
         for (uint32_t i = 0; i < rays.size(); ++i)
-            if (!(t_max[i] < 0) && searches_[i].last.is_leaf()) places[i] = tree_.place_of(searches_[i].last).bits();
+            if (!(t_max[i] < 0) && searches_[i].last.is_leaf()) leaf_hints[i] = tree_.slot_of(searches_[i].last).bits();
     }
 
 private:
@@ -90,7 +90,7 @@ private:
                 return;
             }
             Float8 near;
-            const uint32_t met = s.node_ray.meets(n, all_lanes(s.reach), near);
+            const uint32_t met = s.node_ray.meets(n, broadcast(s.reach), near);
             s.stack.push_all(n, met & but, near);
         });
     }
@@ -98,7 +98,7 @@ private:
     {
         const Bvh8Node& n = tree_.node(s.next);
         Float8 near;
-        const uint32_t met = s.node_ray.meets(n, all_lanes(s.reach), near);
+        const uint32_t met = s.node_ray.meets(n, broadcast(s.reach), near);
         return met ? s.stack.push(n, met, near) : s.stack.pop(s.reach);
     }
     // In both lists, but only counted where it belongs.

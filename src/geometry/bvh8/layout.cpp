@@ -78,11 +78,11 @@ public:
         if (units > Bvh8Child::max_offset) throw Error(ErrorKind::failed, {}, "too many triangles for one tree");
         out_.bytes = units * Bvh8Child::unit;
         out_.memory = RawArray<std::byte>(out_.bytes);
-        out_.place_of_leaf.resize(units / Bvh8Layout::grain + 1);
+        out_.slot_of_leaf.resize(units / Bvh8Layout::grain + 1);
         for (size_t i = 0; i < top; ++i) {
             size_t next = list[i].first_child;
-            write(plan(list[i].node), list[i], list[i].sums, [&](uint32_t, Bvh8Place place) {
-                list[next].way = way_through(place, list[i].way);
+            write(plan(list[i].node), list[i], list[i].sums, [&](uint32_t, Bvh8Slot slot) {
+                list[next].way = way_through(slot, list[i].way);
                 return list[next++].offset;
             });
         }
@@ -163,13 +163,13 @@ private:
                 n.planes[2 * axis][k] = box.lower[static_cast<int>(axis)];
                 n.planes[2 * axis + 1][k] = box.upper[static_cast<int>(axis)];
             }
-            const Bvh8Place place(part.offset, k);
+            const Bvh8Slot slot(part.offset, k);
             if (!c.is_leaf) {
-                n.children[k] = Bvh8Child::node(inner(c.node, place)).bits();
+                n.children[k] = Bvh8Child::node(inner(c.node, slot)).bits();
                 continue;
             }
             n.children[k] = Bvh8Child::leaf(next, c.numbers.blocks()).bits();
-            out_.place_of_leaf[next / Bvh8Layout::grain] = place;
+            out_.slot_of_leaf[next / Bvh8Layout::grain] = slot;
             for (uint32_t i = 0; i < c.numbers.blocks(); ++i, next += leaf_units) write_leaf(c.numbers, i, next);
             sums.cost += area(c.node) * c.numbers.count;
         }
@@ -179,10 +179,10 @@ private:
     {
         const Plan p = plan(part.node);
         uint64_t end = part.offset + p.units;
-        write(p, part, sums, [&](uint32_t child, Bvh8Place place) {
+        write(p, part, sums, [&](uint32_t child, Bvh8Slot slot) {
             const uint64_t offset = end;
             end = write_all(
-                {.node = child, .depth = part.depth + 1, .offset = offset, .way = way_through(place, part.way)}, sums);
+                {.node = child, .depth = part.depth + 1, .offset = offset, .way = way_through(slot, part.way)}, sums);
             return offset;
         });
         return end;
@@ -202,9 +202,9 @@ private:
                     leaf.corners[corner][axis][lane] = triangle[corner][static_cast<int>(axis)];
         }
     }
-    static Bvh8Node::Way way_through(Bvh8Place place, const Bvh8Node::Way& way)
+    static Bvh8Node::Way way_through(Bvh8Slot slot, const Bvh8Node::Way& way)
     {
-        Bvh8Node::Way longer{place};
+        Bvh8Node::Way longer{slot};
         std::copy(way.begin(), way.end() - 1, longer.begin() + 1);
         return longer;
     }

@@ -14,7 +14,7 @@ namespace lancer {
 struct Bvh8Layout {
     RawArray<std::byte> memory;
     // Of each leaf where it hangs: at its offset in `grain`s, of which no two leaves share one.
-    std::vector<Bvh8Place> place_of_leaf;
+    std::vector<Bvh8Slot> slot_of_leaf;
     static constexpr uint64_t grain = sizeof(Bvh8Node) / Bvh8Child::unit;
     static_assert(sizeof(Bvh8Leaf) >= sizeof(Bvh8Node));
     uint64_t bytes = 0;

@@ -16,7 +16,8 @@ uint32_t LeafRay::decide(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Nearest& near
     if (nearest.low < nearest.high) nearest.low = nearest.high = distance(*nearest.block, nearest.lane);
     measure(leaf, lanes, met);
     uint32_t within = 0;
-    for_bits(lanes, [&](uint32_t i) { within |= uint32_t{met.t[i] >= ray_->t_min && met.t[i] <= nearest.high} << i; });
+    for_each_lane(lanes,
+                  [&](uint32_t i) { within |= uint32_t{met.t[i] >= ray_->t_min && met.t[i] <= nearest.high} << i; });
     return within;
 }
 

@@ -49,11 +49,11 @@ public:
     [[gnu::always_inline]] uint32_t meets(const Bvh8Leaf& leaf, Bvh8Nearest& nearest, Bvh8Met& met) const
     {
         const auto corner = [&](size_t k) {
-            const auto along = [&](size_t axis) { return coordinate(leaf, k, axis) - all_lanes(org_[axis]); };
+            const auto along = [&](size_t axis) { return coordinate(leaf, k, axis) - broadcast(org_[axis]); };
             return Point{along(0), along(1), along(2)};
         };
         const Point a = corner(0), b = corner(1), c = corner(2);
-        const Float8 sx = all_lanes(slope_[0]), sy = all_lanes(slope_[1]);
+        const Float8 sx = broadcast(slope_[0]), sy = broadcast(slope_[1]);
         const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
         const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
         const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
@@ -61,16 +61,16 @@ public:
         // or it is 0.
         const Float8 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
         const Float8 least = min(u, min(v, w)), most = max(u, max(v, w)), zero{};
-        uint32_t inside = bits_le(zero, least) | bits_le(most, zero);
+        uint32_t inside = movemask_le(zero, least) | movemask_le(most, zero);
         if (!inside) return 0;
-        if (const uint32_t on_edge = inside & (bits_eq(least, zero) | bits_eq(most, zero)))
+        if (const uint32_t on_edge = inside & (movemask_eq(least, zero) | movemask_eq(most, zero)))
             inside &= ~on_edge | contain_origin(on_edge, {ax, ay, bx, by, cx, cy});
         return within(leaf, a, inside, nearest, met);
     }
     // Makes the distances of these known.
     void measure(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Met& met) const
     {
-        for_bits(lanes, [&](uint32_t i) { met.t[i] = distance(leaf, i), met.error[i] = 0; });
+        for_each_lane(lanes, [&](uint32_t i) { met.t[i] = distance(leaf, i), met.error[i] = 0; });
     }
 
 private:
@@ -88,23 +88,23 @@ private:
         };
         const Float8 ex = side(1, 0), ey = side(1, 1), ez = side(1, 2);
         const Float8 gx = side(2, 0), gy = side(2, 1), gz = side(2, 2);
-        const Float8 sx = all_lanes(slope_[0]), sy = all_lanes(slope_[1]);
+        const Float8 sx = broadcast(slope_[0]), sy = broadcast(slope_[1]);
         const Float8 n[3] = {ey * gz - ez * gy, ez * gx - ex * gz, ex * gy - ey * gx};
         const Float8 m[3] = {abs(ey * gz) + abs(ez * gy), abs(ez * gx) + abs(ex * gz), abs(ex * gy) + abs(ey * gx)};
-        const Float8 scale = all_lanes(sz_) / (n[0] * sx + n[1] * sy + n[2]);
+        const Float8 scale = broadcast(sz_) / (n[0] * sx + n[1] * sy + n[2]);
         const Float8 distance = (n[0] * a.x + n[1] * a.y + n[2] * a.z) * scale;
         const Float8 of_place = m[0] * abs(a.x) + m[1] * abs(a.y) + m[2] * abs(a.z);
         const Float8 of_slope = m[0] * abs(sx) + m[1] * abs(sy) + m[2];
         const Float8 error =
-            gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * all_lanes(std::abs(dir_[2])));
+            gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * broadcast(std::abs(dir_[2])));
         const Float8 low = distance - error, high = distance + error;
-        lanes &= ~(bits(high < all_lanes(ray_->t_min)) | bits(low > all_lanes(nearest.high)));
+        lanes &= ~(movemask(high < broadcast(ray_->t_min)) | movemask(low > broadcast(nearest.high)));
         _mm256_storeu_ps(met.t.data(), distance);
         _mm256_storeu_ps(met.error.data(), error);
-        uint32_t sure = lanes & bits((error < distance * Bvh8Nearest::most_error) & (low > all_lanes(ray_->t_min)) &
-                                     (high < all_lanes(nearest.low)));
+        uint32_t sure = lanes & movemask((error < distance * Bvh8Nearest::most_error) & (low > broadcast(ray_->t_min)) &
+                                         (high < broadcast(nearest.low)));
         if (uint32_t unsure = lanes & ~sure) {
-            unsure &= ~bits_eq(leaf.numbers, nearest.number);  // of a triangle with parts in several leaves
+            unsure &= ~movemask_eq(leaf.numbers, nearest.number);  // of a triangle with parts in several leaves
             if (unsure) sure |= decide(leaf, unsure, nearest, met);
         }
         return sure;

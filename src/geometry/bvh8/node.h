@@ -40,13 +40,13 @@ private:
 };
 
 // One of the eight of a node.
-class Bvh8Place {
+class Bvh8Slot {
 public:
-    Bvh8Place() = default;
-    explicit Bvh8Place(uint32_t bits) : bits_(bits) {}
-    Bvh8Place(uint64_t node_offset, size_t child) : bits_(static_cast<uint32_t>(node_offset << 3 | child)) {}
+    Bvh8Slot() = default;
+    explicit Bvh8Slot(uint32_t bits) : bits_(bits) {}
+    Bvh8Slot(uint64_t node_offset, size_t child) : bits_(static_cast<uint32_t>(node_offset << 3 | child)) {}
 
-    static Bvh8Place none() { return {}; }
+    static Bvh8Slot none() { return {}; }
     bool is_none() const { return bits_ == UINT32_MAX; }
     Bvh8Child node() const { return Bvh8Child::node(bits_ >> 3); }
     uint32_t child() const { return bits_ & 7; }
@@ -62,7 +62,7 @@ struct alignas(32) Bvh8Node {
     std::array<uint32_t, 8> children;            // bits of Bvh8Child
     // Where it hangs, then where that hangs, and so on; then none. Of a deeper node only the first ones, and the last
     // of them tells the rest.
-    using Way = std::array<Bvh8Place, 8>;
+    using Way = std::array<Bvh8Slot, 8>;
     Way way;
 
     size_t way_length() const
@@ -84,7 +84,7 @@ template <class Ray>
     const auto last = [&](size_t k) { return at(ray.near_plane(k) ^ 1, k, ray.far_inverse(k)); };
     const Float8 x0 = first(0), x1 = last(0), y0 = first(1), y1 = last(1), z0 = first(2), z1 = last(2);
     near = max(max(x0, y0), max(z0, ray.t_min()));
-    return bits_le(near, min(min(x1, y1), min(z1, t_max)));
+    return movemask_le(near, min(min(x1, y1), min(z1, t_max)));
 }
 
 // What of a ray all nodes share, in registers.
@@ -96,12 +96,12 @@ public:
         const Float4 far_inverse = inverse * SlabRay::widening;
         const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
         for (size_t k = 0; k < 3; ++k) {
-            org_[k] = all_lanes(org[k]);
-            inverse_[k] = all_lanes(inverse[k]);
-            far_inverse_[k] = all_lanes(far_inverse[k]);
+            org_[k] = broadcast(org[k]);
+            inverse_[k] = broadcast(inverse[k]);
+            far_inverse_[k] = broadcast(far_inverse[k]);
             near_[k] = 2 * k + (back >> k & 1);
         }
-        t_min_ = all_lanes(ray.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
+        t_min_ = broadcast(ray.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
     }
 
     Float8 org(size_t k) const { return org_[k]; }
@@ -134,11 +134,11 @@ public:
         for (uint32_t k = 0; k < 3; ++k) near_[k] = 2 * k + (back >> k & 1);
     }
 
-    Float8 org(size_t k) const { return all_lanes(org_and_t_min_[k]); }
-    Float8 inverse(size_t k) const { return all_lanes(inverse_[k]); }
-    Float8 far_inverse(size_t k) const { return all_lanes(far_inverse_[k]); }
+    Float8 org(size_t k) const { return broadcast(org_and_t_min_[k]); }
+    Float8 inverse(size_t k) const { return broadcast(inverse_[k]); }
+    Float8 far_inverse(size_t k) const { return broadcast(far_inverse_[k]); }
     size_t near_plane(size_t k) const { return near_[k]; }
-    Float8 t_min() const { return all_lanes(org_and_t_min_[3]); }
+    Float8 t_min() const { return broadcast(org_and_t_min_[3]); }
     [[gnu::always_inline]] uint32_t meets(const Bvh8Node& node, Float8 t_max, Float8& near) const
     {
         return meets_children(*this, node, t_max, near);

@@ -13,14 +13,14 @@ class Bvh8Packets {
 public:
     explicit Bvh8Packets(const Bvh8& tree) : tree_(tree) {}
 
-    // As that of Bvh8Turns, of any number of rays.
+    // As that of Bvh8Interleaved, of any number of rays.
     template <class Found>
-    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+    void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
                  const Found& found) const
     {
         for (uint32_t first = 0; first < rays.size(); first += float_lanes) {
             const size_t n = std::min<size_t>(float_lanes, rays.size() - first);
-            go(rays.subspan(first, n), t_max.subspan(first, n), places.subspan(first, n),
+            go(rays.subspan(first, n), t_max.subspan(first, n), leaf_hints.subspan(first, n),
                [&](uint32_t i, uint32_t number, float t) { return found(first + i, number, t); });
         }
     }
@@ -48,19 +48,19 @@ private:
 
         Packet(std::span<const Ray> rays, std::span<const float> t_max) : lanes((1u << rays.size()) - 1)
         {
-            const RayOctet octet(rays);
-            t_min = octet.t_min, least_t_min = all_lanes(least(t_min) + 0.0f);  // not -0
+            const RayPacket r(rays);
+            t_min = r.t_min, least_t_min = broadcast(least(t_min) + 0.0f);  // not -0
             for (const float t : t_max) goes_together &= !(t < 0);
-            const std::array org{octet.org.x, octet.org.y, octet.org.z}, dir{octet.dir.x, octet.dir.y, octet.dir.z};
+            const std::array org{r.org.x, r.org.y, r.org.z}, dir{r.dir.x, r.dir.y, r.dir.z};
             for (size_t k = 0; k < 3; ++k) {
                 Axis& a = axes[k];
                 a.org = org[k], a.inverse = 1.0f / dir[k], a.far_inverse = a.inverse * SlabRay::widening;
-                const uint32_t back = bits_le(a.inverse, Float8{});
+                const uint32_t back = movemask_le(a.inverse, Float8{});
                 goes_together &=
                     (back == 0 || back == 255) && most(abs(a.inverse)) <= std::numeric_limits<float>::max();
-                const Float8 from_least = all_lanes(least(a.org)), from_most = all_lanes(most(a.org));
+                const Float8 from_least = broadcast(least(a.org)), from_most = broadcast(most(a.org));
                 a.near = back ? from_least : from_most, a.far = back ? from_most : from_least;
-                a.least_inverse = all_lanes(least(a.inverse)), a.most_inverse = all_lanes(most(a.inverse));
+                a.least_inverse = broadcast(least(a.inverse)), a.most_inverse = broadcast(most(a.inverse));
                 a.least_far_inverse = a.least_inverse * SlabRay::widening;
                 a.most_far_inverse = a.most_inverse * SlabRay::widening;
                 a.near_plane = 2 * k + (back != 0);
@@ -77,23 +77,23 @@ private:
                 near = max(near, min(from * a.least_inverse, from * a.most_inverse));
                 far = min(far, max(to * a.least_far_inverse, to * a.most_far_inverse));
             }
-            return bits_le(near, far);
+            return movemask_le(near, far);
         }
         // The rays that meet a child: meets_children() for one box and eight rays.
         uint32_t meets(const Bvh8Node& node, size_t child, Float8 t_max) const
         {
             Float8 near = t_min, far = t_max;
             for (const Axis& a : axes) {
-                near = max(near, (all_lanes(node.planes[a.near_plane][child]) - a.org) * a.inverse);
-                far = min(far, (all_lanes(node.planes[a.near_plane ^ 1][child]) - a.org) * a.far_inverse);
+                near = max(near, (broadcast(node.planes[a.near_plane][child]) - a.org) * a.inverse);
+                far = min(far, (broadcast(node.planes[a.near_plane ^ 1][child]) - a.org) * a.far_inverse);
             }
-            return bits_le(near, far) & lanes;
+            return movemask_le(near, far) & lanes;
         }
     };
 
     // Of at most eight rays.
     template <class Found>
-    void go(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> places,
+    void go(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
             const Found& found) const
     {
         const auto of_ray = [&](uint32_t i) {
@@ -102,13 +102,13 @@ private:
         const Packet packet(rays, t_max);
         if (!packet.goes_together) {
             for (uint32_t i = 0; i < rays.size(); ++i)
-                if (!(t_max[i] < 0)) places[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
+                if (!(t_max[i] < 0)) leaf_hints[i] = tree_.closest(rays[i], t_max[i], of_ray(i)).bits();
             return;
         }
         std::array<LeafRay, float_lanes> leaf_rays;
         std::array<Bvh8Nearest, float_lanes> nearest;
-        std::array<Bvh8Child, float_lanes> last{};  // as in Bvh8Turns
-        Float8 reach = all_lanes(-1.0f);            // of each ray
+        std::array<Bvh8Child, float_lanes> last{};  // as in Bvh8Interleaved
+        Float8 reach = broadcast(-1.0f);            // of each ray
         for (uint32_t i = 0; i < rays.size(); ++i) {
             leaf_rays[i] = LeafRay(rays[i]);
             nearest[i] = {t_max[i], t_max[i]};
@@ -127,7 +127,7 @@ private:
             const uint32_t here = lanes_of[top];
             if (top > 0) tree_.fetch(Bvh8Child(static_cast<uint32_t>(stack[top - 1])));
             if (at.is_leaf()) {
-                for_bits(here, [&](uint32_t i) {
+                for_each_lane(here, [&](uint32_t i) {
                     if (!Bvh8::closest_in(tree_.leaf(at), leaf_rays[i], nearest[i], of_ray(i))) return;
                     last[i] = at;
                     reach[i] = nearest[i].high * Bvh8::beyond;
@@ -137,11 +137,11 @@ private:
             }
             const Bvh8Node& node = tree_.node(at);
             Float8 near;
-            const uint32_t met = packet.may_meet(node, all_lanes(farthest), near);
+            const uint32_t met = packet.may_meet(node, broadcast(farthest), near);
             alignas(32) std::array<float, 8> distances;
             store8(distances.data(), near);
             const size_t bottom = top;
-            for_bits(met, [&](uint32_t child) {
+            for_each_lane(met, [&](uint32_t child) {
                 const uint32_t lanes = packet.meets(node, child, reach) & here;
                 if (lanes == 0) return;
                 const Bvh8Entry next =
@@ -153,7 +153,7 @@ private:
                 stack[to] = next, lanes_of[to] = lanes;
             });
         }
-        for (uint32_t i = 0; i < rays.size(); ++i) places[i] = tree_.place_of(last[i]).bits();
+        for (uint32_t i = 0; i < rays.size(); ++i) leaf_hints[i] = tree_.slot_of(last[i]).bits();
     }
 
     const Bvh8& tree_;

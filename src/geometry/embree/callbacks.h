@@ -18,7 +18,7 @@ inline uint32_t first_instance_id(const Geometry& g) { return sphere_id(g) + 2; 
 // The user data of every geometry.
 struct UserData {
     const Geometry& geometry;
-    WideShapes wide;  // Embree is not told of them
+    LargeShapes wide;  // Embree is not told of them
 };
 inline const UserData& user_data(const void* pointer) { return *static_cast<const UserData*>(pointer); }
 
@@ -37,7 +37,7 @@ const auto& shapes(const Geometry& g)
 }
 
 template <Kind kind>
-const std::vector<uint32_t>& numbers_of(const WideShapes& wide)
+const std::vector<uint32_t>& numbers_of(const LargeShapes& wide)
 {
     return kind == Kind::sphere ? wide.spheres : wide.planes;
 }
@@ -76,7 +76,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* a)
     RTCHitN* hits = RTCRayHitN_HitN(a->rayhit, a->N);
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        const Hit hit = first_stop<kind>(g, a->primID, lane_ray(a->context, rays, a->N, i));
+        const Hit hit = first_opaque_hit<kind>(g, a->primID, lane_ray(a->context, rays, a->N, i));
 #if RTC_VERSION_MAJOR >= 4
         a->valid[i] = hit ? -1 : 0;
 #endif
@@ -105,7 +105,7 @@ void occluded_callback(const RTCOccludedFunctionNArguments* a)
     const Geometry& g = user_data(a->geometryUserPtr).geometry;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        const bool hit{first_stop<kind>(g, a->primID, lane_ray(a->context, a->ray, a->N, i))};
+        const bool hit{first_opaque_hit<kind>(g, a->primID, lane_ray(a->context, a->ray, a->N, i))};
 #if RTC_VERSION_MAJOR >= 4
         a->valid[i] = hit ? -1 : 0;
 #endif
@@ -120,11 +120,11 @@ inline void filter_callback(const RTCFilterFunctionNArguments* a)
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         const uint32_t mesh = RTCHitN_geomID(a->hit, a->N, i), triangle = RTCHitN_primID(a->hit, a->N, i);
-        if (!g.holes.meshes[mesh][triangle]) continue;
+        if (!g.alpha_test.meshes[mesh][triangle]) continue;
         const Ray& ray = original_ray(a->context, RTCRayN_id(a->ray, a->N, i));
         const uint32_t instance = instance_of(g, RTCHitN_instID(a->hit, a->N, i, 0));
         const Hit hit{RTCRayN_tfar(a->ray, a->N, i), instance, mesh, triangle, {}, Kind::triangle};
-        if (g.holes.let_pass(g.holes.context, ray, refine(g, ray, hit))) a->valid[i] = 0;
+        if (g.alpha_test.passes_through(g.alpha_test.context, ray, refine(g, ray, hit))) a->valid[i] = 0;
     }
 }
 

@@ -23,7 +23,7 @@ using namespace embree;
 
 class Embree final : public Accelerator {
 public:
-    Embree(const Geometry& geometry, const std::string& isa) : g_(geometry), data_{g_, choose_wide_shapes(g_)}
+    Embree(const Geometry& geometry, const std::string& isa) : g_(geometry), data_{g_, choose_large_shapes(g_)}
     {
         const auto start = std::chrono::steady_clock::now();
         device_ = rtcNewDevice(("isa=" + isa + build_threads).c_str());
@@ -85,7 +85,7 @@ public:
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
             query.load(rays.subspan(first, n), r);
-            if (!data_.wide.empty()) closest_wide(g_, data_.wide, r);
+            if (!data_.wide.empty()) closest_large_shape(g_, data_.wide, r);
             if (attached_) query.closest(scene_, r);
             for (size_t i = 0; i < n; ++i)
                 hits[first + i] =
@@ -100,7 +100,7 @@ public:
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
             query.load(rays.subspan(first, n), r);
-            uint32_t met = data_.wide.empty() ? 0 : any_wide(g_, data_.wide, r);
+            uint32_t met = data_.wide.empty() ? 0 : any_large_shape(g_, data_.wide, r);
             if (attached_) met = query.any(scene_, r, met);
             for (size_t i = 0; i < n; ++i) occluded[first + i] = met >> i & 1;
         }
@@ -137,7 +137,7 @@ private:
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
         // Only where something is to be asked: a scene with a filter in it is traced by slower code throughout.
-        if (g_.holes.let_pass && !g_.holes.meshes[index].empty()) {
+        if (g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty()) {
             rtcSetGeometryUserData(g, &data_);
             rtcSetGeometryIntersectFilterFunction(g, filter_callback);
             rtcSetGeometryOccludedFilterFunction(g, filter_callback);

@@ -10,7 +10,7 @@
 namespace lancer::embree {
 
 // The nearest wide shapes of four rays.
-struct NearestWide {
+struct NearestLargeShape {
     Double4 t;
     Mask4 found{}, exit{}, id{};  // id: embree geometry << 32 | number
 
@@ -24,35 +24,36 @@ struct NearestWide {
         found |= nearer;
     }
 };
-inline Mask4 wide_id(uint32_t geometry, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+inline Mask4 large_shape_id(uint32_t geometry, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const auto id = [&](uint32_t number) { return static_cast<int64_t>(uint64_t{geometry} << 32 | number); };
     return Mask4{id(a), id(b), id(c), id(d)};
 }
 
 // Shortens the rays to the nearest wide shape and enters it as hit.
-inline void closest_wide(const Geometry& g, const WideShapes& wide, RTCRayHit8& r)
+inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, RTCRayHit8& r)
 {
     const bool any_sphere = !wide.spheres.empty();
     const auto first_of =
         any_sphere ? probably_first(g.spheres, wide.spheres, r.ray) : std::array<uint32_t, float_lanes>{};
     for (uint32_t first = 0; first < packet; first += double_lanes) {
         const RayLanes rays(r.ray, first);
-        NearestWide best{.t = rays.t_max};
+        NearestLargeShape best{.t = rays.t_max};
         Mask4 tried{};
         if (any_sphere) {
             const auto number = [&](uint32_t lane) { return wide.spheres[first_of[first + lane]]; };
             const auto sphere = [&](uint32_t lane) -> const Sphere& { return g.spheres[number(lane)]; };
-            tried = wide_id(sphere_id(g), number(0), number(1), number(2), number(3));
+            tried = large_shape_id(sphere_id(g), number(0), number(1), number(2), number(3));
             best.take(tried, stop(SphereLanes(sphere(0), sphere(1), sphere(2), sphere(3)), rays));
         }
         for (const uint32_t i : wide.spheres) {
-            const Mask4 id = wide_id(sphere_id(g), i, i, i, i);
-            if (bits((id == tried) | surely_misses(g.spheres[i], rays, best.t)) != all_bits)
+            const Mask4 id = large_shape_id(sphere_id(g), i, i, i, i);
+            if (movemask((id == tried) | surely_misses(g.spheres[i], rays, best.t)) != all_bits)
                 best.take(id, stop(SphereLanes(g.spheres[i]), rays));
         }
-        for (const uint32_t i : wide.planes) best.take(wide_id(plane_id(g), i, i, i, i), stop(g.planes[i], rays));
-        for (uint32_t left = bits(best.found); left != 0; left &= left - 1) {
+        for (const uint32_t i : wide.planes)
+            best.take(large_shape_id(plane_id(g), i, i, i, i), stop(g.planes[i], rays));
+        for (uint32_t left = movemask(best.found); left != 0; left &= left - 1) {
             const auto lane = static_cast<uint32_t>(std::countr_zero(left)), i = first + lane;
             r.ray.tfar[i] = static_cast<float>(best.t[lane]);
             r.hit.u[i] = best.exit[lane] ? 1 : 0;
@@ -63,7 +64,7 @@ inline void closest_wide(const Geometry& g, const WideShapes& wide, RTCRayHit8& 
 }
 
 // Bit i: lane i meets one.
-inline uint32_t any_wide(const Geometry& g, const WideShapes& wide, const RTCRay8& r)
+inline uint32_t any_large_shape(const Geometry& g, const LargeShapes& wide, const RTCRay8& r)
 {
     uint32_t occluded = 0;
     for (uint32_t first = 0; first < packet; first += double_lanes) {
@@ -71,10 +72,10 @@ inline uint32_t any_wide(const Geometry& g, const WideShapes& wide, const RTCRay
         Mask4 found{};
         const auto take = [&](const StopLanes& s) { found |= s.ok & (s.t <= rays.t_max); };
         for (const uint32_t i : wide.spheres)
-            if (bits(found | surely_misses(g.spheres[i], rays, rays.t_max)) != all_bits)
+            if (movemask(found | surely_misses(g.spheres[i], rays, rays.t_max)) != all_bits)
                 take(stop(SphereLanes(g.spheres[i]), rays));
         for (const uint32_t i : wide.planes) take(stop(g.planes[i], rays));
-        occluded |= bits(found) << first;
+        occluded |= movemask(found) << first;
     }
     return occluded;
 }

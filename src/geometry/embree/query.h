@@ -85,7 +85,7 @@ public:
         Mask8 valid;
         std::memcpy(&valid, valid_.data(), sizeof valid);
         valid &= (bit & static_cast<int>(known)) == 0;
-        const uint32_t wanted = bits(valid);
+        const uint32_t wanted = movemask(valid);
         if (wanted == 0) return known;
         std::memcpy(valid_.data(), &valid, sizeof valid);
 #if RTC_VERSION_MAJOR >= 4
@@ -93,7 +93,7 @@ public:
 #else
         rtcOccluded8(valid_.data(), scene, &context_, &r);
 #endif
-        return known | (wanted & bits(load8(r.tfar) < Float8{}));
+        return known | (wanted & movemask(load8(r.tfar) < Float8{}));
     }
 
 private:
@@ -101,10 +101,10 @@ private:
     // In whole registers, as Embree reads it.
     void fill(RTCRay8& r, std::span<const Ray> rays)
     {
-        const RayOctet l(rays);
+        const RayPacket l(rays);
         const Mask8 lanes = Mask8{0, 1, 2, 3, 4, 5, 6, 7};
         const Mask8 ok = is_traceable(l) & first_lanes(rays.size());
-        const Float8 zero{}, one = all_lanes(1.0f);
+        const Float8 zero{}, one = broadcast(1.0f);
         const auto put = [&](float* to, Float8 x, Float8 idle) { store8(to, select(ok, x, idle)); };
         // Idle lanes meet nothing whoever looks.
         put(r.org_x, l.org.x, zero), put(r.org_y, l.org.y, zero), put(r.org_z, l.org.z, zero);

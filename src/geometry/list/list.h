@@ -27,15 +27,15 @@ private:
         Ray rest = ray;
         const auto mesh = [&](uint32_t instance, uint32_t index, Vec3d org, Vec3d dir) {
             const Mesh& m = g_.meshes[index];
-            const bool has_holes = g_.holes.let_pass && !g_.holes.meshes[index].empty();
+            const bool has_holes = g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty();
             for (uint32_t i = 0; i < m.triangles.size(); ++i) {
                 const auto h = intersect_plane_of(m, i, org, dir);
                 if (!h || !h->inside || !reaches(ray, h->t)) continue;
                 const auto t = static_cast<float>(h->t);
                 if (best && !(t < best.t)) continue;
                 const Hit hit{t, instance, index, i, {}, Kind::triangle};
-                if (has_holes && g_.holes.meshes[index][i] &&
-                    g_.holes.let_pass(g_.holes.context, ray, refine(g_, ray, hit)))
+                if (has_holes && g_.alpha_test.meshes[index][i] &&
+                    g_.alpha_test.passes_through(g_.alpha_test.context, ray, refine(g_, ray, hit)))
                     continue;
                 best = hit;
                 rest.t_max = t;
@@ -62,7 +62,7 @@ private:
     void shapes(size_t count, Ray& rest, Hit& best) const
     {
         for (uint32_t i = 0; i < count; ++i) {
-            const Hit hit = first_stop<kind>(g_, i, rest);
+            const Hit hit = first_opaque_hit<kind>(g_, i, rest);
             if (!hit || (best && hit.t == best.t)) continue;
             best = hit;
             rest.t_max = hit.t;

@@ -52,9 +52,9 @@ double List8::sah_cost() const
 Mask8 List8::confirmed(const Triangle& t, const Points& points, Mask8 inside)
 {
     const Mask8 on_edge = inside & Edges(t, points).touch();
-    if (bits(on_edge) == 0) return inside;
+    if (movemask(on_edge) == 0) return inside;
     const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
-    return inside & (~on_edge | lanes_of(contain_origin(bits(on_edge), {a.x, a.y, b.x, b.y, c.x, c.y})));
+    return inside & (~on_edge | lanes_of(contain_origin(movemask(on_edge), {a.x, a.y, b.x, b.y, c.x, c.y})));
 }
 
 const List8::Triangle& List8::numbered(uint32_t number) const
@@ -65,7 +65,7 @@ const List8::Triangle& List8::numbered(uint32_t number) const
                              [](const Triangle& t, uint32_t n) { return t.number < n; });
 }
 
-uint32_t List8::decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+uint32_t List8::decide(const Triangle& triangle, const ShearedPacket& r, uint32_t lanes, PacketHits& best,
                        Float8& t) const
 {
     const auto distance = [&r](const Triangle& to, size_t i) {
@@ -73,9 +73,9 @@ uint32_t List8::decide(const Triangle& triangle, const ShearedOctet& r, uint32_t
         return distance_to_plane(lane(r.rays.org, i), lane(r.rays.dir, i), static_cast<int>(r.axes[2]), a, b, c);
     };
     uint32_t met = 0;
-    for_bits(lanes, [&](uint32_t i) {
+    for_each_lane(lanes, [&](uint32_t i) {
         t[i] = distance(triangle, i);
-        const bool is_first = best.number[i] == NearestOctet::none;
+        const bool is_first = best.number[i] == PacketHits::none;
         // What is compared is rounded alike: of two in one place the first stays.
         if (!is_first) best.t[i] = distance(numbered(best.number[i]), i);
         met |= uint32_t{t[i] >= r.rays.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;

@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// An OctetTree.
+// An PacketTree.
 class List8 {
 public:
     // So many triangles at a time; each corner that several have is sheared once.
@@ -20,8 +20,8 @@ public:
     void closest(const Ray& ray, float& t_max, const Found& found) const
     {
         const uint32_t first = 0;
-        const ShearedOctet r({&ray, 1}, {&first, 1});
-        NearestOctet best{.t = all_lanes(t_max)};
+        const ShearedPacket r({&ray, 1}, {&first, 1});
+        PacketHits best{.t = broadcast(t_max)};
         closest(r, best, [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); });
         t_max = best.t[0];
     }
@@ -29,12 +29,12 @@ public:
     bool any(const Ray& ray, const Found& found) const
     {
         const uint32_t first = 0;
-        return any(ShearedOctet({&ray, 1}, {&first, 1}),
+        return any(ShearedPacket({&ray, 1}, {&first, 1}),
                    [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); }) != 0;
     }
 
     template <class Counts>
-    void closest(const ShearedOctet& r, NearestOctet& best, const Counts& counts) const
+    void closest(const ShearedPacket& r, PacketHits& best, const Counts& counts) const
     {
         for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
@@ -46,17 +46,17 @@ public:
         });
     }
     template <class Counts>
-    uint32_t any(const ShearedOctet& r, const Counts& counts) const
+    uint32_t any(const ShearedPacket& r, const Counts& counts) const
     {
-        NearestOctet reach{.t = r.rays.t_max};
+        PacketHits reach{.t = r.rays.t_max};
         Mask8 open = r.valid;
         for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
             const Mask8 met = reached(triangle, r, inside & open, reach, t);
             open &= ~counts(met, triangle.number, t);
-            return bits(open) != 0;
+            return movemask(open) != 0;
         });
-        return bits(r.valid & ~open);
+        return movemask(r.valid & ~open);
     }
 
     uint64_t bytes() const;
@@ -98,7 +98,7 @@ private:
     // f(triangle, lanes) for the triangles, in order, that the lines of some rays go through: of those lanes. Until f
     // says false. First which they are, of many, then what is to be done with them: so no branch waits for arithmetic.
     template <class F>
-    void for_candidates(const ShearedOctet& r, const F& f) const
+    void for_candidates(const ShearedPacket& r, const F& f) const
     {
         Points points;
         std::array<Mask8, part_size> lanes;
@@ -112,48 +112,48 @@ private:
                 const Mask8 inside = edges.contain() & r.valid;
                 touched |= inside & edges.touch();
                 lanes[count] = inside, which[count] = &t;
-                count += bits(inside) != 0;
+                count += movemask(inside) != 0;
             }
-            if (bits(touched) != 0)
+            if (movemask(touched) != 0)
                 for (size_t i = 0; i < count; ++i) lanes[i] &= confirmed(*which[i], points, lanes[i]);
             for (size_t i = 0; i < count; ++i)
                 if (!f(*which[i], lanes[i])) return;
         }
     }
-    static void shear(const Part& part, const ShearedOctet& r, Points& points)
+    static void shear(const Part& part, const ShearedPacket& r, Points& points)
     {
         const float *x = part.corners[r.axes[0]].data(), *y = part.corners[r.axes[1]].data(),
                     *z = part.corners[r.axes[2]].data();
         for (size_t i = 0; i < part.corners[0].size(); ++i) {
-            const Float8 height = all_lanes(z[i]) - r.org.z;
-            points[i] = {minus_product(r.sx, height, all_lanes(x[i]) - r.org.x),
-                         minus_product(r.sy, height, all_lanes(y[i]) - r.org.y)};
+            const Float8 height = broadcast(z[i]) - r.org.z;
+            points[i] = {minus_product(r.sx, height, broadcast(x[i]) - r.org.x),
+                         minus_product(r.sy, height, broadcast(y[i]) - r.org.y)};
         }
     }
     static Mask8 confirmed(const Triangle& t, const Points& points, Mask8 inside);
 
     // Those of the lanes inside that meet the triangle in [t_min, best.t], or before it where best.t is of another one:
     // see LeafRay.
-    Mask8 reached(const Triangle& triangle, const ShearedOctet& r, Mask8 lanes, NearestOctet& best, Float8& t) const
+    Mask8 reached(const Triangle& triangle, const ShearedPacket& r, Mask8 lanes, PacketHits& best, Float8& t) const
     {
         const Triangle::Along &x = triangle.along[r.axes[0]], &y = triangle.along[r.axes[1]],
                               &z = triangle.along[r.axes[2]];
-        const Float8 px = all_lanes(x.a) - r.org.x, py = all_lanes(y.a) - r.org.y, pz = all_lanes(z.a) - r.org.z;
-        const Float8 slope = all_lanes(x.normal) * r.sx + all_lanes(y.normal) * r.sy + all_lanes(z.normal);
+        const Float8 px = broadcast(x.a) - r.org.x, py = broadcast(y.a) - r.org.y, pz = broadcast(z.a) - r.org.z;
+        const Float8 slope = broadcast(x.normal) * r.sx + broadcast(y.normal) * r.sy + broadcast(z.normal);
         const Float8 scale = r.sz / slope;
-        t = (all_lanes(x.normal) * px + all_lanes(y.normal) * py + all_lanes(z.normal) * pz) * scale;
-        const Float8 of_place = all_lanes(x.size) * abs(px) + all_lanes(y.size) * abs(py) + all_lanes(z.size) * abs(pz);
-        const Float8 of_slope = all_lanes(x.size) * abs(r.sx) + all_lanes(y.size) * abs(r.sy) + all_lanes(z.size);
+        t = (broadcast(x.normal) * px + broadcast(y.normal) * py + broadcast(z.normal) * pz) * scale;
+        const Float8 of_place = broadcast(x.size) * abs(px) + broadcast(y.size) * abs(py) + broadcast(z.size) * abs(pz);
+        const Float8 of_slope = broadcast(x.size) * abs(r.sx) + broadcast(y.size) * abs(r.sy) + broadcast(z.size);
         const Float8 error = gamma(8) * abs(scale) * (of_place + abs(t) * of_slope * r.length_z);
         const Float8 low = t - error, high = t + error;
         lanes &= ~((high < r.rays.t_min) | (low > best.t));
         const Mask8 sure = (error < t * 0x1p-17f) & (low > r.rays.t_min) & (high < best.t);
-        const uint32_t unsure = bits(lanes & ~sure);
+        const uint32_t unsure = movemask(lanes & ~sure);
         if (unsure == 0) return lanes;
         return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, t));
     }
     // The same of what float cannot tell.
-    uint32_t decide(const Triangle& triangle, const ShearedOctet& r, uint32_t lanes, NearestOctet& best,
+    uint32_t decide(const Triangle& triangle, const ShearedPacket& r, uint32_t lanes, PacketHits& best,
                     Float8& t) const;
     const Triangle& numbered(uint32_t number) const;
 

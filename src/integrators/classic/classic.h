@@ -16,7 +16,7 @@ namespace lancer {
 template <class V>
 class ClassicVertex {
 public:
-    ClassicVertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler)
+    ClassicVertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler)
         : view_(view),
           s_(s),
           surface_(surface),
@@ -29,8 +29,8 @@ public:
     }
 
     // The rays that go on by mirror and refraction, if there are any.
-    std::optional<State> reflection() const { return sent(reflected()); }
-    std::optional<State> refraction() const { return sent(refracted()); }
+    std::optional<PathState> reflection() const { return sent(reflected()); }
+    std::optional<PathState> refraction() const { return sent(refracted()); }
 
     ClassicParts parts() const
     {
@@ -43,16 +43,16 @@ public:
 
     // Adds what the lights give, times factor: each point and direction of light for itself, without any choice, and
     // one of the others by chance.
-    void illuminate(float factor, Steps& steps) const
+    void illuminate(float factor, PathActions& actions) const
     {
         const Color throughput = s_.throughput * factor;
-        steps.add(throughput * phong_.ambient * phong_.diffusion);
+        actions.add(throughput * phong_.ambient * phong_.diffusion);
         if (bsdf_.only_delta()) return;
-        const uint32_t key = view_.ray_key(sampler_, s_.depth, Dim::shadow_hole);
+        const uint32_t key = view_.alpha_key(sampler_, s_.depth, Dim::shadow_alpha);
         const uint32_t deltas = view_.delta_lights();
-        for (uint32_t i = 0; i < deltas; ++i) add_light(view_.delta_light(surface_, i), throughput, key + i, steps);
-        add_light(view_.sample_extended_light(surface_, sampler_, s_.depth), throughput, key + deltas, steps);
-        add_environment_seen(throughput, key + deltas + 1, steps);
+        for (uint32_t i = 0; i < deltas; ++i) add_light(view_.delta_light(surface_, i), throughput, key + i, actions);
+        add_light(view_.sample_extended_light(surface_, sampler_, s_.depth), throughput, key + deltas, actions);
+        add_environment_seen(throughput, key + deltas + 1, actions);
     }
 
 private:
@@ -64,12 +64,12 @@ private:
     {
         return wo_.z > 0 ? bsdf_.refraction(wo_) : std::optional<BsdfSample>();
     }
-    std::optional<State> sent(const std::optional<BsdfSample>& b) const
+    std::optional<PathState> sent(const std::optional<BsdfSample>& b) const
     {
-        State n = s_;
+        PathState n = s_;
         return send_on(view_, s_, n, surface_, frame_, b, sampler_) ? std::optional(n) : std::nullopt;
     }
-    void add_light(const std::optional<LightSample>& light, Color throughput, uint32_t key, Steps& steps) const
+    void add_light(const std::optional<LightSample>& light, Color throughput, uint32_t key, PathActions& actions) const
     {
         if (!light) return;
         const Vec3 wi = frame_.to_local(light->wi);
@@ -79,11 +79,11 @@ private:
         Ray ray = shadow_ray(surface_, *light);
         ray.key = key;
         const float weight = light->infinite && !light->delta ? power_heuristic(light->pdf, f.pdf) : 1;
-        steps.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
+        actions.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
     }
     // The environment once more, in a direction that the surface chooses: a narrow highlight hardly meets a direction
     // that the sky chose. Other lights are small, and left to their own samples.
-    void add_environment_seen(Color throughput, uint32_t key, Steps& steps) const
+    void add_environment_seen(Color throughput, uint32_t key, PathActions& actions) const
     {
         if (view_.scene.environment_light == Scene::none) return;
         const float u = sampler_.get1(s_.depth, Dim::roulette);
@@ -96,11 +96,11 @@ private:
         const float pdf = view_.pdf_extended_environment(surface_.ns, wi);
         const Ray ray{.org = ray_origin(surface_, wi), .dir = wi, .key = key};
         const float weight = pdf > 0 ? power_heuristic(b->pdf, pdf) : 1;
-        steps.tinted_shadow(ray, throughput * b->weight * radiance * weight, radiance);
+        actions.tinted_shadow(ray, throughput * b->weight * radiance * weight, radiance);
     }
 
     const V& view_;
-    const State& s_;
+    const PathState& s_;
     const Surface& surface_;
     const Sampler& sampler_;
     Phong phong_;
@@ -135,7 +135,7 @@ struct Classic {
 
     // f(vertex) with what the mode says of the place.
     template <class V, class F>
-    void with_vertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, F&& f) const
+    void with_vertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, F&& f) const
     {
         if (legacy)
             f(LegacyVertex<V>(view, s, surface, sampler, s.depth + 1 >= max_depth));
@@ -143,7 +143,7 @@ struct Classic {
             f(ClassicVertex<V>(view, s, surface, sampler));
     }
     // In the mode of the past nothing is traced from the last vertex; else what emits is still seen from there.
-    bool is_last(const State& next) const { return next.depth >= max_depth; }
+    bool is_last(const PathState& next) const { return next.depth >= max_depth; }
 
     // The part of a shadow ray's light that a surface on its way lets pass.
     template <class V>
@@ -156,9 +156,9 @@ struct Classic {
     bool is_spent(Color light) const { return legacy && !(max_component(light) > least_part); }
 
     template <class V>
-    void miss(const V& view, const State& s, Steps& steps) const
+    void miss(const V& view, const PathState& s, PathActions& actions) const
     {
-        add_environment(view, s, DirectLight{}, LightParts{}, steps);
+        add_environment(view, s, DirectLight{}, LightParts{}, actions);
     }
 };
 

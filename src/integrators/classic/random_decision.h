@@ -11,22 +11,23 @@ struct RandomDecision : Classic {
     static constexpr const char* name = "random-decision";
 
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
-        add_emission(view, s, surface, DirectLight{}, LightParts{}, steps);
+        add_emission(view, s, surface, DirectLight{}, LightParts{}, actions);
         if (s.last) return;
         with_vertex(view, s, surface, sampler, [&](const auto& vertex) {
             // Parts that leave something to 1 let the path end there with that probability.
             const ClassicParts p = vertex.parts();
             const float whole = std::max(1.0f, p.sum()), u = sampler.get1(s.depth, Dim::bsdf) * whole;
-            if (u < p.diffusion) return vertex.illuminate(whole / p.diffusion, steps);
-            if (u < p.diffusion + p.reflection) return follow(s, vertex.reflection(), p.reflection / whole, steps);
-            if (u < p.sum()) follow(s, vertex.refraction(), p.refraction / whole, steps);
+            if (u < p.diffusion) return vertex.illuminate(whole / p.diffusion, actions);
+            if (u < p.diffusion + p.reflection) return follow(s, vertex.reflection(), p.reflection / whole, actions);
+            if (u < p.sum()) follow(s, vertex.refraction(), p.refraction / whole, actions);
         });
     }
 
 private:
-    void follow(const State& s, std::optional<State> n, float probability, Steps& steps) const
+    void follow(const PathState& s, std::optional<PathState> n, float probability, PathActions& actions) const
     {
         if (!n) return;
         n->pdf = probability * (s.depth ? s.pdf : 1);  // of all decisions so far
@@ -34,7 +35,7 @@ private:
         // Where Whitted gives up a branch, so must its mean.
         if (legacy && max_component(n->throughput) * n->pdf < least_part) return;
         n->last = is_last(*n);
-        steps.next(*n);
+        actions.next(*n);
     }
 };
 

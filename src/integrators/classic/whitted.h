@@ -11,30 +11,31 @@ struct Whitted : Classic {
     static constexpr bool branches = true;
 
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
-        add_emission(view, s, surface, DirectLight{}, LightParts{}, steps);
+        add_emission(view, s, surface, DirectLight{}, LightParts{}, actions);
         if (s.last) return;
         const Vec2 u = sampler.get2(s.depth, Dim::roulette);
         with_vertex(view, s, surface, sampler, [&](const auto& vertex) {
-            vertex.illuminate(1, steps);
-            follow(vertex.reflection(), 0, u.x, steps);
-            follow(vertex.refraction(), 1, u.y, steps);
+            vertex.illuminate(1, actions);
+            follow(vertex.reflection(), 0, u.x, actions);
+            follow(vertex.refraction(), 1, u.y, actions);
         });
     }
 
 private:
     // child: 0 or 1. Branches of equal depth are told apart by the ways they went.
-    void follow(std::optional<State> n, uint32_t child, float u, Steps& steps) const
+    void follow(std::optional<PathState> n, uint32_t child, float u, PathActions& actions) const
     {
         if (!n || !stays(*n, u)) return;
         n->branch = 2 * n->branch + child;
         n->ray.key ^= child;
         n->last = is_last(*n);
-        steps.next(*n);
+        actions.next(*n);
     }
     // Whether a branch is worth following: by roulette, so that the mean stays.
-    bool stays(State& n, float u) const
+    bool stays(PathState& n, float u) const
     {
         const float part = max_component(n.throughput) * n.eta_scale;
         if (!(part < least_part)) return true;

@@ -3,7 +3,7 @@
 // shading normal alone decides what is inside; where light would be reflected totally it slides along the surface.
 #pragma once
 
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 #include "integrators/view.h"
 
 namespace lancer {
@@ -21,7 +21,7 @@ template <class V>
 class LegacyVertex {
 public:
     // last: no ray goes on from here, and the illumination stands for all.
-    LegacyVertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, bool last)
+    LegacyVertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, bool last)
         : view_(view),
           s_(s),
           surface_(surface),
@@ -33,13 +33,13 @@ public:
     {
     }
 
-    std::optional<State> reflection() const
+    std::optional<PathState> reflection() const
     {
         if (last_ || phong_.reflexion == 0) return {};
         const Vec3 wi = mirrored();
         return sent(wi, phong_.specular * phong_.reflexion, ray_origin(surface_, wi));
     }
-    std::optional<State> refraction() const
+    std::optional<PathState> refraction() const
     {
         if (last_ || phong_.refraction == 0) return {};
         const Vec3 v = s_.ray.dir, n = inside_ ? -outwards_ : outwards_;
@@ -58,47 +58,47 @@ public:
 
     // Adds what points and directions of light give, times factor. The highlight also shows where the light is below
     // the horizon, as far as no shadow is there.
-    void illuminate(float factor, Steps& steps) const
+    void illuminate(float factor, PathActions& actions) const
     {
         const Color throughput = s_.throughput * (factor * (last_ ? 1 : phong_.diffusion));
         if (is_black(throughput)) return;
-        steps.add(throughput * phong_.ambient);
-        const uint32_t key = view_.ray_key(sampler_, s_.depth, Dim::shadow_hole);
+        actions.add(throughput * phong_.ambient);
+        const uint32_t key = view_.alpha_key(sampler_, s_.depth, Dim::shadow_alpha);
         uint32_t i = 0;
         // Positions and intensities are in units of the scene; the colours of lights are those of the file.
         const auto scale = static_cast<float>(view_.scene.normalisation.scale);
         for (const PointLight& light : view_.scene.point_lights)
             add_light(normalize(light.position - surface_.p), light.intensity / (scale * scale), throughput, key + i++,
-                      steps);
+                      actions);
         for (const DirectionalLight& light : view_.scene.directional_lights)
-            add_light(light.wi, light.irradiance, throughput, key + i++, steps);
+            add_light(light.wi, light.irradiance, throughput, key + i++, actions);
     }
 
 private:
     Vec3 mirrored() const { return s_.ray.dir - outwards_ * (2 * dot(s_.ray.dir, outwards_)); }
-    std::optional<State> sent(Vec3 wi, Color weight, Vec3 org) const
+    std::optional<PathState> sent(Vec3 wi, Color weight, Vec3 org) const
     {
-        State n = s_;
+        PathState n = s_;
         n.ray = {.org = org, .dir = wi};
-        view_.give_key(n.ray, sampler_, n.depth + 1, Dim::hole);
+        view_.set_alpha_key(n.ray, sampler_, n.depth + 1, Dim::alpha);
         n.throughput *= weight;
         n.normal = surface_.ns;
         n.cone.width += n.cone.spread * surface_.t;
         ++n.depth;
         return n;
     }
-    void add_light(Vec3 wi, Color light, Color throughput, uint32_t key, Steps& steps) const
+    void add_light(Vec3 wi, Color light, Color throughput, uint32_t key, PathActions& actions) const
     {
         const float diffuse = std::max(0.0f, dot(wi, outwards_)), b = dot(mirrored(), wi);
         const float highlight = b < 0 ? 0 : std::pow(b, phong_.shininess);
         const Color seen = throughput * light * (phong_.diffuse * diffuse + phong_.specular * highlight);
         if (is_black(seen)) return;
-        if (!(max_component(light) > least_part)) return steps.add(seen);
-        steps.tinted_shadow({.org = ray_origin(surface_, wi), .dir = wi, .key = key}, seen, light);
+        if (!(max_component(light) > least_part)) return actions.add(seen);
+        actions.tinted_shadow({.org = ray_origin(surface_, wi), .dir = wi, .key = key}, seen, light);
     }
 
     const V& view_;
-    const State& s_;
+    const PathState& s_;
     const Surface& surface_;
     const Sampler& sampler_;
     bool last_;

@@ -39,37 +39,39 @@ struct LegacyPath {
         float reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
     };
 
-    // State::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees lights.
+    // PathState::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees
+    // lights.
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
         if (surface.light != Scene::none && s.specular) {
-            if (emitters) steps.add(s.throughput * seen(view.scene, surface));
+            if (emitters) actions.add(s.throughput * seen(view.scene, surface));
             return;
         }
         const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
-        if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, steps);
+        if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, actions);
         // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
         if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
-            return diffuse(view, v, matt->albedo.value * surface.vertex_color, steps);
+            return diffuse(view, v, matt->albedo.value * surface.vertex_color, actions);
         // The program had one kind of reflection for each object: here the largest part. Its textures were not
         // filtered.
         ShadingPoint point = view.scene.shading_point(surface);
         point.uv_width = 0;
         const Phong p = view.scene.phong(surface.material, point);
-        if (p.refraction > std::max(p.diffusion, p.reflexion)) return glass(view, v, p, steps);
-        if (p.reflexion > p.diffusion) return mirror(view, v, p, steps);
-        diffuse(view, v, p.diffuse, steps);
+        if (p.refraction > std::max(p.diffusion, p.reflexion)) return glass(view, v, p, actions);
+        if (p.reflexion > p.diffusion) return mirror(view, v, p, actions);
+        diffuse(view, v, p.diffuse, actions);
     }
     template <class V>
-    void miss(const V& view, const State& s, Steps& steps) const
+    void miss(const V& view, const PathState& s, PathActions& actions) const
     {
-        if (s.specular && emitters) steps.add(s.throughput * view.environment(s.ray.dir));
+        if (s.specular && emitters) actions.add(s.throughput * view.environment(s.ray.dir));
     }
 
 private:
     struct Vertex {
-        const State& s;
+        const PathState& s;
         const Surface& surface;
         const Sampler& sampler;
         float offset;  // scene units
@@ -101,12 +103,12 @@ private:
 
     template <class V>
     void send(const V& view, const Vertex& v, const Vec3& org, const Vec3& wi, const Color& weight, bool sees_lights,
-              Steps& steps) const
+              PathActions& actions) const
     {
         if (v.s.depth + 1 >= max_depth || is_black(weight)) return;
-        steps.next_from(v.s, [&](State& next) {
+        actions.next_from(v.s, [&](PathState& next) {
             next.ray = {.org = org, .dir = wi};
-            view.give_key(next.ray, v.sampler, v.s.depth + 1, Dim::hole);
+            view.set_alpha_key(next.ray, v.sampler, v.s.depth + 1, Dim::alpha);
             next.throughput *= weight;
             next.specular = sees_lights;
             ++next.depth;
@@ -115,14 +117,14 @@ private:
     }
 
     template <class V>
-    void mirror(const V& view, const Vertex& v, const Phong& p, Steps& steps) const
+    void mirror(const V& view, const Vertex& v, const Phong& p, PathActions& actions) const
     {
         const Vec3 d = v.s.ray.dir;
-        send(view, v, v.origin(1), normalize(d - v.n() * (2 * dot(d, v.n()))), p.specular, v.s.specular, steps);
+        send(view, v, v.origin(1), normalize(d - v.n() * (2 * dot(d, v.n()))), p.specular, v.s.specular, actions);
     }
 
     template <class V>
-    void glass(const V& view, const Vertex& v, const Phong& p, Steps& steps) const
+    void glass(const V& view, const Vertex& v, const Phong& p, PathActions& actions) const
     {
         const Vec3 d = v.s.ray.dir;
         const bool leaves = dot(d, v.n()) > 0;
@@ -136,66 +138,66 @@ private:
             const float root = (from - to) / (from + to), k0 = root * root, grazing = 1 - cos, g2 = grazing * grazing;
             return v.sampler.get1(v.s.depth, Dim::bsdf) < k0 + (1 - k0) * g2 * g2 * grazing;
         };
-        if (reflects()) return send(view, v, v.origin(side), normalize(d + n * (2 * cos)), p.specular, false, steps);
+        if (reflects()) return send(view, v, v.origin(side), normalize(d + n * (2 * cos)), p.specular, false, actions);
         const Vec3 refracted = (d + n * cos) * ratio - n * std::sqrt(cos2_t);
-        send(view, v, v.origin(-side), normalize(refracted), p.diffuse, false, steps);
+        send(view, v, v.origin(-side), normalize(refracted), p.diffuse, false, actions);
     }
 
     template <class V>
-    void diffuse(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
+    void diffuse(const V& view, const Vertex& v, const Color& albedo, PathActions& actions) const
     {
-        light(view, v, albedo, steps);
+        light(view, v, albedo, actions);
         if (!indirect) return;
         const Vec3 wi = Frame(v.n()).to_world(square_to_cosine_hemisphere(v.sampler.get2(v.s.depth, Dim::bsdf)));
-        send(view, v, v.origin(1), wi, albedo, false, steps);
+        send(view, v, v.origin(1), wi, albedo, false, actions);
     }
 
     // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
     // they do without legacy.
     template <class V>
-    void light(const V& view, const Vertex& v, const Color& albedo, Steps& steps) const
+    void light(const V& view, const Vertex& v, const Color& albedo, PathActions& actions) const
     {
         const Scene& scene = view.scene;
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return;
         const float u = pick.size() > 1 ? v.sampler.get1(v.s.depth, Dim::light) : 0;
         const Vec2 on_light = v.sampler.get2(v.s.depth, Dim::light);
-        const uint32_t id = pick.size() > 1 ? pick.sample(lengthened(u, on_light)) : 0;
+        const uint32_t id = pick.size() > 1 ? pick.sample(extend_precision(u, on_light)) : 0;
         if (const Sphere* sphere = sphere_of(scene, id)) {
             auto to = soft_shadows ? to_its_half(*sphere, v.surface.p, v.n(), on_light)
                                    : to_its_center(*sphere, v.surface.p, v.n());
             if (pick.size() > 1) to.geometry /= pick.probability(id);
-            return shadow(view, v, albedo, *sphere, to, steps);
+            return shadow(view, v, albedo, *sphere, to, actions);
         }
         const auto sample = sample_light(scene, v.surface, u, on_light);
         if (!sample) return;
         const float cos = std::max(0.0f, dot(v.n(), sample->wi));
-        send_shadow(view, v, albedo, sample->radiance * (cos / (pi * sample->pdf)), steps,
+        send_shadow(view, v, albedo, sample->radiance * (cos / (pi * sample->pdf)), actions,
                     [&](Ray& ray) { ray = shadow_ray(v.surface, *sample); });
     }
     template <class V>
-    static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere,
-                       const ToSphere& to, Steps& steps)
+    static void shadow(const V& view, const Vertex& v, const Color& albedo, const Sphere& sphere, const ToSphere& to,
+                       PathActions& actions)
     {
         if (!(to.geometry > 0)) return;
         const Scene& scene = view.scene;
         const Emission& e = scene.emission[scene.sphere_material[&sphere - scene.geometry.spheres.data()]];
         ShadingPoint place{.textures = scene.textures.data()};
         if (e.radiance.texture != no_texture) place.uv = sphere_uv(to.from_center);
-        send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, steps,
+        send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, actions,
                     [&](Ray& ray) { ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach; });
     }
     // aim(ray) says where it goes.
     template <class V, class Aim>
-    static void send_shadow(const V& view, const Vertex& v, const Color& albedo, const Color& arriving, Steps& steps,
-                            const Aim& aim)
+    static void send_shadow(const V& view, const Vertex& v, const Color& albedo, const Color& arriving,
+                            PathActions& actions, const Aim& aim)
     {
         const Color radiance = v.s.throughput * albedo * arriving;
         if (is_black(radiance)) return;
-        steps.shadow_from(
+        actions.shadow_from(
             [&](Ray& ray) {
                 aim(ray);
-                view.give_key(ray, v.sampler, v.s.depth, Dim::shadow_hole);
+                view.set_alpha_key(ray, v.sampler, v.s.depth, Dim::shadow_alpha);
             },
             radiance);
     }

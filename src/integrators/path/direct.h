@@ -22,15 +22,16 @@ struct Direct {
         parts = LightParts(settings.switches);
     }
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
-        const auto is_last = [&](const State& n) { return !n.specular || n.depth == max_depth; };
-        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, steps);
+        const auto is_last = [&](const PathState& n) { return !n.specular || n.depth == max_depth; };
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, actions);
     }
     template <class V>
-    void miss(const V& view, const State& s, Steps& steps) const
+    void miss(const V& view, const PathState& s, PathActions& actions) const
     {
-        add_environment(view, s, direct, parts, steps);
+        add_environment(view, s, direct, parts, actions);
     }
 };
 

@@ -25,15 +25,16 @@ struct Path {
         roulette_by_pixel = settings.switches[Switch::roulette];
     }
     template <class V>
-    void hit(const V& view, const State& s, const Surface& surface, const Sampler& sampler, Steps& steps) const
+    void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
+             PathActions& actions) const
     {
-        const auto is_last = [&](const State& n) { return n.depth == max_depth; };
-        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, steps);
+        const auto is_last = [&](const PathState& n) { return n.depth == max_depth; };
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, actions);
     }
     template <class V>
-    void miss(const V& view, const State& s, Steps& steps) const
+    void miss(const V& view, const PathState& s, PathActions& actions) const
     {
-        add_environment(view, s, direct, parts, steps);
+        add_environment(view, s, direct, parts, actions);
     }
 };
 

@@ -6,7 +6,7 @@
 #include "core/frame.h"
 #include "core/sampler.h"
 #include "core/switches.h"
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 #include "integrators/view.h"
 #include "materials/bsdf.h"
 
@@ -35,7 +35,10 @@ struct LightParts {
     {
     }
     // Whether light is wanted that such a ray meets.
-    bool has(Leg leg) const { return leg == Leg::view ? emitters : leg == Leg::direct ? direct : indirect; }
+    bool has(PathSegment segment) const
+    {
+        return segment == PathSegment::view ? emitters : segment == PathSegment::direct ? direct : indirect;
+    }
     bool has_all() const { return emitters && direct && indirect; }
 };
 
@@ -67,31 +70,31 @@ inline Vec3x8 sampled_light(const Vec3x8& throughput, const Vec3x8& f_cos, const
 
 // Weight of light found by following a ray, against a light sample's density there (0: none was sampled that could
 // have found it).
-inline float weight_of_found(const State& s, DirectLight how, float pdf_light)
+inline float weight_of_found(const PathState& s, DirectLight how, float pdf_light)
 {
     if (pdf_light == 0) return 1;
     return how.mis ? power_heuristic(s.pdf, pdf_light) : 0;
 }
 
 template <class V>
-void add_emission(const V& view, const State& s, const Surface& surface, DirectLight how, LightParts parts,
-                  Steps& steps)
+void add_emission(const V& view, const PathState& s, const Surface& surface, DirectLight how, LightParts parts,
+                  PathActions& actions)
 {
-    if (!parts.has(s.leg)) return;
+    if (!parts.has(s.segment)) return;
     const Color e = view.emission(surface);
     if (is_black(e)) return;
     const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.normal, s.ray.dir, surface) : 0;
-    steps.add(s.throughput * e * weight_of_found(s, how, pdf));
+    actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
 template <class V>
-void add_environment(const V& view, const State& s, DirectLight how, LightParts parts, Steps& steps)
+void add_environment(const V& view, const PathState& s, DirectLight how, LightParts parts, PathActions& actions)
 {
-    if (!parts.has(s.leg)) return;
+    if (!parts.has(s.segment)) return;
     const Color e = s.specular ? view.background(s.ray, s.cone) : view.environment(s.ray.dir);
     if (is_black(e)) return;
     const float pdf = s.light_sampled ? view.pdf_environment(s.normal, s.ray.dir) : 0;
-    steps.add(s.throughput * e * weight_of_found(s, how, pdf));
+    actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
 // From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by that of
@@ -141,7 +144,7 @@ template <class V, class B>
 bool samples_light(const V& view, const B& bsdf, DirectLight how)
 {
     if (!how.nee || bsdf.only_delta()) return false;
-    if constexpr (requires { B::samples_cosine; }) return how.always || !view.lit_by_constant_sky();
+    if constexpr (requires { B::samples_cosine; }) return how.always || !view.has_constant_environment();
     return true;
 }
 
@@ -155,8 +158,8 @@ bool scatters_nothing(const B& bsdf)
 
 // Next-event estimation at a vertex.
 template <class V, class B>
-void sample_direct(const V& view, const State& s, const Surface& surface, const Frame& frame, Vec3 wo, const B& bsdf,
-                   const Sampler& sampler, DirectLight how, Steps& steps)
+void sample_direct(const V& view, const PathState& s, const Surface& surface, const Frame& frame, Vec3 wo,
+                   const B& bsdf, const Sampler& sampler, DirectLight how, PathActions& actions)
 {
     const auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits());
     if (!light) return;
@@ -166,8 +169,8 @@ void sample_direct(const V& view, const State& s, const Surface& surface, const 
     if (is_black(f.f_cos)) return;
     const float weight = weight_of_light_sample(light->pdf, f.pdf, light->delta, how);
     Ray ray = shadow_ray(surface, *light);
-    view.give_key(ray, sampler, s.depth, Dim::shadow_hole);
-    steps.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf));
+    view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
+    actions.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf));
 }
 
 // The cone of light after a bounce: a delta lobe keeps its angle (mirrors that curve are taken for flat ones, which
@@ -188,29 +191,29 @@ inline RayCone scattered(RayCone cone, float t, const BsdfSample& sample)
     return {cone.width + cone.spread * t, spread_after(sample.delta, cone.spread, sample.pdf)};
 }
 
-inline Leg leg_after(Leg leg, bool delta)
+inline PathSegment segment_after(PathSegment segment, bool delta)
 {
-    if (leg != Leg::view) return Leg::indirect;
-    return delta ? Leg::view : Leg::direct;
+    if (segment != PathSegment::view) return PathSegment::indirect;
+    return delta ? PathSegment::view : PathSegment::direct;
 }
 
 // Makes of n, a copy of s, the ray that a sample of the BSDF sends on; false if there is none or the surface keeps it.
 template <class V>
-bool send_on(const V& view, const State& s, State& n, const Surface& surface, const Frame& frame,
+bool send_on(const V& view, const PathState& s, PathState& n, const Surface& surface, const Frame& frame,
              const std::optional<BsdfSample>& b, const Sampler& sampler)
 {
     if (!b || is_black(b->weight)) return false;
     const Vec3 wi = normalize(frame.to_world(b->wi));
     if (!sides_agree(surface, wi, b->wi)) return false;
-    n.ray = {.org = ray_origin(surface, wi), .dir = wi, .start = surface.start};
-    view.give_key(n.ray, sampler, n.depth + 1, Dim::hole);
+    n.ray = {.org = ray_origin(surface, wi), .dir = wi, .leaf_hint = surface.leaf_hint};
+    view.set_alpha_key(n.ray, sampler, n.depth + 1, Dim::alpha);
     n.throughput *= b->weight;
     if (is_black(n.throughput)) return false;
     n.pdf = b->pdf;
     n.normal = surface.ns;
     n.eta_scale *= b->eta * b->eta;
     n.specular = b->delta;
-    n.leg = leg_after(s.leg, b->delta);
+    n.segment = segment_after(s.segment, b->delta);
     n.cone = scattered(s.cone, surface.t, *b);
     ++n.depth;
     return true;
@@ -218,7 +221,7 @@ bool send_on(const V& view, const State& s, State& n, const Surface& surface, co
 
 // The same with the BSDF's own choice; false if it absorbs.
 template <class V, class B>
-bool scatter(const V& view, const State& s, State& n, const Surface& surface, const Frame& frame, Vec3 wo,
+bool scatter(const V& view, const PathState& s, PathState& n, const Surface& surface, const Frame& frame, Vec3 wo,
              const B& bsdf, const Sampler& sampler)
 {
     const auto b = bsdf.sample(wo, sampler.get1(s.depth, Dim::bsdf), sampler.get2(s.depth, Dim::bsdf));
@@ -245,20 +248,20 @@ T survival_by_throughput(const Vec3T<T>& t, T eta_scale, bool is_deep)
     return smaller(broadcast_to<T>(roulette_cap), larger(t.x, larger(t.y, t.z)) * eta_scale);
 }
 template <class T>
-T survival_by_pixel(const Vec3T<T>& t, const Vec3T<T>& worth, T paths, T eta_scale, bool is_deep)
+T survival_by_pixel(const Vec3T<T>& t, const Vec3T<T>& importance, T paths, T eta_scale, bool is_deep)
 {
-    const Vec3T<T> part{t.x * worth.x, t.y * worth.y, t.z * worth.z};
-    const T of_path = sqrt(part.x * part.x + part.y * part.y + part.z * part.z) * paths;
+    const Vec3T<T> part{t.x * importance.x, t.y * importance.y, t.z * importance.z};
+    const T samples_per_path = sqrt(part.x * part.x + part.y * part.y + part.z * part.z) * paths;
     return smaller(broadcast_to<T>(is_deep ? roulette_cap : 1.0f),
-                   larger(broadcast_to<T>(least_survival), roulette_rays * of_path * eta_scale));
+                   larger(broadcast_to<T>(least_survival), roulette_rays * samples_per_path * eta_scale));
 }
 inline Vec3 as_vector(Color c) { return {c.r, c.g, c.b}; }
-inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
+inline bool survives_roulette(PathState& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
     const bool is_deep = s.depth >= first_depth;
-    const float q = s.worth.r < 0 || s.leg == Leg::view
+    const float q = s.importance.r < 0 || s.segment == PathSegment::view
                         ? survival_by_throughput(as_vector(s.throughput), s.eta_scale, is_deep)
-                        : survival_by_pixel(as_vector(s.throughput), as_vector(s.worth),
+                        : survival_by_pixel(as_vector(s.throughput), as_vector(s.importance),
                                             static_cast<float>(s.has_split ? split : 1), s.eta_scale, is_deep);
     if (q == 1) return true;
     if (!(sampler.get2(s.depth, Dim::roulette).x < q)) return false;
@@ -269,7 +272,7 @@ inline bool survives_roulette(State& s, const Sampler& sampler, uint32_t first_d
 // Whether a path splits at a vertex: at the first one that may send it anywhere but straight on. Below it lies most of
 // what a sample is unsure of, above it the rays that several of them can share.
 template <class B>
-bool splits_at(const State& s, const B& bsdf)
+bool splits_at(const PathState& s, const B& bsdf)
 {
     return !s.has_split && !bsdf.only_delta();
 }
@@ -277,29 +280,29 @@ bool splits_at(const State& s, const B& bsdf)
 // One vertex of a path tracer: emission, a shadow ray, the next ray. is_last(next) tells whether only emission is
 // wanted of where the next ray ends.
 template <class V, class IsLast>
-void trace_vertex(const V& view, const State& s, const Surface& surface, const Sampler& sampler, DirectLight how,
-                  LightParts parts, uint32_t roulette_depth, const IsLast& is_last, Steps& steps)
+void trace_vertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, DirectLight how,
+                  LightParts parts, uint32_t roulette_depth, const IsLast& is_last, PathActions& actions)
 {
-    add_emission(view, s, surface, how, parts, steps);
+    add_emission(view, s, surface, how, parts, actions);
     if (s.last) return;
     view.with_bsdf(surface, sampler, s.depth, [&](const auto& bsdf) {
         if (scatters_nothing(bsdf)) return;
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
         const bool samples = samples_light(view, bsdf, how);
-        if (samples && parts.has(leg_after(s.leg, false)))
-            sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, steps);
-        const auto send = [&](State& n, const Sampler& numbers) {
+        if (samples && parts.has(segment_after(s.segment, false)))
+            sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, actions);
+        const auto send = [&](PathState& n, const Sampler& numbers) {
             if (!scatter(view, s, n, surface, frame, wo, bsdf, numbers)) return false;
             if (!survives_roulette(n, numbers, roulette_depth, view.plan.split)) return false;
             n.light_sampled = samples && !n.specular;
-            n.last = is_last(n) || (n.leg == Leg::direct && !parts.indirect);
+            n.last = is_last(n) || (n.segment == PathSegment::direct && !parts.indirect);
             return true;
         };
         if (view.plan.parts == 1 || !splits_at(s, bsdf))
-            return steps.next_from(s, [&](State& n) { return send(n, sampler); });
+            return actions.next_from(s, [&](PathState& n) { return send(n, sampler); });
         for (uint32_t i = 0; i < view.plan.split; ++i)
-            steps.next_from(s, [&](State& n) {
+            actions.next_from(s, [&](PathState& n) {
                 n.has_split = true;
                 n.sample = view.plan.first_number(s.sample, s.part) + i;
                 n.throughput /= static_cast<float>(view.plan.split);

@@ -304,7 +304,7 @@ bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
 
 }  // namespace
 
-void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, PathPlan& plan)
+void find_background_only(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, SamplingPlan& plan)
 {
     if (!camera.is_pinhole() || !sees_one_colour(scene) || scene.triangle_count() > most_per_pixel * width * height)
         return;
@@ -323,8 +323,8 @@ void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uin
     }
     for (const Sphere& s : g.spheres) add_box(coverage, bounds(s), {}, error_at);
     if (!coverage.any_open()) return;
-    plan.open = coverage.uncovered();
-    plan.open_cell = coverage.cell(), plan.open_columns = coverage.columns();
+    plan.background_only = coverage.uncovered();
+    plan.background_cell = coverage.cell(), plan.background_columns = coverage.columns();
 }
 
 }  // namespace lancer

@@ -7,10 +7,11 @@
 
 namespace lancer {
 
-// Fills plan.open for a picture of this size. Where it says 1 there is no geometry within 2.5 pixels, the widest filter
-// and all roundings included; of other pixels it says nothing. It stays empty where no two rays that meet nothing are
-// sure to see the same (a picture as the sky, media, planes), for lenses, and where to look would take longer than it
-// saves.
-void find_open_sky(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, PathPlan& plan);
+// Fills SamplingPlan::background_only for a picture of this size. Where it says 1 there is no geometry within 2.5
+// pixels, the widest filter and all roundings included; of other pixels it says nothing. It stays empty where no two
+// rays that meet nothing are sure to see the same (a picture as the sky, media, planes), for lenses, and where to look
+// would take longer than it saves.
+void find_background_only(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height,
+                          SamplingPlan& plan);
 
 }  // namespace lancer

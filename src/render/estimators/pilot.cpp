@@ -9,16 +9,16 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t most_cells = 64;    // in a row or column
-constexpr uint32_t least_cell = 8;     // pixels
-constexpr uint32_t paths = 8;          // of each pixel that is looked at
-constexpr uint32_t parts = 2;          // of each path, which share it up to where it splits
-constexpr uint32_t most_split = 4;     // beyond, edges of shapes would want for samples before the light does
-constexpr double dark = 0.1;           // parts of the mean below which errors count as if it were so bright
-constexpr double packed = 0.4;         // time of a camera ray, which goes with its neighbours, by that of a bounce
-constexpr double occlusion = 0.6;      // likewise of a shadow ray
-constexpr double stratified = 0.12;    // what is left, about, of variance in the few dimensions of a camera ray; fitted
-constexpr double unsorted = 1;         // likewise in which of very many lights is chosen, which has no smooth order
+constexpr uint32_t most_cells = 64;  // in a row or column
+constexpr uint32_t least_cell = 8;   // pixels
+constexpr uint32_t paths = 8;        // of each pixel that is looked at
+constexpr uint32_t parts = 2;        // of each path, which share it up to where it splits
+constexpr uint32_t most_split = 4;   // beyond, edges of shapes would want for samples before the light does
+constexpr double dark = 0.1;         // parts of the mean below which errors count as if it were so bright
+constexpr double packed = 0.4;       // time of a camera ray, which goes with its neighbours, by that of a bounce
+constexpr double occlusion = 0.6;    // likewise of a shadow ray
+constexpr double stratified = 0.12;  // what is left, about, of variance in the few dimensions of a camera ray; fitted
+constexpr double unsorted = 1;       // likewise in which of very many lights is chosen, which has no smooth order
 
 // What a pixel's samples tell, in sums of doubles.
 struct Look {
@@ -73,7 +73,7 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
     Path pilot = path;
     pilot.parts = {};
     pilot.parts.emitters = false;
-    PathPlan shared;
+    SamplingPlan shared;
     shared.parts = parts;
     Survey s;
     s.cell = std::max(least_cell, (std::max(width, height) + most_cells - 1) / most_cells);
@@ -143,8 +143,8 @@ std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t ro
     return shown;
 }
 
-// PathPlan::worth.
-void tell_worth(const Survey& s, PathPlan& plan)
+// SamplingPlan::importance.
+void estimate_importance(const Survey& s, SamplingPlan& plan)
 {
     if (!(s.brightness() > 0)) return;
     plan.cell = s.cell, plan.columns = s.columns;
@@ -152,23 +152,23 @@ void tell_worth(const Survey& s, PathPlan& plan)
     for (uint32_t row = 0; row < s.rows; ++row)
         for (uint32_t column = 0; column < s.columns; ++column) {
             const std::array<double, 3> shown = shown_around(s, column, row);
-            const auto worth = [&](size_t c) {
+            const auto importance = [&](size_t c) {
                 return rounded(s.mean[c] / std::sqrt(shown[c] * shown[c] + floor * floor));
             };
-            plan.worth.push_back({worth(0), worth(1), worth(2)});
+            plan.importance.push_back({importance(0), importance(1), importance(2)});
         }
 }
 
 }  // namespace
 
-PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                   const Camera& camera, uint32_t width, uint32_t height)
+SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                       const Camera& camera, uint32_t width, uint32_t height)
 {
-    PathPlan plan;
+    SamplingPlan plan;
     if (!path.split && !path.roulette_by_pixel) return plan;
     const Survey s = survey(scene, accel, path, settings, camera, width, height);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
-    if (path.roulette_by_pixel) tell_worth(s, plan);
+    if (path.roulette_by_pixel) estimate_importance(s, plan);
     return plan;
 }
 

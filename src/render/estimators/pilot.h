@@ -12,14 +12,14 @@ namespace lancer {
 // same for every crop, shard and pass, and any number of threads. At most 64 x 64 pixels are looked at, with 16 samples
 // of other random numbers than those that count, so that what is rendered by the plan stays unbiased. Call inside
 // with_threads.
-PathPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                   const Camera& camera, uint32_t width, uint32_t height);
+SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                       const Camera& camera, uint32_t width, uint32_t height);
 
 // A plan, and of what picture.
 struct Piloted {
     Camera camera;
     uint32_t width, height;
-    PathPlan plan;
+    SamplingPlan plan;
 };
 
 }  // namespace lancer

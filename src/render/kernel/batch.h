@@ -55,10 +55,10 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                  const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
                  const Listener& listener)
 {
-    const uint32_t of_path = view.plan.of_path();
+    const uint32_t samples_per_path = view.plan.samples_per_path();
     const auto sampler = [&](uint32_t slot, uint32_t sample, uint32_t branch) {
         const SampleId& id = w.slots[slot];
-        const uint64_t seed = w.seed_of(settings, id.sample / of_path);
+        const uint64_t seed = w.seed_of(settings, id.sample / samples_per_path);
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
     w.queue.radiance.assign(w.slots.size(), RadianceSum{});
@@ -72,49 +72,51 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     w.states.clear();
     std::array<std::optional<Sampler>, looked_ahead> samplers;
     const auto prepare_camera = [&](uint32_t first) {
-        AskedNumbers<looked_ahead> asked(Dim::pixel);
+        SampleRequests<looked_ahead> asked(Dim::pixel);
         for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
-            asked.add(samplers[i - first].emplace(sampler(i, settings.sample_of(w.slots[i].sample / of_path), 0)), 0);
+            asked.add(
+                samplers[i - first].emplace(sampler(i, settings.sample_of(w.slots[i].sample / samples_per_path), 0)),
+                0);
         asked.prepare();
     };
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
         if (i % looked_ahead == 0) prepare_camera(i);
-        State& s = w.states.emplace_back();
+        PathState& s = w.states.emplace_back();
         s.slot = i;
-        s.sample = settings.sample_of(w.slots[i].sample / of_path);
-        s.part = w.slots[i].sample % of_path;
-        s.worth = view.plan.worth_at(w.slots[i].x, w.slots[i].y);
+        s.sample = settings.sample_of(w.slots[i].sample / samples_per_path);
+        s.part = w.slots[i].sample % samples_per_path;
+        s.importance = view.plan.importance_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % looked_ahead];
         s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
-        view.give_key(s.ray, numbers, 0, Dim::hole);
+        view.set_alpha_key(s.ray, numbers, 0, Dim::alpha);
         s.cone = {0, camera.pixel_spread()};
         s.media = view.scene.camera_media;
     }
     counters.camera_rays += w.slots.size();
 
     std::array<std::optional<Surface>, looked_ahead> surfaces;
-    std::array<TrianglePlace, looked_ahead> places;
+    std::array<TriangleInteraction, looked_ahead> places;
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
-        AskedNumbers<looked_ahead> asked(Dim::light);  // what integrators ask for first
-        view.triangle_places(std::span(w.hits).subspan(first, end - first), places);
+        SampleRequests<looked_ahead> asked(Dim::light);  // what integrators ask for first
+        view.triangle_interactions(std::span(w.hits).subspan(first, end - first), places);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
-            const State& s = w.states[i];
+            const PathState& s = w.states[i];
             asked.add(samplers[i - first].emplace(sampler(s.slot, s.sample, s.branch)), s.depth);
             surfaces[i - first].emplace(
                 Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
         }
         asked.prepare();
     };
-    const bool has_media = view.has_media(), has_far_tables = lancer::has_far_tables(view.scene);
+    const bool has_media = view.has_media(), tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
-        for (const State& s : w.states) w.rays.push_back(s.ray);
+        for (const PathState& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
         accel.closest(w.rays, w.hits, coherence);
-        if (has_far_tables) fetch_all(view.scene, w.hits);
+        if (tables_exceed_caches) prefetch_all(view.scene, w.hits);
         if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
 
         w.queue.next.clear();
@@ -124,20 +126,20 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         for (size_t i = 0; i < w.states.size(); ++i) {
             const size_t k = i % looked_ahead;
             if (k == 0) look_ahead(i);
-            State& s = w.states[i];
-            Steps steps(w.queue, s.slot);
+            PathState& s = w.states[i];
+            PathActions actions(w.queue, s.slot);
             const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
-                if (!has_media || media.enter(view, s, surface, w.queue, steps)) {
-                    integrator.hit(view, s, surface, *samplers[k], steps);
+                if (!has_media || media.enter(view, s, surface, w.queue, actions)) {
+                    integrator.hit(view, s, surface, *samplers[k], actions);
                     if (has_media) media.leave(view, surface, w.queue);
                 }
             } else {
                 if (has_media) miss_in_media(view, s);
-                integrator.miss(view, s, steps);
+                integrator.miss(view, s, actions);
             }
             listener.added(s, w.queue.radiance[s.slot].since(before));
         }

@@ -1,5 +1,5 @@
-// The samples of a tile: which, in what order, and how they are summed and end. Only the files render/kernel/NAME.cpp include
-// this, each for one integrator, so that they compile side by side; and a bench, with views (V) that know less.
+// The samples of a tile: which, in what order, and how they are summed and end. Only the files render/kernel/NAME.cpp
+// include this, each for one integrator, so that they compile side by side; and a bench, with views (V) that know less.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ inline Color counted(Color radiance, const KernelSettings& settings)
 
 // What a camera ray brings that meets nothing, in a scene where it is the same for all of them.
 template <class V, class Integrator>
-Color seen_of_open_sky(const V& view, const Integrator& integrator, Workspace& w)
+Color background_only_radiance(const V& view, const Integrator& integrator, Workspace& w)
 {
     w.queue.radiance.assign(1, RadianceSum{});
-    Steps steps(w.queue, 0);
-    State s;
+    PathActions actions(w.queue, 0);
+    PathState s;
     s.ray.dir = {0, 0, 1};
-    integrator.miss(view, s, steps);
+    integrator.miss(view, s, actions);
     return w.queue.radiance[0].color();
 }
 
@@ -46,7 +46,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         p += {{c.r, c.g, c.b}, y * y, 1};
         if (!w.last.empty()) w.last[index(id)] = c;
         if (film.replicates.empty() || w.is_pilot) return;
-        const uint32_t replicate = settings.replicate_of(id.sample / view.plan.of_path());
+        const uint32_t replicate = settings.replicate_of(id.sample / view.plan.samples_per_path());
         ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
         r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
     };
@@ -61,11 +61,12 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
     // What every camera ray sees that meets nothing, where the plan knows such pixels.
-    const Color sky = view.plan.open.empty() ? Color{} : counted(seen_of_open_sky(view, integrator, w), settings);
-    const auto count_open = [&](uint32_t x, uint32_t y) {
-        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.open_samples) {
+    const Color sky =
+        view.plan.background_only.empty() ? Color{} : counted(background_only_radiance(view, integrator, w), settings);
+    const auto count_background_only = [&](uint32_t x, uint32_t y) {
+        for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.background_only_samples) {
             count({x, y, i}, sky);
-            listener.open_sky({x, y, i});
+            listener.background_only({x, y, i});
         }
     };
     const uint32_t batch = batch_of<Integrator>(settings);
@@ -80,8 +81,8 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         for (uint32_t x0 = tile.x0; x0 < tile.x1; x0 += square)
             for (uint32_t y = y0; y < std::min(tile.y1, y0 + square); ++y)
                 for (uint32_t x = x0; x < std::min(tile.x1, x0 + square); ++x) {
-                    if (view.plan.is_open(x, y)) {
-                        count_open(x, y);
+                    if (view.plan.is_background_only(x, y)) {
+                        count_background_only(x, y);
                         continue;
                     }
                     for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i) send({x, y, i});
@@ -188,9 +189,9 @@ void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, cons
 struct ReplayListener {
     const PathListener& listener;
 
-    void ray(const State& s, const Hit& hit) const { listener.ray(s, hit); }
-    void vertex(const State& s, const Surface& at) const { listener.vertex(s, at); }
-    void added(const State& s, Color c) const { listener.added(s, c); }
+    void ray(const PathState& s, const Hit& hit) const { listener.ray(s, hit); }
+    void vertex(const PathState& s, const Surface& at) const { listener.vertex(s, at); }
+    void added(const PathState& s, Color c) const { listener.added(s, c); }
     void shadow(uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
 };
 

@@ -12,10 +12,10 @@ namespace lancer {
 
 // What happened to one sample, for a reader. Every function must be set.
 struct PathListener {
-    std::function<void(const State&, const Hit&)> ray;         // traced to its end
-    std::function<void(const State&, const Surface&)> vertex;  // where it ended, if it hit
-    std::function<void(const State&, Color)> added;            // radiance added there at once
-    std::function<void(const Ray&, Color, bool)> shadow;       // a shadow ray, what it carries, whether it was occluded
+    std::function<void(const PathState&, const Hit&)> ray;         // traced to its end
+    std::function<void(const PathState&, const Surface&)> vertex;  // where it ended, if it hit
+    std::function<void(const PathState&, Color)> added;            // radiance added there at once
+    std::function<void(const Ray&, Color, bool)> shadow;  // a shadow ray, what it carries, whether it was occluded
 };
 
 // Path's, for scenes of which there is a WideScene that does or does not look things up: the same bits, eight paths

@@ -11,33 +11,33 @@ namespace lancer {
 template <Shading shading>
 inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
 {
-    const PathPlan& plan = view_.plan;
+    const SamplingPlan& plan = view_.plan;
     UInt8 part{};
-    if (plan.of_path() > 1)
-        for_bits(lanes, [&](uint32_t i) { part[i] = w_.slots[path.slot[i]].sample % plan.of_path(); });
+    if (plan.samples_per_path() > 1)
+        for_each_lane(lanes, [&](uint32_t i) { part[i] = w_.slots[path.slot[i]].sample % plan.samples_per_path(); });
     return plan.first_number(path.sample, part);
 }
 
 template <Shading shading>
 inline void WideBatch<shading>::scatter(Vertices& v)
 {
-    const PathPlan& plan = view_.plan;
+    const SamplingPlan& plan = view_.plan;
     const bool splits = depth_ == 0 && plan.parts > 1;
     const Float8 zero{};
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
-    if ((bits(reflects) & v.hit) == 0) return;
+    if ((movemask(reflects) & v.hit) == 0) return;
     Lanes& next = v.path;  // from here on that of what is sent on
     Float8 spread{};
-    if constexpr (looks_up) next.width = v.width, spread = next.spread;
+    if constexpr (textured) next.width = v.width, spread = next.spread;
     if (splits) {
         next.sample = of_first_part(next, v.hit);
-        next.throughput = next.throughput / all_lanes(static_cast<float>(plan.split));
+        next.throughput = next.throughput / broadcast(static_cast<float>(plan.split));
     }
     next.throughput = times(next.throughput, v.albedo);
     reflects &= ~is_black(next.throughput);
-    if ((bits(reflects) & v.hit) == 0) return;
+    if ((movemask(reflects) & v.hit) == 0) return;
     const Float8 q = survival(next);
-    const bool is_certain = (bits(q != all_lanes(1.0f)) & v.hit) == 0;
+    const bool is_certain = (movemask(q != broadcast(1.0f)) & v.hit) == 0;
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
     const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
@@ -51,68 +51,69 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         Mask8 goes = reflects & (local.z > zero) & ~(dot(wi, v.n) < zero);
         if (roulette) goes &= roulette->get2_x(next.sample) < q;
         next.pdf = pdf_cosine_hemisphere(local.z);
-        if constexpr (looks_up) next.spread = opened(spread, next.pdf);
-        send(bits(goes) & v.hit, v.origin, wi, v);
+        if constexpr (textured) next.spread = opened(spread, next.pdf);
+        send(movemask(goes) & v.hit, v.origin, wi, v);
     }
 }
 
 // splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
 // part.
 template <Shading shading>
-inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const Others& others, AnyPathLanes& path) const
+inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const NonLambert& non_lambert, AnyPathLanes& path) const
 {
-    const PathPlan& plan = view_.plan;
+    const SamplingPlan& plan = view_.plan;
     if (plan.parts == 1) return 0;
-    const uint32_t splits = sends & ~others.only_delta & ~bits(is_set(path.so_far, has_split));
+    const uint32_t splits = sends & ~non_lambert.only_delta & ~movemask(is_set(path.path_flags, has_split));
     if (splits == 0) return 0;
     const Mask8 split = lanes_of(splits);
     path.sample = select(split, of_first_part(path, splits), path.sample);
-    path.throughput = select(split, path.throughput / all_lanes(static_cast<float>(plan.split)), path.throughput);
-    path.so_far |= reinterpret_cast<UInt8>(split) & has_split;
+    path.throughput = select(split, path.throughput / broadcast(static_cast<float>(plan.split)), path.throughput);
+    path.path_flags |= reinterpret_cast<UInt8>(split) & has_split;
     return splits;
 }
 
 // What lanes whose BSDFs are asked for a direction need for it.
 template <Shading shading>
-inline void WideBatch<shading>::choose_part(const Vertices& v, Going& g, uint32_t lanes)
+inline void WideBatch<shading>::choose_part(const Vertices& v, ScatterState& g, uint32_t lanes)
 {
     const AddressLanes address = numbers(v.path.key, depth_, Dim::bsdf);
-    const bool asks_others = (lanes & v.others.lanes) != 0;
-    if (asks_others) {
+    const bool has_non_lambert = (lanes & v.non_lambert.lanes) != 0;
+    if (has_non_lambert) {
         const Vec3x8 u = address.get3(v.path.sample);
         g.u = {u.x, u.y}, g.lobe = u.z;
     } else {
         g.u = address.get2(v.path.sample);
     }
     g.cosine = square_to_cosine_hemisphere(g.u.x, g.u.y);
-    if ((lanes & v.others.plastic.lanes) != 0) others_.plastic.put_numbers(v.others.plastic, g.lobe, g.u, g.cosine);
+    if ((lanes & v.non_lambert.plastic.lanes) != 0)
+        non_lambert_.plastic.put_numbers(v.non_lambert.plastic, g.lobe, g.u, g.cosine);
 }
 
 // A direction for each of `lanes`: those that are neither matt nor plastic are asked one by one.
 template <Shading shading>
-inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(const Vertices& v, const Going& g,
-                                                                             uint32_t lanes) const
+inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(const Vertices& v, const ScatterState& g,
+                                                                               uint32_t lanes) const
 {
-    const Others& others = v.others;
+    const NonLambert& non_lambert = v.non_lambert;
     const Float8 zero{};
-    Scattered s{.wi = g.cosine, .weight = v.albedo, .pdf = pdf_cosine_hemisphere(g.cosine.z), .eta = all_lanes(1.0f)};
-    s.lanes = lanes & ~others.lanes & bits((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
-    if ((lanes & others.lanes) == 0) return s;
-    const uint32_t plastic = lanes & others.plastic.lanes;
+    BsdfSamples s{.wi = g.cosine, .weight = v.albedo, .pdf = pdf_cosine_hemisphere(g.cosine.z), .eta = broadcast(1.0f)};
+    s.lanes = lanes & ~non_lambert.lanes & movemask((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
+    if ((lanes & non_lambert.lanes) == 0) return s;
+    const uint32_t plastic = lanes & non_lambert.plastic.lanes;
     if (plastic != 0) {
-        const BsdfSampleLanes sampled = others_.plastic.sampled(others.plastic);
+        const BsdfSampleLanes sampled = non_lambert_.plastic.sampled(non_lambert.plastic);
         const Mask8 is_asked = lanes_of(plastic);
         s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
         s.pdf = select(is_asked, sampled.pdf, s.pdf);
-        s.lanes |= plastic & sampled.found & ~bits(is_black(sampled.weight)), s.delta |= sampled.delta;
+        s.lanes |= plastic & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
     }
-    for_bits(lanes & others.lanes & ~plastic, [&](uint32_t i) {
-        const Vec3 wo = lane(others.wo, i);
+    for_each_lane(lanes & non_lambert.lanes & ~plastic, [&](uint32_t i) {
+        const Vec3 wo = lane(non_lambert.wo, i);
         const auto sampled = std::visit(
             [&](const auto& bsdf) {
                 return bsdf.sample(wo, g.lobe[i], {g.u.x[i], g.u.y[i]});
             },
-            *others.bsdf[i]);
+            *non_lambert.bsdf[i]);
         if (!sampled || is_black(sampled->weight)) return;
         set_lane(s.wi, i, sampled->wi);
         set_lane(s.weight, i, {sampled->weight.r, sampled->weight.g, sampled->weight.b});
@@ -124,22 +125,25 @@ inline typename WideBatch<shading>::Scattered WideBatch<shading>::sample_any(con
 
 // v.path becomes that of the first part that is sent.
 template <Shading shading>
-inline void WideBatch<shading>::begin_going(Vertices& v, Going& g)
+inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
 {
-    const Others& others = v.others;
+    const NonLambert& non_lambert = v.non_lambert;
     Lanes& next = v.path;
-    g.splits = 0, g.sends = v.hit & (others.lanes | bits((v.cos_o > Float8{}) & ~is_black(v.albedo)));
+    g.splits = 0, g.sends = v.hit & (non_lambert.lanes | movemask((v.cos_o > Float8{}) & ~is_black(v.albedo)));
     if (g.sends == 0) return;
-    g.splits = split_any(g.sends, others, next);
+    g.splits = split_any(g.sends, non_lambert, next);
     g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
     next.width = v.width;
-    // What State says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
-    const UInt8 kept = next.so_far & has_split;
-    const Mask8 seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
-    const auto leg = [&](Leg from_view) { return select(seen, bits_of(from_view), bits_of(Leg::indirect)); };
-    const uint32_t sampled = (samples_on_matt_ ? ~others.lanes : 0) | (samples_ ? others.lanes : 0);
-    g.spreading = kept | leg(Leg::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
-    g.straight = kept | leg(Leg::view) | was_specular;
+    // What PathState says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
+    const UInt8 kept = next.path_flags & has_split;
+    const Mask8 seen = (next.path_flags >> segment_shift) == static_cast<uint32_t>(PathSegment::view);
+    const auto segment = [&](PathSegment from_view) {
+        return select(seen, bits_of(from_view), bits_of(PathSegment::indirect));
+    };
+    const uint32_t sampled = (samples_on_matt_ ? ~non_lambert.lanes : 0) | (samples_ ? non_lambert.lanes : 0);
+    g.spreading =
+        kept | segment(PathSegment::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
+    g.straight = kept | segment(PathSegment::view) | was_specular;
 }
 
 // scatter() where some lanes are not matt. See send_on(). The parts of a path go in their order, and those of all paths
@@ -149,8 +153,8 @@ inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
 {
     uint32_t splits = 0;
     for (size_t i = 0; i < vertices.size(); ++i) {
-        begin_going(vertices[i], others_.going[i]);
-        splits |= others_.going[i].splits;
+        begin_scatter(vertices[i], non_lambert_.scatter_state[i]);
+        splits |= non_lambert_.scatter_state[i].splits;
     }
     const uint32_t parts = splits == 0 ? 1 : view_.plan.split;
     for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part);
@@ -160,38 +164,38 @@ inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
 template <Shading shading>
 inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part)
 {
-    const auto lanes = [&](const Going& g) { return part == 0 ? g.sends : g.splits; };
+    const auto lanes = [&](const ScatterState& g) { return part == 0 ? g.sends : g.splits; };
     for (size_t i = 0; i < vertices.size(); ++i)
-        if (Going& g = others_.going[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
-    others_.plastic.sample();
+        if (ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
+    non_lambert_.plastic.sample();
     for (size_t i = 0; i < vertices.size(); ++i)
-        if (const Going& g = others_.going[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
+        if (const ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
 }
 
 // v.path becomes that of the next part.
 template <Shading shading>
-inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_t lanes)
+inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, uint32_t lanes)
 {
-    const Float8 zero{}, one = all_lanes(1.0f);
+    const Float8 zero{}, one = broadcast(1.0f);
     Lanes& next = v.path;
-    const Scattered s = sample_any(v, g, lanes);
+    const BsdfSamples s = sample_any(v, g, lanes);
     const Vec3x8 wi = normalize(FrameT<Float8>(v.ns).to_world(s.wi));
     const Mask8 behind = dot(wi, v.n) < zero, is_delta = lanes_of(s.delta);
     next.throughput = times(g.throughput, s.weight);
-    uint32_t goes = s.lanes & bits(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
+    uint32_t goes = s.lanes & movemask(~(behind ^ (s.wi.z < zero)) & ~is_black(next.throughput));
     if (goes != 0) {
         next.pdf = s.pdf;
         next.eta_scale = g.eta_scale * (s.eta * s.eta);
-        next.so_far = select(is_delta, g.straight, g.spreading);
+        next.path_flags = select(is_delta, g.straight, g.spreading);
         next.spread = spread_after(is_delta, g.spread, s.pdf);
         const Float8 q = survival(next);
-        if ((bits(q != one) & goes) != 0) {
+        if ((movemask(q != one) & goes) != 0) {
             const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
-            goes &= bits((q == one) | (roulette.get2_x(next.sample) < q));
+            goes &= movemask((q == one) | (roulette.get2_x(next.sample) < q));
             next.throughput = next.throughput / q;
         }
         Vec3x8 origin = v.origin;
-        for_bits(goes & bits(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
+        for_each_lane(goes & movemask(behind), [&](uint32_t i) { set_lane(origin, i, origin_behind(v, i)); });
         send(goes, origin, wi, v);
     }
     next.sample += 1u;
@@ -201,12 +205,12 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const Going& g, uint32_
 template <Shading shading>
 inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v)
 {
-    const Float8 no_end = all_lanes(std::numeric_limits<float>::infinity());
-    const uint32_t traceable = bits(is_traceable(origin, wi, all_lanes(Ray{}.t_min), no_end));
-    spoil(lanes & ~traceable, v.path.slot);
+    const Float8 no_end = broadcast(std::numeric_limits<float>::infinity());
+    const uint32_t traceable = movemask(is_traceable(origin, wi, broadcast(Ray{}.t_min), no_end));
+    invalidate(lanes & ~traceable, v.path.slot);
     next_.push(lanes & traceable, origin, wi, no_end, v.path);
-    next_.say_starts(lanes & traceable, v.start);
-    give_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::hole);
+    next_.set_leaf_hints(lanes & traceable, v.leaf_hint);
+    set_alpha_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::alpha);
     if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
 }
 
@@ -215,18 +219,18 @@ template <Shading shading>
 inline Float8 WideBatch<shading>::survival(const Lanes& next) const
 {
     const bool is_deep = depth_ + 1 >= path_.roulette_depth;
-    const Float8 one = all_lanes(1.0f), split = all_lanes(static_cast<float>(view_.plan.split));
+    const Float8 one = broadcast(1.0f), split = broadcast(static_cast<float>(view_.plan.split));
     // Of matt surfaces the first one splits all paths, and no ray is seen straight that one of them sent.
     Float8 eta_scale = one, paths = view_.plan.parts > 1 ? split : one;
     Mask8 seen{};
     if constexpr (any) {
         eta_scale = next.eta_scale;
-        paths = select(is_set(next.so_far, has_split), split, one);
-        seen = (next.so_far >> leg_above) == static_cast<uint32_t>(Leg::view);
+        paths = select(is_set(next.path_flags, has_split), split, one);
+        seen = (next.path_flags >> segment_shift) == static_cast<uint32_t>(PathSegment::view);
     }
     const Float8 by_throughput = survival_by_throughput(next.throughput, eta_scale, is_deep);
-    if (view_.plan.worth.empty()) return by_throughput;
-    const Float8 by_pixel = survival_by_pixel(next.throughput, next.worth, paths, eta_scale, is_deep);
+    if (view_.plan.importance.empty()) return by_throughput;
+    const Float8 by_pixel = survival_by_pixel(next.throughput, next.importance, paths, eta_scale, is_deep);
     return select(seen, by_throughput, by_pixel);
 }
 

@@ -8,7 +8,7 @@
 #include "core/lanes/pack.h"
 #include "core/lanes/sampler.h"
 #include "geometry/ray_lanes.h"
-#include "integrators/steps.h"
+#include "integrators/path_actions.h"
 
 namespace lancer {
 
@@ -45,9 +45,9 @@ public:
         count_ += store_rays(&rays_[count_], wanted, org, dir, t_max);
     }
     // Of the lanes that were appended last.
-    void say_starts(uint32_t wanted, UInt8 start)
+    void set_leaf_hints(uint32_t wanted, UInt8 start)
     {
-        store_starts(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
+        store_leaf_hints(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
     }
 
 private:
@@ -92,9 +92,9 @@ private:
 };
 
 struct PathLanes {
-    Vec3x8 throughput, worth;  // as in State
+    Vec3x8 throughput, importance;  // as in PathState
     Float8 pdf;
-    UInt8 slot, sample;  // as in State
+    UInt8 slot, sample;  // as in PathState
     KeyLanes key;        // of the sampler
 };
 // The same where textures are looked up, and so the cone of each ray is asked for.
@@ -103,12 +103,12 @@ struct ConePathLanes : PathLanes {
 };
 // The same of a path that may come by mirrors and glass.
 struct AnyPathLanes : ConePathLanes {
-    Float8 eta_scale;  // as in State
-    UInt8 so_far;      // bits of it, as below, and State::leg above them
+    Float8 eta_scale;  // as in PathState
+    UInt8 path_flags;  // bits of it, as below, and PathState::segment above them
 };
-inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, leg_above = 3;
-inline UInt8 bits_of(Leg leg) { return UInt8{} + (static_cast<uint32_t>(leg) << leg_above); }
-inline Mask8 is_set(UInt8 so_far, uint32_t bit) { return (so_far & bit) != 0; }
+inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, segment_shift = 3;
+inline UInt8 bits_of(PathSegment segment) { return UInt8{} + (static_cast<uint32_t>(segment) << segment_shift); }
+inline Mask8 is_set(UInt8 path_flags, uint32_t bit) { return (path_flags & bit) != 0; }
 
 struct ShadowLanes {
     Vec3x8 radiance;  // if nothing is in between

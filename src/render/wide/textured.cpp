@@ -2,6 +2,6 @@
 
 namespace lancer {
 
-template struct WideKernel<Shading::looked_up>;
+template struct WideKernel<Shading::textured>;
 
 }  // namespace lancer

@@ -18,7 +18,7 @@ std::vector<std::string> names_of(const std::vector<Series>& series)
     return names;
 }
 
-void note_left_out(SvgFrame& frame, size_t count)
+void note_omitted(SvgFrame& frame, size_t count)
 {
     if (count == 0) return;
     frame.note(std::to_string(count) + (count == 1 ? " value is" : " values are") +
@@ -101,11 +101,11 @@ std::string to_svg(const LinePlot& plot)
 {
     AxisValues xs(plot.x_scale), ys(plot.y_scale);
     std::vector<std::vector<PlotPoint>> kept(plot.series.size());
-    size_t left_out = 0;
+    size_t omitted = 0;
     for (size_t i = 0; i < plot.series.size(); ++i) {
         for (const PlotPoint& p : plot.series[i].points) {
             if (!fits(plot.x_scale, p.x) || !fits(plot.y_scale, p.y.value)) {
-                ++left_out;
+                ++omitted;
                 continue;
             }
             xs.add(p.x), ys.add(p.y.value), ys.add_range(p.y);
@@ -124,7 +124,7 @@ std::string to_svg(const LinePlot& plot)
         draw_points(frame, plane, plot.series[i], i, kept[i]);
     }
     frame.marks(plot.marks, plane.y);
-    note_left_out(frame, left_out);
+    note_omitted(frame, omitted);
     return frame.text();
 }
 
@@ -133,14 +133,14 @@ std::string to_svg(const BarPlot& plot)
     AxisValues ys(plot.y_scale);
     if (fits(plot.y_scale, plot.base)) ys.add(plot.base);
     add_marks(ys, plot.marks, plot.y_scale);
-    size_t left_out = 0;
+    size_t omitted = 0;
     for (const BarSeries& s : plot.series) {
         for (const auto& bar : s.bars) {
             if (!bar) continue;
             if (fits(plot.y_scale, bar->value))
                 ys.add(bar->value), ys.add_range(*bar);
             else
-                ++left_out;
+                ++omitted;
         }
     }
     SvgFrame frame(plot.labels, names_of(plot.series));
@@ -160,7 +160,7 @@ std::string to_svg(const BarPlot& plot)
         }
     }
     frame.marks(plot.marks, axis);
-    note_left_out(frame, left_out);
+    note_omitted(frame, omitted);
     return frame.text();
 }
 

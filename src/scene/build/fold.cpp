@@ -52,7 +52,7 @@ uint32_t only_part(const Scene& scene, const Mix& mix)
 }
 
 // Parts come before the mixes that are made of them.
-void tell_who_reads(Scene& scene)
+void mark_texture_readers(Scene& scene)
 {
     for (uint32_t id = 0; id < scene.materials.size(); ++id) {
         MaterialTraits& traits = scene.traits[id];
@@ -82,7 +82,7 @@ void share_texels(Scene& scene)
         if (twin == alike.end())
             alike.push_back(image);
         else
-            scene.left_out.add("textures with the texels of another", 1, image->bytes());
+            scene.unused_features.add("textures with the texels of another", 1, image->bytes());
     }
 }
 
@@ -113,9 +113,9 @@ void fold_constants(Scene& scene)
         scene.mix_of[id] = Scene::none;
         ++plain;
     }
-    scene.left_out.add("mixes that are always one of their parts", plain);
+    scene.unused_features.add("mixes that are always one of their parts", plain);
     if (!any && plain == 0) return;
-    tell_who_reads(scene);
+    mark_texture_readers(scene);
     // A normal map tilts even where it is the same everywhere.
     std::vector<bool> is_read(values.size());
     for (const MaterialTraits& t : scene.traits)
@@ -123,7 +123,7 @@ void fold_constants(Scene& scene)
     for (size_t i = 0; i < values.size(); ++i) {
         if (!values[i] || is_read[i]) continue;
         const auto* image = std::get_if<ImageTexture>(&scene.textures[i]);
-        scene.left_out.add("textures of one value", 1, image ? image->bytes() : 0);
+        scene.unused_features.add("textures of one value", 1, image ? image->bytes() : 0);
         scene.textures[i] = Checker{.even = *values[i], .odd = *values[i]};
     }
 }

@@ -91,27 +91,27 @@ private:
             scene_.instance_first_light.push_back(add_triangle_lights(i, scene_.geometry.instances[i].mesh));
     }
     // The triangles of a mesh that shine; empty if none does.
-    Marks emitters_of(uint32_t mesh) const
+    RankedBitset emitters_of(uint32_t mesh) const
     {
         const MeshShading& s = scene_.shading[mesh];
         const auto shines = [&](uint32_t material) { return !scene_.emission[material].is_dark(); };
-        if (!s.wears(shines)) return {};
+        if (!s.uses(shines)) return {};
         const size_t triangles = scene_.geometry.meshes[mesh].triangles.size();
-        return Marks(static_cast<uint32_t>(triangles), [&](uint32_t t) { return shines(s.material_of(t)); });
+        return RankedBitset(static_cast<uint32_t>(triangles), [&](uint32_t t) { return shines(s.material_of(t)); });
     }
     TriangleLight triangle_light(uint32_t instance, uint32_t mesh, uint32_t triangle) const
     {
         const MeshShading& s = scene_.shading[mesh];
         const bool smooth = s.normals.find(scene_.geometry.meshes[mesh], triangle) != nullptr;
         if (smooth || instance != Hit::no_instance) return {instance, mesh, triangle};
-        const TrianglePlace place = triangle_place(scene_, instance, mesh, triangle, {});
+        const TriangleInteraction place = triangle_interaction(scene_, instance, mesh, triangle, {});
         return {instance, mesh, triangle, place.n, place.area};
     }
     // Their powers are set in parallel: a scene can have millions of them, each with its texture to look up.
     uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
     {
         const uint32_t first = next();
-        const Marks& emitters = scene_.shading[mesh].emitters;
+        const RankedBitset& emitters = scene_.shading[mesh].emitters;
         const size_t triangles = emitters.empty() ? 0 : scene_.geometry.meshes[mesh].triangles.size();
         for (uint32_t i = 0; i < triangles; ++i)
             if (emitters.has(i)) add(triangle_light(instance, mesh, i), 0);

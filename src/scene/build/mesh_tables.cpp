@@ -89,12 +89,13 @@ void put_normals_behind(Mesh& mesh, const Of& of)
 }
 
 // back: inverse of the mesh's place. mesh: filled.
-void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
+void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshShading& shading,
+                  UnusedFeatures& unused_features)
 {
     const Renumbering numbers(data.normal_triangles, data.normals.size());
     const uint64_t unused = data.normals.size() - numbers.kept;
-    left_out.add("vertex normals of no triangle", unused,
-                 unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
+    unused_features.add("vertex normals of no triangle", unused,
+                        unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
     if (numbers.kept == 0) return;
     const auto moved = [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); };
     const size_t vertices = mesh.vertices(), faces = mesh.triangles.size();
@@ -112,7 +113,8 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
             return n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]);
         });
         normals.are_of_vertices = true;
-        left_out.add("numbers of vertex normals, which are those of the vertices", faces, faces * sizeof(Corners));
+        unused_features.add("numbers of vertex normals, which are those of the vertices", faces,
+                            faces * sizeof(Corners));
     }
 }
 
@@ -124,11 +126,12 @@ void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces)
 {
     const bool is_one = std::all_of(of_faces.begin(), of_faces.end(), [&](uint32_t m) { return m == of_faces[0]; });
     if (is_one && !of_faces.empty()) shading.material = of_faces[0];
-    shading.face_material = is_one ? PackedNumbers() : PackedNumbers(of_faces);
+    shading.face_material = is_one ? CompactIndexArray() : CompactIndexArray(of_faces);
 }
 
 void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,
-                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading, LeftOutList& left_out)
+                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading,
+                 UnusedFeatures& unused_features)
 {
     const auto same = [](const auto& x) { return x; };
     mesh.triangles = data.triangles;
@@ -138,9 +141,10 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     mesh.positions.emplace_back();
     shading.colors = positions.kept_of(colors, same);
     const uint64_t unused = data.positions.size() - positions.kept;
-    left_out.add("vertices of no triangle", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
+    unused_features.add("vertices of no triangle", unused,
+                        unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
 
-    fill_normals(data, inverse(place), mesh, shading, left_out);
+    fill_normals(data, inverse(place), mesh, shading, unused_features);
     if (data.uvs.empty()) return;
     shading.uv_triangles = CornerTable(data.uv_triangles, [&](uint32_t t) {
         return data.uv_triangles[t][0] != MeshData::no_uv && traits[shading.material_of(t)].reads_uv;
@@ -148,16 +152,16 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     const Renumbering uvs(shading.uv_triangles.all(), data.uvs.size());
     uvs.apply(shading.uv_triangles.all());
     shading.uvs = uvs.kept_of(data.uvs, same);
-    left_out.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
-                 bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
-                     std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
+    unused_features.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
+                        bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
+                            std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
 }
 
 void drop_unread_uvs(Scene& scene)
 {
     for (MeshShading& s : scene.shading) {
-        if (s.uvs.empty() || s.wears([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
-        scene.left_out.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
+        if (s.uvs.empty() || s.uses([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
+        scene.unused_features.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
         s.uvs = {};
         s.uv_triangles = {};
     }

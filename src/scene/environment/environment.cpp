@@ -166,9 +166,9 @@ EnvironmentSample EnvironmentMap::sample(Vec2 u) const
         return i;
     };
     double down = 0, across = 0;
-    const uint32_t row = draw(rows_.get(), height_ + 1, lengthened(u.x, u.y) * total_, down);
+    const uint32_t row = draw(rows_.get(), height_ + 1, extend_precision(u.x, u.y) * total_, down);
     const double* in_row = &in_row_[size_t{row} * width_];
-    const uint32_t left = draw(in_row, width_, lengthened(u.y, u.x) * in_row[width_ - 1], across);
+    const uint32_t left = draw(in_row, width_, extend_precision(u.y, u.x) * in_row[width_ - 1], across);
 
     const uint32_t above = row ? row - 1 : 0, below = std::min(row, height_ - 1);
     const uint32_t right = left + 1 < width_ ? left + 1 : 0;

@@ -150,7 +150,7 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
 std::optional<LightSample> sample_light(const Scene& scene, const Surface& from, float pick, Vec2 u, bool through)
 {
     if (scene.lights.pick.empty()) return {};
-    const auto [id, probability] = choose_light(scene.lights, from.origin, from.ns, lengthened(pick, u));
+    const auto [id, probability] = choose_light(scene.lights, from.origin, from.ns, extend_precision(pick, u));
     if (!(probability > 0)) return {};
     auto s = sample_given_light(scene, from, id, u, through);
     if (s) s->pdf *= probability;
@@ -169,7 +169,7 @@ std::optional<LightSample> sample_extended_light(const Scene& scene, const Surfa
 {
     const LightTable& table = scene.lights;
     if (table.deltas == table.lights.size() || table.pick.empty()) return {};
-    const auto [id, probability] = table.pick.sample_from(table.deltas, lengthened(pick, u));
+    const auto [id, probability] = table.pick.sample_from(table.deltas, extend_precision(pick, u));
     if (!(probability > 0)) return {};
     auto s = sample_given_light(scene, from, id, u);
     if (s) s->pdf *= probability;
@@ -214,7 +214,7 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surfa
     const Vec3d to_center = s.center - to_double(from);
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
     // From outside only the near side is sampled; rays find the far one through holes in the near.
-    if (d2 > r2 && !at.front && scene.geometry.holes.spheres) return 0;
+    if (d2 > r2 && !at.front && scene.geometry.alpha_test.spheres) return 0;
     if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
     const Vec3d d = to_double(at.p) - to_double(from);
     const double c = std::abs(dot(to_double(wi), to_double(at.n)));
@@ -225,8 +225,7 @@ float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
     const float choice = scene.lights.pick.probability(scene.environment_light);
-    return choice *
-           (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_constant_environment(normal, wi));
+    return choice * (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_constant_environment(normal, wi));
 }
 
 }  // namespace lancer

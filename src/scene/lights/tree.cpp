@@ -120,13 +120,13 @@ uint32_t LightTree::build(std::span<uint32_t> ids, std::span<const LightBounds> 
         spare -= groups_in(first, most) + groups_in(whole.size() - first, most);
     }
     for (size_t i = 0; i < count; ++i) {
-        const auto place = static_cast<uint32_t>(number * float_lanes + i);
+        const auto point = static_cast<uint32_t>(number * float_lanes + i);
         set(number, i, bounds_of(groups[i], lights));
         if (groups[i].size() == 1) {
             nodes_[number].child[i] = is_leaf | groups[i][0];
-            place_of_[groups[i][0]] = place;
+            place_of_[groups[i][0]] = point;
         } else {
-            const uint32_t child = build(groups[i], lights, place);
+            const uint32_t child = build(groups[i], lights, point);
             nodes_[number].child[i] = child;
         }
     }
@@ -152,11 +152,11 @@ void LightTree::set(size_t number, size_t lane, const LightBounds& b)
 // the normals, of the way to the centre: whichever the point in the ball, its way is longer by the radius at most, and
 // so what a place sees is never 0. The mean squared distance from a ball's points is that of the centre and of them
 // from it, about.
-inline Float8 LightTree::weigh(size_t number, Vec3 place, Vec3 normal) const
+inline Float8 LightTree::importances(size_t number, Vec3 point, Vec3 normal) const
 {
     const Node& node = nodes_[number];
     const Float8 zero{};
-    const Vec3x8 to = node.center - all_lanes(place);
+    const Vec3x8 to = node.center - broadcast(point);
     const Float8 distance2 = dot(to, to), along = -dot(to, node.axis);
     Float8 at_light = select(node.both_sides, abs(along), along);
     if (has_cones_[number]) {
@@ -166,9 +166,9 @@ inline Float8 LightTree::weigh(size_t number, Vec3 place, Vec3 normal) const
             select(at_light > distance * node.cos_angle, distance, at_light * node.cos_angle + across * node.sin_angle);
     }
     at_light = max(zero, at_light + node.radius);
-    const Float8 at_place = abs(dot(to, all_lanes(normal))) + node.radius;
+    const Float8 at_place = abs(dot(to, broadcast(normal))) + node.radius;
     const Float8 inverse =
-        all_lanes(1.0f) / max(distance2 + node.radius * node.radius, all_lanes(std::numeric_limits<float>::min()));
+        broadcast(1.0f) / max(distance2 + node.radius * node.radius, broadcast(std::numeric_limits<float>::min()));
     return node.power * (at_light * inverse) * (at_place * inverse);
 }
 
@@ -183,15 +183,15 @@ struct Edges {
 
     explicit Edges(Float8 weights)
     {
-        const Double4 a = sums_of(lower(weights)), b = sums_of(upper(weights)), half = all_lanes(a[3]);
+        const Double4 a = sums_of(lower(weights)), b = sums_of(upper(weights)), half = broadcast(a[3]);
         low = moved(a), high = moved(b) + half, end = a[3] + b[3];
     }
     double operator[](size_t i) const { return i < 4 ? low[i] : high[i - 4]; }
     // How many parts begin at x or before; x >= 0.
     size_t count_to(double x) const
     {
-        const Double4 at = all_lanes(x);
-        return static_cast<size_t>(std::popcount(bits(low <= at)) + std::popcount(bits(high <= at)));
+        const Double4 at = broadcast(x);
+        return static_cast<size_t>(std::popcount(movemask(low <= at)) + std::popcount(movemask(high <= at)));
     }
 
 private:
@@ -210,7 +210,7 @@ private:
 
 inline bool LightTree::descend(Descent& d) const
 {
-    const Float8 weights = weigh(d.at, d.place, d.normal);
+    const Float8 weights = importances(d.at, d.point, d.normal);
     const Edges edges(weights);
     if (!(edges.end > 0) || !(edges.end < std::numeric_limits<double>::infinity())) return false;
     const double x = d.u * edges.end;
@@ -224,10 +224,10 @@ inline bool LightTree::descend(Descent& d) const
     return true;
 }
 
-LightTree::Choice LightTree::choose(Vec3 place, Vec3 normal, double u) const
+LightTree::Choice LightTree::choose(Vec3 point, Vec3 normal, double u) const
 {
     if (nodes_.empty()) return {};
-    Descent d{place, normal, u};
+    Descent d{point, normal, u};
     do {
         if (!descend(d)) return {};
     } while (!(d.at & is_leaf));
@@ -241,17 +241,17 @@ inline void LightTree::fetch(const Node& node)
     for (size_t at = 0; at < sizeof node; at += 64) prefetch(bytes + at);
 }
 
-void LightTree::choose(const Vec3x8& places, const Vec3x8& normals, const std::array<double, float_lanes>& u,
+void LightTree::choose(const Vec3x8& points, const Vec3x8& normals, const std::array<double, float_lanes>& u,
                        uint32_t lanes, std::array<Choice, float_lanes>& choices) const
 {
-    for_bits(lanes, [&](uint32_t i) { choices[i] = {}; });
+    for_each_lane(lanes, [&](uint32_t i) { choices[i] = {}; });
     if (nodes_.empty()) return;
     std::array<Descent, float_lanes> descents;
-    for_bits(lanes, [&](uint32_t i) { descents[i] = {lancer::lane(places, i), lancer::lane(normals, i), u[i]}; });
+    for_each_lane(lanes, [&](uint32_t i) { descents[i] = {lancer::lane(points, i), lancer::lane(normals, i), u[i]}; });
     // One level of all before the next of any: the CPU works at several.
     while (lanes != 0) {
         uint32_t further = 0;
-        for_bits(lanes, [&](uint32_t i) {
+        for_each_lane(lanes, [&](uint32_t i) {
             Descent& d = descents[i];
             const bool reaches = descend(d), ends = (d.at & is_leaf) != 0;
             if (reaches && ends) choices[i] = {d.at & ~is_leaf, static_cast<float>(d.probability)};
@@ -263,11 +263,11 @@ void LightTree::choose(const Vec3x8& places, const Vec3x8& normals, const std::a
     }
 }
 
-float LightTree::probability(uint32_t light, Vec3 place, Vec3 normal) const
+float LightTree::probability(uint32_t light, Vec3 point, Vec3 normal) const
 {
     double probability = 1;
     for (uint32_t at = place_of_[light]; at != none; at = parent_[at / float_lanes]) {
-        const Float8 weights = weigh(at / float_lanes, place, normal);
+        const Float8 weights = importances(at / float_lanes, point, normal);
         const double sum = Edges(weights).end;
         if (!(sum > 0)) return 0;
         probability *= static_cast<double>(weights[at % float_lanes]) / sum;

@@ -23,13 +23,13 @@ public:
         float probability = 0;  // 0: nothing reaches the place
     };
     // For a place and its normal, of which the sign does not matter. u in [0, 1).
-    Choice choose(Vec3 place, Vec3 normal, double u) const;
+    Choice choose(Vec3 point, Vec3 normal, double u) const;
     // The same for those of eight places whose bits are set in `lanes`; the others' choices stay as they are. One place
     // need not wait for what another one waits for.
-    void choose(const Vec3x8& places, const Vec3x8& normals, const std::array<double, float_lanes>& u, uint32_t lanes,
+    void choose(const Vec3x8& points, const Vec3x8& normals, const std::array<double, float_lanes>& u, uint32_t lanes,
                 std::array<Choice, float_lanes>& choices) const;
     // With which choose() finds a light.
-    float probability(uint32_t light, Vec3 place, Vec3 normal) const;
+    float probability(uint32_t light, Vec3 point, Vec3 normal) const;
 
     size_t node_count() const { return nodes_.size(); }
 
@@ -48,11 +48,11 @@ private:
 
     uint32_t build(std::span<uint32_t> ids, std::span<const LightBounds> lights, uint32_t parent);
     void set(size_t node, size_t lane, const LightBounds& b);
-    Float8 weigh(size_t node, Vec3 place, Vec3 normal) const;
+    Float8 importances(size_t node, Vec3 point, Vec3 normal) const;
 
     // On the way down: a place, with what is left of its number.
     struct Descent {
-        Vec3 place, normal;
+        Vec3 point, normal;
         double u = 0, probability = 1;
         uint32_t at = 0;  // a node, or is_leaf | a light
     };

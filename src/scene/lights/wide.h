@@ -45,34 +45,34 @@ inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& or
     s.wi = seen.wi;
     s.radiance = front;
     const Mask8 before = seen.cos > Float8{};
-    if (bits(before) != 255) s.radiance = select(before, front, rows(W::back).xyz);
+    if (movemask(before) != 255) s.radiance = select(before, front, rows(W::back).xyz);
     s.pdf = seen.pdf(area) * probability;
     s.found = (seen.d2 > Float8{}) & (seen.cos != Float8{}) & (probability > Float8{}) & ~is_black(s.radiance);
     s.infinite = s.delta = Mask8{};
 }
 
 // A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
-inline void sample_balls(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u, const Float8* choice,
-                         LightSampleLanes& s)
+inline void sample_sphere_lights(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u,
+                                 const Float8* choice, LightSampleLanes& s)
 {
     Float8 rounding{};
-    for (size_t i = 0; i < float_lanes; ++i) rounding[i] = scene.balls[ids[i]].rounding;
+    for (size_t i = 0; i < float_lanes; ++i) rounding[i] = scene.sphere_lights[ids[i]].rounding;
     const SinCosT<Float8> phi = sin_cos_2pi(u.y);
     std::array<Mask4, 2> inside;
     const auto four = [&](size_t from, const Vec3T<Float4>& org, Float4 ux, const SinCosT<Float4>& turn) {
-        const auto row = [&](size_t i) { return load4(scene.balls[ids[from + i]].center_radius.data()); };
-        const auto [center, radius] = turned_rows4(row);
+        const auto row = [&](size_t i) { return load4(scene.sphere_lights[ids[from + i]].center_radius.data()); };
+        const auto [center, radius] = transpose4(row);
         const Vec3T<Double4> to_center = center - to_double(org);
         inside[from / double_lanes] = dot(to_center, to_center) <= radius * radius;
         return sphere_seen_from_outside(center, radius, to_center, ux, turn);
     };
     const auto low = four(0, lower(origin), lower(u.x), {lower(phi.sin), lower(phi.cos)});
     const auto high = four(double_lanes, upper(origin), upper(u.x), {upper(phi.sin), upper(phi.cos)});
-    s.found = lanes_of(~(bits(inside[0]) | bits(inside[1]) << double_lanes) & 255);
-    s.wi = joined(low.wi, high.wi), s.point = joined(low.point, high.point), s.n = joined(low.n, high.n);
+    s.found = lanes_of(~(movemask(inside[0]) | movemask(inside[1]) << double_lanes) & 255);
+    s.wi = concat(low.wi, high.wi), s.point = concat(low.point, high.point), s.n = concat(low.n, high.n);
     s.p_error = sphere_point_error(rounding, s.point);
-    const auto [color, by_power] = turned_rows([&](size_t i) { return load4(&scene.balls[ids[i]].radiance.x); });
-    s.radiance = color, s.pdf = joined(low.pdf, high.pdf) * (choice ? *choice : by_power);
+    const auto [color, by_power] = transpose([&](size_t i) { return load4(&scene.sphere_lights[ids[i]].radiance.x); });
+    s.radiance = color, s.pdf = concat(low.pdf, high.pdf) * (choice ? *choice : by_power);
     s.infinite = s.delta = Mask8{};
 }
 

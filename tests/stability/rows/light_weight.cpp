@@ -45,7 +45,7 @@ Weights weights_of(const SceneDescription& d, size_t count)
             if (at.light == Scene::none || length(at.p - s->point) > 1e-4f * length(s->point - from.p)) continue;
             found = pdf_light(scene, ray.org, from.ns, s->wi, at);
         }
-        State state;
+        PathState state;
         state.pdf = pdf;
         const double sum = double{power_heuristic(s->pdf, pdf)} + double{weight_of_found(state, how, found)};
         weights.worst = std::max(weights.worst, std::abs(sum - 1)), ++weights.looked_at;

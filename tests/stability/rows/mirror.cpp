@@ -32,9 +32,9 @@ double worst_place(const SceneDescription& d, uint32_t bounces)
     uint32_t met = 0;
     double worst = 0;
     PathListener listener{
-        .ray = [](const State&, const Hit&) {},
+        .ray = [](const PathState&, const Hit&) {},
         .vertex =
-            [&](const State& s, const Surface& surface) {
+            [&](const PathState& s, const Surface& surface) {
                 if (s.depth == 0) {
                     org = n.to_file(to_double(s.ray.org)), dir = to_double(s.ray.dir);
                 }
@@ -43,7 +43,7 @@ double worst_place(const SceneDescription& d, uint32_t bounces)
                 worst = std::max(worst, length(n.to_file(to_double(surface.p)) - unfolded));
                 ++met;
             },
-        .added = [](const State&, Color) {},
+        .added = [](const PathState&, Color) {},
         .shadow = [](const Ray&, Color, bool) {}};
     renderer.replay(camera, 2, 2, {0, 0, 0}, listener);
     return met == bounces ? worst : std::numeric_limits<double>::infinity();

@@ -47,7 +47,7 @@ Outcome draw(const std::string& file, double samples)
     if (said.code != 0) return out;
     const auto counted = nlohmann::json::parse(read_bytes(folder.file("a.json"))).at("samples");
     // Pixels of open sky are the sky: no ray of theirs is traced.
-    out.samples = counted.at("count").get<uint64_t>() - counted.at("of_open_sky").get<uint64_t>();
+    out.samples = counted.at("count").get<uint64_t>() - counted.at("background_only").get<uint64_t>();
     out.dropped = counted.at("dropped").at("count").get<uint64_t>();
     out.measures.push_back(told("samples traced", static_cast<double>(out.samples)));
     out.measures.push_back(exactly("samples dropped", static_cast<double>(out.dropped), 0));

@@ -31,7 +31,7 @@ inline float first_weight(Vec2 uv) { return first_weight(uv.x, uv.y); }
 inline Float8 first_weight(Float8 u, Float8 v)
 {
     const auto half = [](Float4 second, Float4 third) { return to_float(1.0 - to_double(second) - to_double(third)); };
-    return joined(half(lower(u), lower(v)), half(upper(u), upper(v)));
+    return concat(half(lower(u), lower(v)), half(upper(u), upper(v)));
 }
 
 // A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
@@ -68,42 +68,43 @@ inline PointOnTriangle<float> point_on_triangle(const Mesh& mesh, uint32_t trian
     return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], uv.x, uv.y};
 }
 
-struct TrianglePlace {
+struct TriangleInteraction {
     Vec3 p, p_error, n, ns;  // as in Surface, but n and ns on the front side, ns before any map
     float area = 0;          // of the whole triangle, scene units
 };
 
-TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
+TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle,
+                                         Vec2 uv);
 
-// triangle_place() of eight triangles that are drawn as they are.
-struct PlaceLanes {
+// triangle_interaction() of eight triangles that are drawn as they are.
+struct InteractionLanes {
     Vec3x8 p, p_error, n, ns;
     Float8 area;
-    TrianglePlace of(size_t k) const { return {lane(p, k), lane(p_error, k), lane(n, k), lane(ns, k), area[k]}; }
+    TriangleInteraction of(size_t k) const { return {lane(p, k), lane(p_error, k), lane(n, k), lane(ns, k), area[k]}; }
 };
-PlaceLanes places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which);
+InteractionLanes interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which);
 // The same of triangles whose corners have no normals of their own.
-PlaceLanes flat_places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which);
+InteractionLanes flat_interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which);
 // Each to the place of its hit.
-inline void put(const PlaceLanes& eight, const EightHits& which, std::span<TrianglePlace> places)
+inline void put(const InteractionLanes& eight, const HitIndices& which, std::span<TriangleInteraction> places)
 {
     for (size_t k = 0; k < float_lanes; ++k) places[which[k]] = eight.of(k);
 }
 
 // What is kept of each triangle besides its corners is asked for early, step by step, so that who reads it need not
 // wait for one line of memory after the other. Whether that pays:
-bool has_far_tables(const Scene& scene);
+bool tables_exceed_caches(const Scene& scene);
 // Of all that were hit: material, and which normals the corners have.
-void fetch_shading(const Scene& scene, std::span<const Hit> hits);
+void prefetch_shading(const Scene& scene, std::span<const Hit> hits);
 // Then, where they are triangles, these normals. which: bit i: of hits[i].
-void fetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+void prefetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which);
 // Where materials read textures: which points of them the corners have, and later these.
-void fetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which);
-void fetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+void prefetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which);
+void prefetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which);
 // For who does not go by steps: whatever may be read.
-void fetch_all(const Scene& scene, std::span<const Hit> hits);
+void prefetch_all(const Scene& scene, std::span<const Hit> hits);
 
 // places[i]: of hits[i], where that is a triangle; others stay as they are.
-void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places);
+void triangle_interactions(const Scene& scene, std::span<const Hit> hits, std::span<TriangleInteraction> places);
 
 }  // namespace lancer

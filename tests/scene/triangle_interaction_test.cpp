@@ -1,5 +1,5 @@
 // Many places at once have the bits of single ones: flat and smooth triangles, placed by instances or not, and needles.
-#include "scene/triangle_place.h"
+#include "scene/triangle_interaction.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 namespace lancer {
 namespace {
 
-void expect_same_bits(const TrianglePlace& a, const TrianglePlace& b, const std::string& where)
+void expect_same_bits(const TriangleInteraction& a, const TriangleInteraction& b, const std::string& where)
 {
     EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0) << where;
-    static_assert(sizeof(TrianglePlace) == 13 * sizeof(float), "nothing but numbers");
+    static_assert(sizeof(TriangleInteraction) == 13 * sizeof(float), "nothing but numbers");
 }
 
 TEST(TrianglePlaces, HaveTheBitsOfSingleOnes)
@@ -34,12 +34,12 @@ TEST(TrianglePlaces, HaveTheBitsOfSingleOnes)
             if (i % 5 == 0) hits.back().uv = {};
             if (i % 5 == 1) hits.back().uv.y = 1 - hits.back().uv.x;
         }
-        std::vector<TrianglePlace> places(hits.size());
-        triangle_places(stage.scene, hits, places);
+        std::vector<TriangleInteraction> places(hits.size());
+        triangle_interactions(stage.scene, hits, places);
         for (size_t i = 0; i < hits.size(); ++i) {
             const Hit& h = hits[i];
             if (h.kind != Kind::triangle) continue;
-            expect_same_bits(places[i], triangle_place(stage.scene, h.instance, h.geometry, h.primitive, h.uv),
+            expect_same_bits(places[i], triangle_interaction(stage.scene, h.instance, h.geometry, h.primitive, h.uv),
                              std::string(name) + " " + std::to_string(i));
         }
         if (std::string(name) == "instances") {
@@ -67,10 +67,10 @@ TEST(TrianglePlaces, OfWhatIsHardlyATriangle)
     for (uint32_t i = 0; i < mesh.triangles.size(); ++i)
         for (const Vec2 uv : {Vec2{0.25f, 0.25f}, Vec2{0.5f, 0.5f}})
             hits.push_back({1, Hit::no_instance, 0, i, uv, Kind::triangle});
-    std::vector<TrianglePlace> places(hits.size());
-    triangle_places(scene, hits, places);
+    std::vector<TriangleInteraction> places(hits.size());
+    triangle_interactions(scene, hits, places);
     for (size_t i = 0; i < hits.size(); ++i)
-        expect_same_bits(places[i], triangle_place(scene, Hit::no_instance, 0, hits[i].primitive, hits[i].uv),
+        expect_same_bits(places[i], triangle_interaction(scene, Hit::no_instance, 0, hits[i].primitive, hits[i].uv),
                          std::to_string(i));
     EXPECT_EQ(places[0].n, (Vec3{0, 0, 1}));
     EXPECT_EQ(places[6].n, (Vec3{0, 0, -1}));

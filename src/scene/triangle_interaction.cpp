@@ -1,4 +1,4 @@
-#include "scene/triangle_place.h"
+#include "scene/triangle_interaction.h"
 
 #include "core/lanes/prefetch.h"
 #include "geometry/triangle_lanes.h"
@@ -13,7 +13,7 @@ Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v
 using Rows = std::array<Float4, float_lanes>;  // what stands in memory of eight places
 Vec3x8 turned(const Rows& rows)
 {
-    return turned_rows([&](size_t i) { return rows[i]; }).xyz;
+    return transpose([&](size_t i) { return rows[i]; }).xyz;
 }
 
 // Normals of eight triangles' corners, each with something behind it; those of CornerNormals::of_flat() where there are
@@ -40,9 +40,9 @@ struct UnitLanes {
     UnitLanes(const Vec3T<Double4>& low, const Vec3T<Double4>& high)
     {
         const Double4 low_length = length(low), high_length = length(high), zero{};
-        v = joined(to_float(low * (1.0 / low_length)), to_float(high * (1.0 / high_length)));
-        half_length = joined(to_float(0.5 * low_length), to_float(0.5 * high_length));
-        exist = joined(narrowed(low_length > zero), narrowed(high_length > zero));
+        v = concat(to_float(low * (1.0 / low_length)), to_float(high * (1.0 / high_length)));
+        half_length = concat(to_float(0.5 * low_length), to_float(0.5 * high_length));
+        exist = concat(narrow(low_length > zero), narrow(high_length > zero));
     }
     explicit UnitLanes(const Vec3x8& a) : UnitLanes(to_double(lower(a)), to_double(upper(a))) {}
 };
@@ -53,7 +53,7 @@ Vec3T<Double4> normal_of(const Vec3T<Float4>& a, const Vec3T<Float4>& b, const V
 }
 
 template <bool has_normals>
-PlaceLanes places(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
+InteractionLanes places(const Scene& scene, std::span<const Hit> hits, const HitIndices& which)
 {
     Rows rows_uv, rows_a, rows_b, rows_c;
     NormalRows normals;
@@ -72,7 +72,8 @@ PlaceLanes places(const Scene& scene, std::span<const Hit> hits, const EightHits
     const UnitLanes flat(normal_of(lower(a), lower(b), lower(c)), normal_of(upper(a), upper(b), upper(c)));
     const Float8 zero{};
     // What is no number stands for a triangle without area, as for one alone.
-    PlaceLanes s{at.p, at.p_error, select(flat.exist, flat.v, Vec3x8{zero, zero, zero + 1.0f}), {}, flat.half_length};
+    InteractionLanes s{
+        at.p, at.p_error, select(flat.exist, flat.v, Vec3x8{zero, zero, zero + 1.0f}), {}, flat.half_length};
     s.ns = s.n;
     if constexpr (has_normals) {
         const Vec3x8 na = turned(normals.corners[0]);
@@ -92,34 +93,35 @@ void fetch(const std::vector<T>& values, const Corners& corners)
     for (const uint32_t corner : corners) prefetch(values.data() + corner);
 }
 // Normals of vertices came with the positions.
-void fetch_normals(const MeshShading& s, uint32_t triangle)
+void prefetch_normals(const MeshShading& s, uint32_t triangle)
 {
     if (!s.normals.triangles.empty()) fetch(s.normals.values, s.normals.triangles[triangle]);
 }
-void fetch_uvs(const MeshShading& s, uint32_t triangle)
+void prefetch_uvs(const MeshShading& s, uint32_t triangle)
 {
     if (!s.uv_triangles.empty()) fetch(s.uvs, *s.uv_triangles.guess(triangle));
 }
 
 }  // namespace
 
-PlaceLanes flat_places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
+InteractionLanes flat_interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which)
 {
     return places<false>(scene, hits, which);
 }
 
-PlaceLanes places_of(const Scene& scene, std::span<const Hit> hits, const EightHits& which)
+InteractionLanes interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which)
 {
     return scene.has_normals ? places<true>(scene, hits, which) : places<false>(scene, hits, which);
 }
 
-TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle, Vec2 uv)
+TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle,
+                                         Vec2 uv)
 {
     const Mesh& mesh = scene.geometry.meshes[mesh_index];
     const auto& t = mesh.triangles[triangle];
     const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
     const PointOnTriangle<float> at(a, b, c, uv.x, uv.y);
-    TrianglePlace s;
+    TriangleInteraction s;
     s.p = at.p, s.p_error = at.p_error;
     const Vec3d e1 = to_double(b) - to_double(a), e2 = to_double(c) - to_double(a);
     Vec3d n = cross(e1, e2), ns;
@@ -152,9 +154,9 @@ TrianglePlace triangle_place(const Scene& scene, uint32_t instance, uint32_t mes
     return s;
 }
 
-bool has_far_tables(const Scene& scene) { return scene.has_tables && outgrows_caches(scene.geometry); }
+bool tables_exceed_caches(const Scene& scene) { return scene.has_tables && exceeds_caches(scene.geometry); }
 
-void fetch_shading(const Scene& scene, std::span<const Hit> hits)
+void prefetch_shading(const Scene& scene, std::span<const Hit> hits)
 {
     for (const Hit& hit : hits) {
         if (hit.kind != Kind::triangle) continue;
@@ -164,40 +166,40 @@ void fetch_shading(const Scene& scene, std::span<const Hit> hits)
     }
 }
 
-void fetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+void prefetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which)
 {
-    for_bits(which, [&](uint32_t i) { fetch_normals(scene.shading[hits[i].geometry], hits[i].primitive); });
+    for_each_lane(which, [&](uint32_t i) { prefetch_normals(scene.shading[hits[i].geometry], hits[i].primitive); });
 }
 
-void fetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+void prefetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which)
 {
-    for_bits(which, [&](uint32_t i) {
+    for_each_lane(which, [&](uint32_t i) {
         const CornerTable& corners = scene.shading[hits[i].geometry].uv_triangles;
         if (!corners.empty()) prefetch(corners.guess(hits[i].primitive));
     });
 }
 
-void fetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which)
+void prefetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which)
 {
-    for_bits(which, [&](uint32_t i) { fetch_uvs(scene.shading[hits[i].geometry], hits[i].primitive); });
+    for_each_lane(which, [&](uint32_t i) { prefetch_uvs(scene.shading[hits[i].geometry], hits[i].primitive); });
 }
 
-void fetch_all(const Scene& scene, std::span<const Hit> hits)
+void prefetch_all(const Scene& scene, std::span<const Hit> hits)
 {
-    fetch_shading(scene, hits);
+    prefetch_shading(scene, hits);
     for (const Hit& hit : hits) {
         if (hit.kind != Kind::triangle) continue;
         const MeshShading& s = scene.shading[hit.geometry];
-        fetch_normals(s, hit.primitive), fetch_uvs(s, hit.primitive);
+        prefetch_normals(s, hit.primitive), prefetch_uvs(s, hit.primitive);
     }
 }
 
-void triangle_places(const Scene& scene, std::span<const Hit> hits, std::span<TrianglePlace> places)
+void triangle_interactions(const Scene& scene, std::span<const Hit> hits, std::span<TriangleInteraction> places)
 {
     for_triangles<float_lanes>(
-        hits, [&](const EightHits& which) { put(places_of(scene, hits, which), which, places); },
+        hits, [&](const HitIndices& which) { put(interactions_of(scene, hits, which), which, places); },
         [&](size_t i) {
-            places[i] = triangle_place(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+            places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
         });
 }
 
