@@ -1,5 +1,5 @@
-// What is summed of the first surfaces behind a pixel for auxiliary outputs (AOVs), and where: of all sums a picture
-// keeps those that its AOVs need.
+// Which sums a film keeps for auxiliary outputs (AOVs), and where they lie in memory. A film keeps only the sums that
+// the requested AOVs need.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace lancer {
 
-// Over the samples of a pixel, in scene units. material: 1 + that of the first sample, 0 if it hit nothing. samples and
-// hits are counts, of all and of those that hit something: doubles hold them exactly.
+// Sums over the samples of a pixel, in scene units. material: 1 + the material of the first sample, 0 if it hit
+// nothing. samples and hits: counts of all samples and of those that hit a surface; doubles hold them exactly.
 enum class AovSum { albedo, flat, normal, position, uv, depth, material, samples, hits };
 
-// Doubles of each, in the order of AovSum.
+// Number of doubles of each sum, in the order of AovSum.
 inline constexpr std::array<uint8_t, 9> aov_sum_sizes{3, 3, 3, 3, 2, 1, 1, 1, 1};
 
-// The sums of a pixel lie side by side, in the order in which they were added.
+// The sums of one pixel are adjacent, in the order in which they were added.
 class AovLayout {
 public:
     constexpr AovLayout() { offsets_.fill(absent); }
@@ -26,9 +26,9 @@ public:
         size_ = static_cast<uint8_t>(size_ + aov_sum_sizes[index(sum)]);
     }
     constexpr bool has(AovSum sum) const { return offsets_[index(sum)] != absent; }
-    // Of the first double of a sum that is there.
+    // Index of the first double of a sum; the sum must be present.
     constexpr size_t offset(AovSum sum) const { return offsets_[index(sum)]; }
-    // Doubles of a pixel.
+    // Number of doubles of one pixel.
     constexpr size_t size() const { return size_; }
     constexpr bool empty() const { return size_ == 0; }
 

@@ -1,5 +1,5 @@
-// A table of whole numbers that are mostly small, such as which of a few materials each of a million triangles has: as
-// few bytes for each as the largest wants. What a cache holds of it counts in looking it up.
+// An array of indices that stores each with 1, 2 or 4 bytes, as the largest index needs. Example: the material of each
+// triangle. A smaller array occupies less of the cache.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ public:
         const uint32_t largest = *std::max_element(numbers.begin(), numbers.end());
         width_ = largest <= UINT8_MAX ? 1 : largest <= UINT16_MAX ? 2 : 4;
         mask_ = UINT32_MAX >> (32 - 8 * width_);
-        // Four bytes are read for each, and written.
+        // Each access reads four bytes, so the array is padded at its end.
         bytes_.resize(count_ * width_ + (4 - width_));
         for (size_t i = 0; i < count_; ++i) std::memcpy(&bytes_[i * width_], &numbers[i], 4);
     }
@@ -32,9 +32,9 @@ public:
         std::memcpy(&n, where(i), 4);
         return n & mask_;
     }
-    // Where that number stands, to be asked for early.
+    // Address of entry i, for prefetching.
     const void* where(size_t i) const { return &bytes_[i * width_]; }
-    // holds(number) of some of them.
+    // Whether holds(index) is true for any entry.
     template <class Holds>
     bool any(const Holds& holds) const
     {

@@ -1,4 +1,4 @@
-// A discrete distribution to draw from.
+// A discrete distribution, sampled by inverting its cumulative sums.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +14,17 @@
 
 namespace lancer {
 
-// Samplers give 24 bits, which are too few to choose among millions: what is rarer than 2^-24 would be chosen never, or
-// far too often. This is u in [0, 1 - 2^-24] and 24 bits more, a hash of another number that was drawn with it.
+// Samplers give 24 bits. That is too few to select among millions of items: an item with a probability below 2^-24
+// would be selected never or far too often. Returns u in [0, 1 - 2^-24] extended by 24 bits, which are a hash of
+// another number of the same sample.
 inline double extend_precision(float u, float other)
 {
     uint64_t h = std::bit_cast<uint32_t>(other) * 0x9e3779b97f4a7c15u;
     h = (h ^ h >> 32) * 0xd1342543de82ef95u;
     return static_cast<double>(u) + static_cast<double>(h >> 40) * 0x1p-48;
 }
-// And with all the bits that a double in [0, 1) can have, a hash of two others: of lights by the million, with powers
-// that differ by the million, there are some whose chance is below 2^-48.
+// Extends u to the 53 bits of a double by a hash of two other numbers. Among millions of lights with very different
+// powers some have a probability below 2^-48.
 inline double extend_precision(float u, Vec2 others)
 {
     const uint64_t both = std::bit_cast<uint32_t>(others.x) | uint64_t{std::bit_cast<uint32_t>(others.y)} << 32;
@@ -32,7 +33,8 @@ inline double extend_precision(float u, Vec2 others)
     return static_cast<double>(u) + static_cast<double>(h >> 35) * 0x1p-53;
 }
 
-// Indices with probability proportional to their weight. Sums in double: a float sum of 2^24 equal weights stalls.
+// Samples indices with probability proportional to their weights. The sums are double: a float sum of 2^24 equal
+// weights stops growing.
 class Discrete {
 public:
     Discrete() = default;
@@ -44,7 +46,8 @@ public:
         for (const double w : weights) {
             const double before = sum;
             sum += w;
-            // What the sum so far would swallow gets the least part that there is: what weighs something is drawn.
+            // A weight too small to change the sum still increases it by one ulp, so that every positive weight can be
+            // sampled.
             if (w > 0 && sum == before) sum = std::nextafter(sum, std::numeric_limits<double>::infinity());
             cumulative_.push_back(sum);
         }
@@ -55,17 +58,18 @@ public:
     }
     bool empty() const { return cumulative_.empty(); }
     size_t size() const { return cumulative_.size(); }
-    // u in [0, 1). Never an index of weight 0. Not on an empty distribution.
+    // Returns an index of positive weight for u in [0, 1). The distribution must not be empty.
     uint32_t sample(double u) const
     {
         const double x = u * total_;
         const auto it = std::upper_bound(cumulative_.begin(), cumulative_.end(), x);
         return static_cast<uint32_t>(std::min<size_t>(static_cast<size_t>(it - cumulative_.begin()), size() - 1));
     }
-    // Whether sample_remapped() may be asked: there are so few, and of weights so alike, that a float has enough digits
-    // left.
+    // Whether sample_remapped() may be called: there are few indices and their weights are similar, so that a float
+    // keeps enough digits for the remapped number.
     bool can_remap() const { return can_remap_; }
-    // An index, and where in its part of [0, 1) u lies, as a number in [0, 1): as good as a second one that was drawn.
+    // An index, and u remapped to [0, 1) within the interval of that index. The remapped number can be used as a second
+    // random number.
     struct Remapped {
         uint32_t index;
         float u;
@@ -80,7 +84,7 @@ public:
         const double part = (x - below) / (cumulative_[index] - below);
         return {index, std::min(static_cast<float>(part), largest_below_1)};
     }
-    // The same of eight, without jumps: nobody can predict them.
+    // The same for eight numbers, without branches, which could not be predicted.
     struct RemappedLanes {
         UInt8 index;
         Float8 u;
@@ -108,7 +112,7 @@ public:
     {
         return static_cast<float>((cumulative_[i] - (i ? cumulative_[i - 1] : 0)) / total_);
     }
-    // An index that is not below `first`, and its probability among these; 0 if they weigh nothing beside the others.
+    // Samples an index >= first; the probability is conditional on that range, 0 if the range has no weight.
     struct Choice {
         uint32_t index;
         float probability;
@@ -121,7 +125,7 @@ public:
         const auto i = std::min(static_cast<uint32_t>(it - cumulative_.begin()), static_cast<uint32_t>(size() - 1));
         return {i, static_cast<float>((cumulative_[i] - (i ? cumulative_[i - 1] : 0)) / rest)};
     }
-    // The part of all weight that the indices from `first` on have.
+    // The share of the total weight that indices >= first have.
     double share_from(uint32_t first) const { return first ? 1 - cumulative_[first - 1] / total_ : 1; }
 
 private:

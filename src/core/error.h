@@ -1,5 +1,5 @@
-// What goes wrong while loading and building. Problems are collected with their place in the input and thrown
-// once, all together; nothing is thrown while a tile is rendered.
+// Errors and warnings of loading and building. Problems are collected with their place in the input and thrown once,
+// all together. Nothing is thrown while a tile is rendered.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ inline std::string to_string(const Location& l)
     return s;
 }
 
-// Why something could not be done; decides the exit code of the program.
+// Category of an error; it decides the exit code of the program.
 enum class ErrorKind {
     failed,         // at run time: memory, cannot write (exit 1)
     usage,          // the command line (exit 2)
@@ -51,8 +51,8 @@ private:
     std::string text_;
 };
 
-// Collects errors and warnings. Warnings with the same message are counted under the first place they occurred,
-// so a million bad faces make one line.
+// Collects errors and warnings. Warnings with the same message are counted at the first place where they occurred, so
+// that a million bad faces give one line.
 class Diagnostics {
 public:
     struct Warning {
@@ -68,14 +68,14 @@ public:
         if (!text_.empty()) text_ += '\n';
         text_ += (where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message;
     }
-    // count > 1: for a caller that has counted the occurrences itself; where is then the first of them.
+    // count > 1: the caller has counted the occurrences; `where` is the first one.
     void warning(const Location& where, const std::string& message, uint64_t count = 1)
     {
         const auto [it, fresh] = index_.try_emplace(where.file + '\n' + message, warnings_.size());
         if (fresh) warnings_.push_back({where, message, 0});
         warnings_[it->second].count += count;
     }
-    // The warnings of another.
+    // Appends the warnings of another object.
     void append(const Diagnostics& other)
     {
         for (const Warning& w : other.warnings_) warning(w.where, w.message, w.count);

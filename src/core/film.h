@@ -1,5 +1,5 @@
-// Where samples end up. Sums are double and grow in blocks of 16 samples, so that a picture in several passes has the
-// bits of one pass.
+// The film: sums of samples per pixel. Sums are double and grow in blocks of 16 samples, so that a picture rendered in
+// several passes has the bits of one pass.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ inline constexpr uint32_t samples_per_block = 16;
 
 struct Pixel {
     std::array<double, 3> sum{};  // of radiance
-    double sum_sq = 0;            // of squared luminance: feeds the error estimate
-    uint32_t n = 0;               // samples that count; a non-finite one does not
+    double sum_sq = 0;            // of squared luminance, for the error estimate
+    uint32_t n = 0;               // number of finite samples
 
     Color mean() const
     {
@@ -33,7 +33,7 @@ struct Pixel {
     }
 };
 
-// Light of the samples of one replicate: see KernelSettings::replicates.
+// Radiance of the samples of one replicate; see KernelSettings::replicates.
 struct ReplicateSum {
     std::array<double, 3> sum{};
     uint32_t n = 0;
@@ -57,34 +57,34 @@ struct Film {
     uint32_t width = 0, height = 0;  // of the whole picture
     Tile crop;                       // the part that is rendered; pixels holds only that
     std::vector<Pixel> pixels;
-    // Sums for AOVs: all of the first pixel, then all of the next one. Empty if none is wanted: nobody then looks at
-    // what is hit first.
+    // Sums for AOVs, pixel by pixel; empty if no AOV is requested.
     AovLayout aov_layout;
     std::vector<double> aovs;
 
-    // Blocks that the last pass ended within and that the next one goes on with: parallel to pixels and to aovs, else
-    // empty: then only the first block can be gone on with, while there is nothing else in a pixel.
+    // Partial blocks: if a pass ended within a block, the next pass continues it. Parallel to pixels and to aovs, or
+    // empty: then only the first block can be continued, while the pixel holds nothing else.
     std::vector<Pixel> open;
     std::vector<double> open_aovs;
-    // If they are wanted, all of the first pixel, then all of the next one; else empty.
+    // Sums of each replicate, pixel by pixel; empty without replicates.
     std::vector<ReplicateSum> replicates;
 
-    // Samples that each pixel shall have, if they may end early: parallel to pixels, else empty. 0: not known yet.
+    // Adaptive sampling: number of samples of each pixel, 0 while it is unknown. Parallel to pixels; empty if all
+    // pixels get the same number.
     std::vector<uint32_t> wanted;
 
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
-    // Wants sums for AOVs. Nothing must have been rendered yet.
+    // Allocates sums for AOVs. Must be called before rendering.
     void keep_aovs(const AovLayout& layout) { aov_layout = layout, aovs.assign(pixels.size() * layout.size(), 0); }
-    // From now on a pass may end after any sample without a bit that differs. Aovs must be there before.
+    // Allows passes to end after any sample without changing the bits of the picture. AOVs must be allocated before.
     void keep_blocks_open() { open.resize(pixels.size()), open_aovs.resize(aovs.size()); }
-    // With what is open.
+    // The sums including partial blocks.
     Pixel whole(size_t i) const
     {
         Pixel p = pixels[i];
         if (!open.empty()) p += open[i];
         return p;
     }
-    // Double k of the sums for AOVs, likewise; see AovLayout::offset().
+    // Double k of a pixel's AOV sums including partial blocks; see AovLayout::offset().
     double whole_aov(size_t i, size_t k) const
     {
         const size_t at = i * aov_layout.size() + k;
@@ -95,11 +95,11 @@ struct Film {
     const Pixel& at(uint32_t x, uint32_t y) const { return pixels[index(x, y)]; }
 };
 
-// Samples of all pixels once each has `spp`, or as many as it wants if that is less.
+// Total number of samples when each pixel has `spp`, or its own number where that is less.
 uint64_t samples_wanted(const Film& film, uint32_t spp);
 
-// Relative mean squared error of the film as its own samples tell it: mean over pixels of var / n / (mean^2 + 0.01) in
-// luminance. An upper estimate: it takes the samples for independent, and Sobol' points do better.
+// Relative mean squared error estimated from the film's own samples: the mean over pixels of var / n / (mean^2 + 0.01)
+// in luminance. It is an upper estimate: it assumes independent samples, and Sobol' points converge faster.
 double estimate_rel_mse(const Film& film);
 
 }  // namespace lancer

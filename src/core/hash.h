@@ -1,4 +1,5 @@
-// Hashes: of bytes, to tell whether inputs changed; of numbers, to draw random ones by address. Not cryptographic.
+// Hash functions: of bytes, to detect changed inputs; of integers, for random numbers by address. They are not
+// cryptographic.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace lancer {
 
-// To hash several texts as one, pass the hash so far.
+// seed: the hash of the preceding bytes, if several texts are hashed as one.
 inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0)
 {
     constexpr uint64_t prime = 0x9E3779B185EBCA87u;

@@ -1,4 +1,4 @@
-// Pixels in memory: linear RGB, whole or a crop of a larger picture. Written and read by src/io, judged by src/report.
+// A picture in memory: linear RGB, whole or a crop of a larger picture.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Help for a mistyped name: the known name it was probably meant to be, and the end of the message that says so.
-// Used wherever a name is looked up in a list: keys and names of a scene file, options of the command line.
+// Suggestions for misspelled names: the known name that was probably meant, and the end of the error message. Used for
+// keys and names of scene files and for options of the command line.
 #pragma once
 
 #include <algorithm>
@@ -36,11 +36,11 @@ inline size_t edit_distance(std::string_view a, std::string_view b)
     return above[b.size()];
 }
 
-// The known name that `wrong` is probably a typo of: at most a third of its letters differ. The first of equals.
+// The most similar known name, if at most a third of its letters differ; the first one of equals.
 template <class Names>
 std::optional<std::string> nearest(std::string_view wrong, const Names& known)
 {
-    constexpr size_t longest = 64;  // nobody mistypes a longer name, and the search would take its time
+    constexpr size_t longest = 64;  // limits the time of the search
     std::optional<std::string> best;
     size_t best_distance = 0;
     for (const std::string_view name : known) {
@@ -56,7 +56,7 @@ std::optional<std::string> nearest(std::string_view wrong, const Names& known)
     return best;
 }
 
-// A name from a file as a message can show it: one line, no longer than a line, and no commands to the terminal.
+// A name from a file for use in a message: one line, of limited length, without control characters.
 inline std::string on_one_line(std::string_view name)
 {
     constexpr size_t longest = 200;  // room for a path

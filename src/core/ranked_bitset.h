@@ -1,4 +1,5 @@
-// Which of many things are marked, and how many of those that are marked come before one of them: two bits a thing.
+// A bit set with constant-time rank: has(i) tells whether bit i is set, before(i) counts the set bits below i. It takes
+// about two bits per entry.
 #pragma once
 
 #include <bit>
@@ -10,7 +11,7 @@ namespace lancer {
 class RankedBitset {
 public:
     RankedBitset() = default;
-    // Of [0, count) those of which is_marked(i).
+    // Sets bit i of [0, count) where is_marked(i).
     template <class IsMarked>
     RankedBitset(uint32_t count, const IsMarked& is_marked) : words_(count / 64 + 1)
     {
@@ -22,9 +23,9 @@ public:
         }
     }
 
-    bool empty() const { return words_.empty(); }  // of nothing
+    bool empty() const { return words_.empty(); }  // has no bits at all
     uint32_t marked() const { return marked_; }
-    // Of those that are not empty().
+    // Whether bit i is set, and the number of set bits below i. The set must not be empty().
     bool has(uint32_t i) const { return words_[i / 64].bits >> i % 64 & 1; }
     uint32_t before(uint32_t i) const
     {

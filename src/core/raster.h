@@ -1,5 +1,5 @@
-// A picture as its file stores it: what textures are made of. Filled by io/, turned into a texture once its use (colour
-// or data, which channel) is known.
+// A picture as its file stores it; the input of textures. io/ fills it, and the scene makes a texture of it once its
+// use (colour or data, which channel) is known.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Raster {
     size_t value_count() const { return size_t{width} * height * channels; }
 };
 
-// The numbers of a raster, linear: integers decoded as `encoding` says, floats as they stand. The raster must outlive
+// Linear values of a raster: integers are decoded by `encoding`, floats are taken as they are. The raster must outlive
 // it.
 class LinearValues {
 public:
@@ -43,9 +43,9 @@ private:
 // Linear RGB: integers decoded as `encoding` says, floats as they stand; alpha is dropped, grey becomes RGB.
 Image to_image(const Raster& raster, Encoding encoding);
 
-// A picture on its way. get() throws Error if it could not be read.
+// A picture that is being read. get() throws Error if it could not be read.
 using RasterFuture = std::shared_future<std::shared_ptr<const Raster>>;
-// Asks for the picture in a file; the same file asked for twice is read once.
+// Requests the picture of a file; each file is read once.
 using RasterSource = std::function<RasterFuture(const std::string& file)>;
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// Memory for many objects that need no constructor: nothing is written to it and no page of it is there before it is
-// used; in huge pages where the system has them.
+// Memory for many objects without running their constructors. No page is touched before it is used; large arrays use
+// huge pages where the system offers them.
 #pragma once
 
 #include <sys/mman.h>
@@ -27,7 +27,7 @@ public:
         bytes = (bytes + alignment - 1) / alignment * alignment;
         data_.reset(static_cast<T*>(std::aligned_alloc(alignment, bytes)));
         if (!data_) throw std::bad_alloc();
-        if (alignment == huge) madvise(data_.get(), bytes, MADV_HUGEPAGE);  // a wish: where it fails, nothing is lost
+        if (alignment == huge) madvise(data_.get(), bytes, MADV_HUGEPAGE);  // a hint; failure is harmless
     }
 
     T* get() { return data_.get(); }

@@ -1,4 +1,4 @@
-// A ray, and where the next one starts.
+// Rays, and the offset of ray origins from surfaces.
 #pragma once
 
 #include <bit>
@@ -10,23 +10,24 @@
 
 namespace lancer {
 
-// Points org + t dir with t_min <= t <= t_max. dir is unit up to rounding.
-// t_min is not 0 but far below what float can tell: a ray never hits where it starts, though the interval is closed.
+// The points org + t dir with t_min <= t <= t_max. dir is a unit vector up to rounding. t_min is not 0 but far below
+// the resolution of float: a ray never hits its own origin, although the interval is closed.
 struct Ray {
     Vec3 org;
     float t_min = 0x1p-60f;
     Vec3 dir;
     float t_max = std::numeric_limits<float>::infinity();
-    uint32_t key = 0;  // address of the random numbers that decide whether half-transparent surfaces stop it
-    // Hit::leaf_hint of what it starts on, of the accelerator that is asked: its search may begin there. Or nowhere.
+    uint32_t key = 0;  // address of the random numbers of the stochastic alpha test
+    // Hit::leaf_hint of the surface on which the ray starts, as the same accelerator returned it. The traversal may
+    // start in that leaf. no_leaf_hint: it starts at the root.
     uint32_t leaf_hint = no_leaf_hint;
     static constexpr uint32_t no_leaf_hint = UINT32_MAX;
 };
 
-// Of coordinates: below the magnitude that Embree takes for infinite.
+// Upper limit of coordinates, below the magnitude that Embree treats as infinite.
 inline constexpr float largest_traceable = 1.8e18f;
 
-// What accelerators accept: all finite but t_max.
+// Whether accelerators accept the ray: all numbers but t_max are finite, and the direction is not 0.
 inline bool is_traceable(const Ray& r)
 {
     constexpr float limit = largest_traceable;
@@ -43,8 +44,8 @@ constexpr float gamma(int n)
     return nu / (1 - nu);
 }
 
-// The next float beyond x in the direction of the sign of `by`; x itself where that is 0. std::nextafter() without its
-// branches on signs, which no processor can predict where rays go all ways.
+// The next float after x in the direction of the sign of `by`; x itself where `by` is 0. It replaces std::nextafter(),
+// whose branches on signs cannot be predicted for incoherent rays.
 inline float next_towards(float x, float by)
 {
     if (by == 0) return x;
@@ -55,23 +56,23 @@ inline float next_towards(float x, float by)
     return std::bit_cast<float>(bits + outwards);
 }
 
-// The same of each lane. What is not finite stays as it is: no ray starts there.
+// The same for eight lanes. Values that are not finite stay unchanged.
 inline Float8 next_towards(Float8 x, Float8 by)
 {
     const Mask8 bits = reinterpret_cast<Mask8>(x), direction = reinterpret_cast<Mask8>(by);
     const Float8 zero{};
-    // Unsigned, as the bits of -0 have no number below; what comes of them is not taken.
+    // Unsigned arithmetic: the bits of -0 have no predecessor; the result for zeros is discarded below.
     const UInt8 outwards = reinterpret_cast<UInt8>(((bits ^ direction) >> 31) | 1);
     const Float8 next = reinterpret_cast<Float8>(reinterpret_cast<UInt8>(bits) + outwards);
     const Float8 from_zero = reinterpret_cast<Float8>((direction & INT32_MIN) | 1);
     const Mask8 stays = (by == zero) | ~(abs(x) < std::numeric_limits<float>::infinity());
-    // By its bits: where denormals count as zero, they still have neighbours.
+    // Compares bits: with denormals-are-zero a denormal would compare equal to 0.
     return select(stays, x, select((bits << 1) == 0, from_zero, next));
 }
 
-// Origin of a ray that leaves a surface towards w: p moved along n by the bound `error` (absolute, per axis) of p's
-// own rounding, then to the next number outwards. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
-// section 6.8.6. n is unit; w decides the side.
+// Origin of a ray that leaves a surface in direction w: p is moved along n by the bound `error` (absolute, per axis) of
+// its rounding error, then to the next float outwards. n is a unit vector; w decides the side. Pharr, Jakob, Humphreys,
+// "Physically Based Rendering", 4th ed., section 6.8.6.
 template <class T>
 [[gnu::always_inline]] inline Vec3T<T> offset_origin(Vec3T<T> p, Vec3T<T> error, Vec3T<T> n, Vec3T<T> w)
 {

@@ -1,7 +1,7 @@
-// Random numbers by address: (seed, pixel, sample, branch, bounce, dimension). A number has no place in a queue, so
-// threads, tiles, batches and features left out never shift another's numbers.
-// Owen-scrambled Sobol' points, padded: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash
-// that scrambles is Laine and Karras', with the constants of Vegdahl.
+// Random numbers by address: (seed, pixel, sample, branch, bounce, dimension). A number depends on its address alone,
+// so threads, tiles, batches and disabled features never change the numbers of anything else. Padded Owen-scrambled
+// Sobol' points: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is Laine and Karras', with
+// Vegdahl's constants.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace lancer {
 
 enum class SamplerKind { sobol, independent };
 
-// Each purpose owns a group of three numbers: (u, v) from get2, w from get1. Of even ones and the next, which are
-// mostly asked for together, get2 computes both at once.
+// Each purpose has a group of three numbers: (u, v) by get2 and w by get1. get2 computes an even group and the next one
+// together, as most callers use both.
 enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, alpha, shadow_alpha };
 
 namespace sobol {
 
-// What follows is written once for one number, four and eight at once.
+// The functions below are templates for one, four and eight numbers at once.
 using UInt4 = uint32_t __attribute__((vector_size(16)));
 
 constexpr uint32_t reverse_bits(uint32_t x)
@@ -32,7 +32,7 @@ constexpr uint32_t reverse_bits(uint32_t x)
     x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
     return (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
 }
-// Of several: the bytes turned round, and each half of a byte looked up.
+// For vectors: reverses the bytes and looks up each half of a byte.
 struct alignas(16) SixteenBytes : std::array<uint8_t, 16> {};
 inline constexpr SixteenBytes last_byte_first{{3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12}};
 inline constexpr SixteenBytes reversed_half{{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15}};
@@ -73,7 +73,7 @@ constexpr T mix32(T x)
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
 }
-// A coordinate that is bit-reversed still. hash: of the group of numbers, its upper half.
+// Scrambles a bit-reversed coordinate. hash: the upper half of the group's hash.
 template <class T>
 constexpr T scrambled(T reversed, T hash, T dimension)
 {
@@ -115,26 +115,26 @@ constexpr uint32_t third_reversed(uint32_t i)
 
 class Sampler {
 public:
-    // pixel: y * width + x in the whole picture; sample: index within the pixel; branch: tells siblings of one path
-    // apart (0 until a path splits).
+    // pixel: y * width + x in the whole picture; sample: index within the pixel; branch: distinguishes the rays of one
+    // path after it splits (0 before).
     Sampler(SamplerKind kind, uint64_t seed, uint64_t pixel, uint32_t sample, uint32_t branch)
         : kind_(kind), sample_(sample), key_(key_of(seed, pixel, branch))
     {
     }
-    // key: of key_of().
+    // key: from key_of().
     Sampler(SamplerKind kind, uint64_t key, uint32_t sample) : kind_(kind), sample_(sample), key_(key) {}
-    // The address as far as it is the same for all samples of a pixel.
+    // Hash of the part of the address that all samples of a pixel share.
     static constexpr uint64_t key_of(uint64_t seed, uint64_t pixel, uint32_t branch)
     {
         return mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) ^ (pixel * 0xd1342543de82ef95ull + branch));
     }
-    // Of a group of numbers, but for the sample.
+    // Hash of a group of numbers, without the sample.
     template <class T>
     static constexpr T hash_of(T key, uint32_t bounce, Dim dim)
     {
         return mix_bits(key + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
     }
-    // Independent numbers of a sample in the group of that hash.
+    // Independent numbers of a sample, given the hash of the group.
     static Vec2 independent2(uint64_t hash, uint32_t sample)
     {
         const uint64_t r = mix_bits(hash + sample * 0x9e3779b97f4a7c15ull);
@@ -144,7 +144,7 @@ public:
     {
         return to_unit(static_cast<uint32_t>(mix_bits(~hash + sample * 0x9e3779b97f4a7c15ull) >> 32));
     }
-    // The numbers of another sample of the pixel.
+    // The sampler of another sample of the same pixel.
     Sampler of_sample(uint32_t sample) const
     {
         Sampler other = *this;
@@ -170,8 +170,8 @@ public:
         return to_unit(sobol::scrambled(sobol::third_reversed(shuffled(h)), static_cast<uint32_t>(h >> 32), 3u));
     }
 
-    // Computes what get2(bounce, dim), and that of the group that dim makes a pair with, will say of each: eight at
-    // once cost a third of what they cost one by one. At most eight.
+    // Computes get2(bounce, dim) and that of the paired group for up to eight samplers in SIMD lanes, which costs a
+    // third of computing them one by one. The samplers keep the results.
     struct SampleRequest {
         const Sampler* sampler;
         uint32_t bounce;
@@ -205,16 +205,16 @@ public:
         }
     }
 
-    // 32 bits that tell this address from all others: for numbers that need more to their address, see Ray::key.
+    // A 32-bit hash of the address, for Ray::key.
     uint32_t key(uint32_t bounce, Dim dim) const { return key(group(bounce, dim), sample_); }
-    // The same of a sample in the group of that hash.
+    // The same, given the hash of the group.
     static uint32_t key(uint64_t hash, uint32_t sample)
     {
         return static_cast<uint32_t>(mix_bits(hash + sample * 0x9e3779b97f4a7c15ull) >> 32);
     }
 
 private:
-    // get2 of two groups, in four lanes: a third of the instructions of computing each number by itself.
+    // get2 of two groups in four lanes: a third of the instructions of computing each number alone.
     std::array<Vec2, 2> compute_pair(uint32_t bounce, uint32_t first) const
     {
         using namespace sobol;
@@ -240,12 +240,13 @@ private:
     SamplerKind kind_;
     uint32_t sample_;
     uint64_t key_;
-    // What compute_pair() or prepare() said last; a Sampler is used by one thread.
+    // The last result of compute_pair() or prepare(). A Sampler is used by one thread.
     mutable uint32_t pair_bounce_ = 0, pair_first_ = UINT32_MAX;
     mutable std::array<Vec2, 2> pair_{};
 };
 
-// Collects samplers that will be asked for the same group of numbers. They must stay where they are until prepare().
+// Collects samplers whose numbers of one group will be needed, and computes them together. The samplers must not move
+// before prepare().
 template <size_t most>
 class SampleRequests {
 public:

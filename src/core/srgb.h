@@ -7,7 +7,7 @@
 
 namespace lancer {
 
-// How the numbers of an integer picture are meant: colours for the eye, or plain data (roughness, bump, normals).
+// Meaning of the integers of a picture: sRGB colours, or linear data (roughness, bump, normals).
 enum class Encoding { srgb, linear };
 
 inline double linear_from_srgb(double encoded)
@@ -19,7 +19,7 @@ inline double srgb_from_linear(double linear)
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-// The linear value of each of `steps` integers, 0 to 1; 256 or 65536 are the common numbers.
+// Linear values of the integers 0 to steps - 1; steps is usually 256 or 65536.
 inline std::vector<float> make_linear_table(Encoding encoding, size_t steps)
 {
     std::vector<float> table(steps);

@@ -1,4 +1,4 @@
-// What can be switched on or off in a render: --set NAME=true|false, or NAME in [render].
+// The switches of a render: --set NAME=true|false, or NAME in [render].
 #pragma once
 
 #include <array>
@@ -10,25 +10,25 @@ namespace lancer {
 enum class Switch {
     nee,           // next-event estimation: a shadow ray to a sampled light at each vertex
     mis,           // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
-    direct,        // light that reaches a surface straight from a light
-    indirect,      // light that comes by way of other surfaces
-    emitters,      // what emits is seen by the camera, also in mirrors and through glass
+    direct,        // direct illumination
+    indirect,      // indirect illumination
+    emitters,      // emission seen by the camera, directly or by mirrors and glass
     fresnel,       // smooth boundaries reflect and refract by the Fresnel equations; off: glass only refracts
-    soft_shadows,  // spheres of light cast shadows as large as they are; off: as from their centres
+    soft_shadows,  // sphere lights cast soft shadows; off: sampled at their centres
     always_nee,    // also where sampling the BSDF finds the same light with the same density
-    light_tree,    // of many lights one is chosen by what it may send to the place; off: by power alone
-    split,         // paths split into several where that pays; see render/estimators/pilot.h
-    roulette,      // by what the pixel shows; off: by the throughput alone
+    light_tree,    // many lights are sampled by their importance at the point; off: by power alone
+    split,         // paths split at their first diffuse or rough vertex; see render/estimators/pilot.h
+    roulette,      // adjoint-driven Russian roulette; off: by the throughput alone
     stop,          // end a pixel whose mean is known well enough
-    multiscatter,  // rough metal loses no light between its facets
-    terminator,    // softer edges of shadow on smoothed meshes
-    legacy,        // the ways of the two programs that this one grew from, their faults included
+    multiscatter,  // energy compensation for multiple scattering of rough metal
+    terminator,    // shadow terminator fix for smooth normals
+    legacy,        // the methods of the two programs that lancer replaces, with their faults
 };
 inline constexpr std::array<std::string_view, 15> switch_names{
     "nee",        "mis",   "direct",   "indirect", "emitters",     "fresnel",    "soft_shadows", "always_nee",
     "light_tree", "split", "roulette", "stop",     "multiscatter", "terminator", "legacy"};
 
-// What somebody said of them.
+// Values of switches that a source gives explicitly.
 using SaidSwitches = std::array<std::optional<bool>, switch_names.size()>;
 
 class Switches {

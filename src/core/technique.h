@@ -1,11 +1,11 @@
-// Which switches say how a picture is found, and not what it is.
+// Which switches change only how a picture is computed.
 #pragma once
 
 #include "core/switches.h"
 
 namespace lancer {
 
-// Whether a switch leaves the mean of the picture alone.
+// Whether a switch leaves the expected value of the picture unchanged.
 constexpr bool is_technique(Switch x)
 {
     return x == Switch::nee || x == Switch::mis || x == Switch::always_nee || x == Switch::light_tree ||

@@ -15,7 +15,8 @@ constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 constexpr Vec2 operator*(Vec2 a, float s) { return {a.x * s, a.y * s}; }
 
-// Texture coordinates of a place: those of a plane may be millions, and still say where between two texels it lies.
+// Texture coordinates in double: on a plane they may be millions and must still resolve the position between two
+// texels.
 struct Vec2d {
     double x = 0, y = 0;
 
@@ -86,8 +87,7 @@ T length(Vec3T<T> a)
 {
     return std::sqrt(dot(a, a));
 }
-// The zero vector gives NaN; callers that can meet it check first. Always inlined: not all calls were, and what is
-// handed over and returned in memory is waited for.
+// The zero vector gives NaN; callers check where it can occur. Always inlined: passing vectors through memory stalls.
 template <class T>
 [[gnu::always_inline]] inline Vec3T<T> normalize(Vec3T<T> a)
 {
@@ -115,7 +115,7 @@ constexpr Vec3 to_float(Vec3d a) { return {static_cast<float>(a.x), static_cast<
 inline constexpr float pi = 3.14159265358979323846f;
 inline constexpr double pi_d = 3.14159265358979323846;
 
-// The axis along which a direction goes most.
+// The axis of the largest component.
 template <class T>
 int largest_axis(const Vec3T<T>& dir)
 {

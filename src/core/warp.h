@@ -1,5 +1,4 @@
-// From the unit square to other domains, each with its density.
-// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., appendix A.5.
+// Mappings from the unit square to other domains, with their densities.
 #pragma once
 
 #include "core/lanes/vec.h"
@@ -23,7 +22,7 @@ inline SinCosT<T> sin_cos_2pi(T u)
     const T s = a + a * a2 * (-1.6666654611e-1f + a2 * (8.3321608736e-3f - a2 * 1.9515295891e-4f));
     const T c = 1.0f - 0.5f * a2 +
                 a2 * a2 * (4.166664568298827e-2f + a2 * (-1.388731625493765e-3f + a2 * 2.443315711809948e-5f));
-    // Which of them, and with which sign: without a jump, as nothing could predict it.
+    // Selects polynomial and sign without branches, which could not be predicted.
     const auto quadrant = to_whole(q);
     const auto odd = is_odd(quadrant);
     return {negated(select(odd, c, s), quadrant >> 1 & 1u), negated(select(odd, s, c), (quadrant + 1u) >> 1 & 1u)};

@@ -1,16 +1,16 @@
-// Triangles on whose edges rays in lanes run, as far as float can tell.
+// Triangles whose edges rays hit within the rounding of float, for SIMD lanes.
 #pragma once
 
 #include "core/lanes/lanes.h"
 
 namespace lancer {
 
-// In each lane a triangle's corners, of a ray that is the third axis of a sheared space: see triangle_float.h.
+// The corners of a triangle in each lane, in the sheared space of a ray; see triangle_float.h.
 struct ShearedLanes {
     Float8 ax, ay, bx, by, cx, cy;
 };
 
-// Those of the lanes whose triangles contain the origin by the signs of the edge functions in double.
+// The lanes whose triangle contains the origin by the signs of the edge functions in double.
 uint32_t contain_origin(uint32_t lanes, const ShearedLanes& s);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// All that rays can hit, as plain arrays: what an accelerator is built from. Shading data lives elsewhere.
+// The geometry of a scene as plain arrays: the input of accelerators. It contains no shading data.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,17 @@ namespace lancer {
 
 struct Geometry;
 
-// Surfaces with holes: cut-outs and what stops only a part of the rays. Accelerators ask at every hit of a primitive
-// that is marked; a function pointer, so that nothing of shading is known here.
+// The stochastic alpha test of surfaces with an opacity below 1. Accelerators call it at every hit of a marked
+// primitive. It is a function pointer, so that geometry does not depend on shading.
 struct AlphaTest {
-    // Whether the ray goes through the surface at the hit, of which t and uv are refined. The same (ray.key, primitive,
-    // side of a sphere) gets the same answer, however often and in whatever order it is asked; ray.t_max, which
-    // shortens while accelerators search, has no part in it. Null: nothing has holes.
+    // Whether the ray passes through the surface at the hit, whose t and uv are refined. The result depends on
+    // (ray.key, primitive, side of a sphere) only, not on the order of calls or on ray.t_max, which shrinks during
+    // traversal. Null: all surfaces are opaque.
     bool (*passes_through)(const void* context, const Ray& ray, const Hit& hit) = nullptr;
     const void* context = nullptr;
-    // Parallel to Geometry::meshes: of each triangle whether to ask; empty where a mesh has none that is to be asked
-    // about. Most of a mesh with a few leaves in it then costs next to nothing.
+    // Parallel to Geometry::meshes: for each triangle whether to call the test; empty for a mesh that is opaque.
     std::vector<std::vector<uint8_t>> meshes;
-    bool spheres = false, planes = false;  // whether any is
+    bool spheres = false, planes = false;  // whether any of them needs the test
 };
 
 struct Geometry {
@@ -32,8 +31,8 @@ struct Geometry {
     AlphaTest alpha_test;
 };
 
-// Whether there are more triangles than the caches next to the processor hold, so that it pays to ask for those that
-// were hit before they are looked at. For a batch, not for each ray.
+// Whether the triangles exceed the caches, so that prefetching the triangles of a batch of hits pays off. Call it once
+// per batch.
 inline bool exceeds_caches(const Geometry& g)
 {
     constexpr size_t most = 8192;
@@ -43,8 +42,8 @@ inline bool exceeds_caches(const Geometry& g)
     return false;
 }
 
-// t and uv of a hit from its primitive alone, in double and then rounded: the same bits whichever accelerator found
-// it. Only (instance, geometry, primitive, kind, exit) of `hit` are read.
+// Computes t and uv of a hit from its primitive, in double and then rounded: the bits are the same whichever
+// accelerator found it. Only (instance, geometry, primitive, kind, exit) of `hit` are read.
 inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
 {
     switch (hit.kind) {
@@ -66,8 +65,8 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
                 org = m.point(org);
                 dir = m.vector(dir);
             }
-            // Seen exactly from its edge the triangle has no such place: its first corner, whichever accelerator says
-            // so.
+            // A triangle seen exactly edge-on has no intersection point: its first corner is used for every
+            // accelerator.
             const auto h = intersect_plane_of(g.meshes[hit.geometry], hit.primitive, org, dir)
                                .value_or(TriangleHit{hit.t, 0, 0, true});
             const double u = std::clamp(h.u, 0.0, 1.0);
@@ -79,7 +78,7 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
     return hit;
 }
 
-// Where a sphere or plane stops a ray: its nearest hit, refined, in [t_min, t_max] that does not let the ray pass.
+// The nearest hit of a sphere or plane in [t_min, t_max] that passes the alpha test, refined.
 template <Kind kind>
 Hit first_opaque_hit(const Geometry& g, uint32_t primitive, const Ray& ray)
 {

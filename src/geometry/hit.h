@@ -1,4 +1,4 @@
-// What a ray met. Everything else about the place is derived later, once, by surface_at().
+// A ray hit. surface_at() computes everything else from it.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct Hit {
     uint32_t geometry = 0;   // triangle: index of the mesh; else 0
     uint32_t primitive = 0;  // index of the triangle, sphere or plane
     Vec2 uv;                 // triangle: barycentric weights of the second and third corner, in [0, 1], sum <= 1
-    Kind kind = Kind::none;  // none: the ray left the scene
-    bool exit = false;       // sphere: where the ray leaves the ball, not where it enters
-    uint32_t leaf_hint = UINT32_MAX;  // where in itself the accelerator found it, for Ray::leaf_hint; or nowhere
+    Kind kind = Kind::none;  // none: a miss
+    bool exit = false;       // sphere: the ray leaves the sphere here
+    uint32_t leaf_hint = UINT32_MAX;  // the accelerator's leaf of the hit, for Ray::leaf_hint; or Ray::no_leaf_hint
 
     explicit operator bool() const { return kind != Kind::none; }
 };

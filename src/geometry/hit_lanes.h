@@ -1,4 +1,4 @@
-// Eight hits, a number of each to a register.
+// Eight hits in SIMD registers.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ static_assert(offsetof(Hit, primitive) == offsetof(Hit, t) + 12 && offsetof(Hit,
 struct HitLanes {
     Float8 t, u, v;
     UInt8 geometry, primitive, leaf_hint;
-    Mask8 exist;  // which are any
+    Mask8 exist;  // lanes with a hit
 
-    // Those that stand there, one behind the other.
+    // Loads eight consecutive hits.
     explicit HitLanes(const Hit* hits)
     {
         const RowLanes where = transpose([&](size_t i) { return load4(&hits[i].t); });

@@ -1,6 +1,6 @@
-// Spheres and planes that no tree is good for: walls around a whole scene, and the few shapes of a scene that has no
-// others. Each ray is tried with each of them, four rays at once, with the arithmetic of crossing() and intersect() in
-// shapes.h and therefore their bits.
+// Spheres and planes that are tested for every ray instead of being in a BVH: walls around the scene, and all shapes of
+// a scene that has few. Four rays are tested at once with the arithmetic of crossing() and intersect() in shapes.h, and
+// therefore with their bits.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace lancer {
 
-// Which shapes: all that few are, or of many spheres those beyond which everything smaller is a speck. Shapes with
-// holes are left to the accelerator.
+// The selected shapes: all spheres and planes if there are few, else the spheres that are much larger than all others.
+// Shapes with an alpha test stay in the accelerator.
 struct LargeShapes {
     std::vector<uint32_t> spheres, planes;  // numbers in the Geometry, ascending
 
@@ -25,7 +25,7 @@ struct RayLanes {
     Vec3T<Double4> org, dir;
     Double4 t_min, t_max, dir2;  // dir2: dot(dir, dir)
 
-    // Lanes first to first + 3 of rays laid out as Embree's are: arrays org_x, dir_x, tnear, tfar ...
+    // Rays first to first + 3 of a packet in Embree's layout: arrays org_x, dir_x, tnear, tfar ...
     template <class Rays>
     RayLanes(const Rays& r, uint32_t first)
         : org{load(r.org_x + first), load(r.org_y + first), load(r.org_z + first)},
@@ -37,14 +37,14 @@ struct RayLanes {
     }
 };
 
-// Where each ray meets a shape first, not before t_min; t_max has no part in it.
+// The first hit of each ray after t_min; t_max is ignored.
 struct StopLanes {
-    Double4 t;  // as it is stored in float
-    Mask4 ok;   // it does
+    Double4 t;  // rounded to float
+    Mask4 ok;   // there is a hit
     Mask4 exit;
 };
 
-// Of each lane a sphere.
+// One sphere per lane.
 struct SphereLanes {
     Vec3T<Double4> center;
     Double4 radius;
@@ -71,7 +71,7 @@ inline StopLanes stop(const SphereLanes& s, const RayLanes& r)
     const Double4 discriminant = r.dir2 * (radius2 - dot(nearest, nearest));
     const Double4 distance = sqrt(dot(oc, oc));
     const Double4 c = (distance - radius) * (distance + radius);
-    const Double4 q = b + copysign(sqrt(discriminant), b);  // NaN where there is no crossing, and so is the rest
+    const Double4 q = b + copysign(sqrt(discriminant), b);  // NaN where there is no intersection
     const Double4 t0 = c / q, t1 = q / r.dir2;
     const Mask4 swapped = t0 > t1;
     const Double4 enter = as_stored(select(swapped, t1, t0)), leave = as_stored(select(swapped, t0, t1));
@@ -80,9 +80,9 @@ inline StopLanes stop(const SphereLanes& s, const RayLanes& r)
     return {t, (t >= r.t_min) & (q != 0), exit};
 }
 
-// The ray is sure not to meet the sphere from 0 to `end`, said without a root or a quotient; false decides nothing. It
-// starts outside, and heads away, or would meet it beyond `end`, or passes by. The margins are far above all rounding:
-// that of stop(), which near the silhouette is half of double's digits, and that of t to float.
+// Whether a ray certainly misses a sphere between 0 and `end`, without a square root or a division; false is undecided.
+// True if the origin is outside and the ray points away, passes by, or would hit beyond `end`. The margins exceed all
+// rounding errors, including that of stop() near the silhouette.
 inline Mask4 surely_misses(const Sphere& s, const RayLanes& r, Double4 end)
 {
     const Double4 radius2 = broadcast(s.radius * s.radius);
@@ -94,8 +94,8 @@ inline Mask4 surely_misses(const Sphere& s, const RayLanes& r, Double4 end)
     return (outside > 0) & ((b <= 0) | ends_before | (b * b < r.dir2 * outside));
 }
 
-// For eight rays the sphere that each probably meets first: the place in `order` of one that is tried first then lets
-// most others be left out. Nothing depends on it but time. rays: as Embree's.
+// For eight rays the sphere that each one probably hits first. Testing it first rules out most others. It affects speed
+// only. rays: in Embree's layout.
 template <class Rays>
 std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& spheres, const std::vector<uint32_t>& order,
                                                  const Rays& r)
@@ -111,7 +111,7 @@ std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& sphe
         const auto radius = static_cast<float>(s.radius);
         const Vec3T<Float8> oc = org - Vec3T<Float8>{broadcast(center.x), broadcast(center.y), broadcast(center.z)};
         const Float8 oc2 = dot(oc, oc), b = -dot(oc, dir), c = oc2 - radius * radius;
-        // On the surface, as far as float tells, is outside: most rays leave one.
+        // An origin on the surface counts as outside: most rays leave a surface.
         const Float8 t = b - copysign(sqrt(b * b - c), c + oc2 * 0x1p-16f);
         const Mask8 nearer = (t > 0.0f) & (t < first);
         first = select(nearer, t, first);

@@ -1,5 +1,5 @@
-// Boxes of what an accelerator keeps a tree over besides triangles: spheres and instances of meshes. In float, and wide
-// enough for what rounding does to a ray and to its hit.
+// Boxes of spheres and mesh instances for the hand-written accelerators, in float and enlarged by the rounding errors
+// of rays and hits.
 #pragma once
 
 #include "core/transform.h"
@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-// Of a sphere, whose hits are computed in double from the float ray: near its silhouette half of double's digits count.
+// Box of a sphere, whose hits are computed in double from the float ray: near its silhouette half of double's digits
+// are lost.
 inline FloatBox box_of(const Sphere& s)
 {
     const double r = s.radius * (1 + 0x1p-20);
@@ -17,7 +18,7 @@ inline FloatBox box_of(const Sphere& s)
     return rounded_outwards(s.center - reach, s.center + reach);
 }
 
-// Of what is finite of them.
+// Box of the finite triangles.
 inline FloatBox box_of(const TriangleSet& triangles)
 {
     FloatBox box;
@@ -29,8 +30,8 @@ inline FloatBox box_of(const TriangleSet& triangles)
     return box;
 }
 
-// Of a box of a mesh, not empty, that is placed in the scene. In the mesh's space the ray is rounded to float, so that
-// it passes by a few ulps of the coordinates there from where it should.
+// Box of an instance of a mesh with a non-empty box. In the mesh's space the ray is rounded to float, so that it is off
+// by a few ulps of the coordinates.
 inline FloatBox box_of(const FloatBox& in_mesh, const Transform& to_world)
 {
     constexpr double ulps = gamma(8);

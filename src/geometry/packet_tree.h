@@ -1,4 +1,4 @@
-// What a tree over a TriangleSet offers that takes rays by eights.
+// The concept of a triangle tree that is traversed by packets of eight rays.
 #pragma once
 
 #include "geometry/ray_packets.h"
@@ -9,16 +9,16 @@ namespace lancer {
 // The nearest triangles of eight rays.
 struct PacketHits {
     static constexpr uint32_t none = UINT32_MAX;
-    Float8 t;  // at first as far as the rays go
+    Float8 t;  // initially t_max of the rays
     UInt8 number = UInt8{} + none;
 };
 
-// A TriangleTree that offers, too:
+// A TriangleTree with these additional functions:
 //   void closest(const ShearedPacket&, PacketHits& best, const Counts& counts) const;
-//       nearer ones than `best`. counts(met, number, t): which of the lanes that meet the triangle at t count it.
+//       finds hits nearer than `best`. counts(met, number, t): the lanes of `met` for which the triangle at t counts.
 //   uint32_t any(const ShearedPacket&, const Counts& counts) const;
-//       bit i: ray i meets one that counts
-// The answer for a ray is that of the single one, whatever the others.
+//       bit i: ray i hits a triangle that counts
+// The result of a ray does not depend on the others.
 template <class T>
 concept PacketTree = TriangleTree<T> &&
     requires(const T t, const ShearedPacket& rays, PacketHits& best, Mask8 (*counts)(Mask8, uint32_t, Float8))

@@ -1,4 +1,4 @@
-// Rays in registers: one, with its numbers as they lie in memory, the fourth lanes holding what comes behind; or eight.
+// Rays in SIMD registers: one ray as it lies in memory, or eight rays as structure of arrays.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +18,17 @@ static_assert(offsetof(Ray, t_min) == offsetof(Ray, org) + 12 && offsetof(Ray, t
 inline Float4 org_and_t_min(const Ray& r) { return load4(&r.org.x); }
 inline Float4 dir_and_t_max(const Ray& r) { return load4(&r.dir.x); }
 
-// Eight rays, a number of each to a register.
+// Eight rays as structure of arrays.
 struct RayPacket {
     Vec3T<Float8> org, dir;
     Float8 t_min, t_max;
 
-    // One to eight of them; the last one fills the lanes that are left.
+    // One to eight rays; the last one fills the remaining lanes.
     explicit RayPacket(std::span<const Ray> rays)
         : RayPacket(rays.size(), [&](size_t i) -> const Ray& { return rays[i]; })
     {
     }
-    // Those of the rays, likewise.
+    // The rays with these indices, likewise.
     RayPacket(std::span<const Ray> rays, std::span<const uint32_t> which)
         : RayPacket(which.size(), [&](size_t i) -> const Ray& { return rays[which[i]]; })
     {
@@ -48,13 +48,13 @@ private:
     }
 };
 
-// Of those that stand there, one behind the other.
+// Directions of eight consecutive rays.
 inline Vec3T<Float8> directions_of_eight(const Ray* rays)
 {
     return transpose([&](size_t i) { return dir_and_t_max(rays[i]); }).xyz;
 }
 
-// Of each ray whether accelerators accept it: is_traceable() of a single one.
+// is_traceable() of each ray.
 inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_min, Float8 t_max)
 {
     const auto limited = [](const Vec3T<Float8>& v) {
@@ -67,8 +67,8 @@ inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Fl
 }
 inline Mask8 is_traceable(const RayPacket& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
 
-// Writes the wanted rays, in order, and says how many; their keys stay what they are. to: room for eight, of which
-// those behind the last become anything.
+// Writes the selected rays, in order, and returns their number; their keys stay unchanged. to: room for eight rays;
+// entries behind the last one are undefined.
 inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_max)
 {
     const Packing packing(wanted);
@@ -88,15 +88,14 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
     return static_cast<size_t>(std::popcount(wanted));
 }
 
-// Where the rays that were written so start: Ray::leaf_hint of the wanted lanes. No loop over these, the number of
-// which nobody can predict. to: likewise.
+// Sets Ray::leaf_hint of rays that store_rays() wrote; without a loop over their unpredictable number. to: likewise.
 inline void store_leaf_hints(Ray* to, uint32_t wanted, UInt8 start)
 {
     const UInt8 packed = Packing(wanted)(start);
     for (size_t i = 0; i < float_lanes; ++i) to[i].leaf_hint = packed[i];
 }
 
-// The axes of a space in which a ray goes along the third one most; in the order of the hand.
+// A right-handed order of the axes in which the third one is the ray's largest.
 struct alignas(16) AxisOrder {
     std::array<uint32_t, 4> axes;
 
@@ -106,7 +105,7 @@ struct alignas(16) AxisOrder {
     }
 };
 
-// By largest_axis(), without branches: nobody can predict the largest axis of a ray.
+// By largest_axis(), without branches, which could not be predicted.
 inline const AxisOrder& axis_order(Vec3 dir)
 {
     static constexpr std::array<AxisOrder, 4> of{{{{1, 2, 0, 3}}, {{2, 0, 1, 3}}, {{0, 1, 2, 3}}, {{0, 1, 2, 3}}}};

@@ -1,4 +1,4 @@
-// Rays by eights that go along the same axis most, so that what turns a triangle's axes to theirs is done once for all.
+// Packets of eight rays with the same largest axis, so that a triangle is permuted once for all of them.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,16 @@
 
 namespace lancer {
 
-// Eight rays in a space of which the third axis is that along which they all go most; as ShearedRay of
-// triangle_float.h.
+// Eight rays in a space whose third axis is their common largest one; see ShearedRay in triangle_float.h.
 struct ShearedPacket {
-    RayPacket rays;              // in the scene's own space
-    Mask8 valid;                 // those that are there and traceable
-    std::array<size_t, 3> axes;  // the order, as AxisOrder
+    RayPacket rays;              // in world space
+    Mask8 valid;                 // active and traceable lanes
+    std::array<size_t, 3> axes;  // as in AxisOrder
     Vec3x8 org;
-    Float8 sx, sy, sz;  // along the third axis: dir as its third number is 1, and 1 / that number
+    Float8 sx, sy, sz;  // shear of the ray, and 1 / dir.z
     Float8 length_z;    // of dir
 
-    // One to eight of the rays, all of one largest_axis().
+    // One to eight rays with the same largest_axis().
     ShearedPacket(std::span<const Ray> all, std::span<const uint32_t> which)
         : rays(all, which), valid(is_traceable(rays) & first_lanes(which.size()))
     {
@@ -36,7 +35,7 @@ struct ShearedPacket {
     }
 };
 
-// f(which) for one to eight rays of one largest_axis() at a time, until all had their turn.
+// Calls f(which) for packets of one to eight rays with the same largest_axis() until all rays are covered.
 template <class F>
 void for_each_packet(std::span<const Ray> rays, const F& f)
 {

@@ -1,5 +1,5 @@
-// refine() of geometry.h for a batch, four triangles at once: the same bits. What is looked up for one hit does not
-// wait for another one, and no branch depends on where rays go.
+// refine() for a batch of hits, four triangles at once, with the same bits. The cache misses of different hits overlap,
+// and no branch depends on the rays.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// hits[i]: what rays[i] met. Spheres and planes stay as they are: first_opaque_hit() gave them refined.
+// Refines hits[i] of rays[i]. Spheres and planes stay unchanged: first_opaque_hit() has refined them.
 void refine_all(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits);
 
 }  // namespace lancer

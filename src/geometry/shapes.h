@@ -1,6 +1,5 @@
-// What a ray can hit: data, bounds and intersection of each shape, written once. The callbacks of Embree, the
-// hand-written accelerators and the list all call these. All in double: with a wall sphere of radius 1e5 every float
-// formula errs by up to 0.4, double by 6e-5.
+// The shapes: data, bounds and intersection of each, written once for Embree's callbacks, the hand-written accelerators
+// and the list. All in double: for a wall sphere of radius 1e5 every float formula errs by up to 0.4, double by 6e-5.
 #pragma once
 
 #include <array>
@@ -16,18 +15,18 @@
 namespace lancer {
 
 struct Mesh {
-    // Of vertices; behind each there may be a row more for who shades, who then finds it in the line of memory that was
-    // just read. And one more than used, at the end: Embree reads 16 bytes at a time.
+    // Vertices, each followed by a second row if rows is 2: its normal, in the same cache line. One entry more than
+    // used: Embree reads 16 bytes at a time.
     std::vector<Vec3> positions;
-    std::vector<std::array<uint32_t, 3>> triangles;  // of positions; counter-clockwise from the side of the normal
-    uint32_t rows = 1;                               // of each vertex
-    bool instanced = false;                          // drawn only where instances place it, else as it is
+    std::vector<std::array<uint32_t, 3>> triangles;  // vertex indices; counter-clockwise seen from the front
+    uint32_t rows = 1;                               // entries per vertex
+    bool instanced = false;                          // only drawn as instances
 
     size_t vertices() const { return (positions.size() - 1) / rows; }
     const Vec3& vertex(size_t i) const { return positions[i * rows]; }
 };
 
-// A mesh in another place. Maps are between the mesh's own space and the scene's.
+// An instance of a mesh, with the maps between the mesh's own space and the scene's.
 struct Instance {
     uint32_t mesh = 0;
     Transform to_world, to_mesh;
@@ -44,7 +43,7 @@ struct Plane {
     double offset = 0;
 };
 
-// Planes end here, in scene units: far beyond what float can tell from the horizon, well below what Embree drops.
+// Extent of planes in scene units: far beyond the resolution of float at the horizon, below the limit of Embree.
 inline constexpr double plane_extent = 1e15;
 
 inline Bounds bounds(const Sphere& s)
@@ -53,7 +52,7 @@ inline Bounds bounds(const Sphere& s)
     return {s.center - r, s.center + r};
 }
 
-// A slab without thickness where the plane is perpendicular to an axis, so that it spoils little of a hierarchy.
+// A slab of zero thickness if the plane is perpendicular to an axis, so that it affects a BVH little.
 inline Bounds bounds(const Plane& p)
 {
     const auto lower = [&](double n) { return std::abs(n) < 1 ? -plane_extent : p.offset * n; };
@@ -62,15 +61,14 @@ inline Bounds bounds(const Plane& p)
             {upper(p.normal.x), upper(p.normal.y), upper(p.normal.z)}};
 }
 
-// Whether a ray goes so far. Asked of t as it will be stored, so that an answer does not depend on what was found
-// before.
+// Whether t lies in the ray's interval after rounding to float, so that a result does not depend on the order of tests.
 inline bool reaches(const Ray& ray, double t)
 {
     const auto stored = static_cast<float>(t);
     return stored >= ray.t_min && stored <= ray.t_max;
 }
 
-// Where a line enters a ball and where it leaves it; enter <= exit.
+// The parameters at which a line enters and leaves a sphere; enter <= exit.
 struct Crossing {
     double enter, exit;
 };
@@ -94,7 +92,7 @@ inline std::optional<Crossing> crossing(const Sphere& s, const Ray& ray)
     return Crossing{t0, t1};
 }
 
-// Nearest t in [t_min, t_max].
+// The nearest t in [t_min, t_max].
 inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
 {
     const auto c = crossing(s, ray);
@@ -106,14 +104,14 @@ inline std::optional<double> intersect(const Sphere& s, const Ray& ray)
 inline std::optional<double> intersect(const Plane& p, const Ray& ray)
 {
     const double t = (p.offset - dot(p.normal, to_double(ray.org))) / dot(p.normal, to_double(ray.dir));
-    // NaN (a ray within the plane) fails both.
+    // NaN (a ray within the plane) fails both tests.
     if (t <= plane_extent && reaches(ray, t)) return t;
     return {};
 }
 
 struct TriangleHit {
     double t, u, v;  // u, v: weights of the second and third corner
-    bool inside;     // else t, u, v speak of the triangle's plane
+    bool inside;     // else t, u, v belong to the triangle's plane
 };
 
 // Edge functions of a triangle in the space where the ray is the z axis; neighbours compute the same number for their
@@ -124,7 +122,7 @@ struct PlaneHit {
     T w0, w1, w2, det;
     T t, u, v;  // u, v: weights of the second and third corner; meaningless where det is 0
 
-    // All in coordinates of which the third is that along which the ray goes most.
+    // In coordinates whose third axis is the ray's largest.
     PlaneHit(const Vec3T<T>& v0, const Vec3T<T>& v1, const Vec3T<T>& v2, const Vec3T<T>& org, const Vec3T<T>& dir)
     {
         const T sz = 1.0 / dir.z, sx = dir.x * sz, sy = dir.y * sz;
@@ -141,7 +139,7 @@ struct PlaneHit {
     }
 };
 
-// Nothing for a triangle seen exactly from its edge.
+// Returns nothing for a triangle seen exactly edge-on.
 inline std::optional<TriangleHit> intersect_plane_of(Vec3d v0, Vec3d v1, Vec3d v2, Vec3d org, Vec3d dir)
 {
     const int kz = largest_axis(dir), kx = (kz + 1) % 3, ky = (kz + 2) % 3;

@@ -1,6 +1,7 @@
-// Boxes in float, and whether a ray meets one: never no where the exact answer, or the float test of a triangle within,
-// is yes. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005; the far sides are
-// moved out by the rounding of the quotients: Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
+// Boxes in float and their conservative ray test: it never misses a box that the exact test, or the float test of a
+// triangle inside, would hit. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1),
+// 2005; the far sides are enlarged by the rounding errors of the quotients: Ize, "Robust BVH Ray Traversal", JCGT 2(2),
+// 2013.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct FloatBox {
         lower = {std::min(lower.x, b.lower.x), std::min(lower.y, b.lower.y), std::min(lower.z, b.lower.z)};
         upper = {std::max(upper.x, b.upper.x), std::max(upper.y, b.upper.y), std::max(upper.z, b.upper.z)};
     }
-    // Half the surface; 0 of the empty box.
+    // Half the surface area; 0 for the empty box.
     float half_area() const
     {
         if (empty()) return 0;
@@ -31,7 +32,7 @@ struct FloatBox {
     }
 };
 
-// The smallest box in float that is larger than one in double; empty if that is.
+// The smallest float box that contains a double box; empty for the empty box.
 inline FloatBox rounded_outwards(Vec3d lower, Vec3d upper)
 {
     const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -FloatBox::inf); };
@@ -39,9 +40,9 @@ inline FloatBox rounded_outwards(Vec3d lower, Vec3d upper)
     return {{down(lower.x), down(lower.y), down(lower.z)}, {up(upper.x), up(upper.y), up(upper.z)}};
 }
 
-// The box of a triangle or of a part of it, wider by what the test of the triangle in float may err: the edge functions
-// by a part of the triangle's own extent, the corners by a part of their coordinates.
-// extent: longest side of the box of the whole triangle.
+// The box of a triangle or a part of it, enlarged by the error of the triangle test in float: the edge functions err by
+// a fraction of the triangle's extent, the corners by a fraction of their coordinates. extent: longest side of the box
+// of the whole triangle.
 inline FloatBox widened(FloatBox box, float extent)
 {
     const float own = gamma(16) * extent;
@@ -56,9 +57,9 @@ inline FloatBox box_of(Vec3 a, Vec3 b, Vec3 c)
     return widened(box, max_component(box.upper - box.lower));
 }
 
-// What of a ray all its boxes share.
+// Precomputed data of a ray for box tests.
 struct SlabRay {
-    static constexpr float widening = 1 + gamma(10);  // of the far distances
+    static constexpr float widening = 1 + gamma(10);  // factor of the far distances
     Vec3 org, inverse, far_inverse;
     float t_min;
 
@@ -68,8 +69,8 @@ struct SlabRay {
     }
 };
 
-// In [t_min, t_max]. 0 * infinity, a ray within the plane of a side, loosens the test and never tightens it: min and
-// max keep their second argument where the first is NaN.
+// Tests the interval [t_min, t_max]. 0 * infinity, for a ray within the plane of a side, makes the test more
+// conservative: min and max return their second argument if the first is NaN.
 inline bool meets(const FloatBox& b, const SlabRay& r, float t_max)
 {
     float near = r.t_min, far = t_max;

@@ -1,6 +1,6 @@
-// The accelerator around a hand-written tree of triangles: instances of meshes, spheres, planes, holes, and which of
-// two equal hits wins. One tree holds the triangles of all meshes that are drawn as they are; each instanced mesh has
-// one in its own space; a binary tree holds the boxes of instances and spheres. Planes have none and are a list.
+// The accelerator around a hand-written triangle tree: it adds instances, spheres, planes, the alpha test and the order
+// of equal hits. One tree contains the triangles of all non-instanced meshes; each instanced mesh has a tree in its own
+// space; a binary tree contains the boxes of instances and spheres; planes are a list.
 #pragma once
 
 #include <chrono>
@@ -72,8 +72,8 @@ public:
     }
 
 private:
-    // Whether the tree takes many rays at once, says where it finds things, and asks about nearer triangles alone, with
-    // distances that are not the last word.
+    // Whether the tree is a Bvh8, which takes batches of rays, returns leaf hints and reports approximate distances of
+    // nearer triangles only.
     static constexpr bool is_bvh8 = std::is_same_v<Tree, Bvh8>;
     struct Space {
         TriangleSet triangles;
@@ -81,7 +81,7 @@ private:
         Space(const Geometry& g, std::vector<uint32_t> meshes) : triangles(g, std::move(meshes)), tree(triangles) {}
     };
 
-    // What closest() finds, not refined.
+    // closest() without refine().
     Hit find(const Ray& ray) const
     {
         Hit best;
@@ -162,7 +162,7 @@ private:
                 for_each_lane(stopped, [&](uint32_t i) { occluded[which[i]] = 1; });
             });
     }
-    // Those of the lanes that go through a hole where they meet a triangle of plain_.
+    // Lanes that pass the alpha test at a triangle of plain_.
     Mask8 passed(std::span<const Ray> rays, std::span<const uint32_t> which, Mask8 met, uint32_t number, Float8 t) const
     {
         if (!g_.alpha_test.passes_through) return Mask8{};
@@ -196,7 +196,7 @@ private:
     {
         if (hit && is_nearer(hit, best)) best = hit;
     }
-    // Says Hit::leaf_hint, where the tree tells one. local: the ray in the space of the triangles.
+    // Returns Hit::leaf_hint if the tree has one. local: the ray in the space of the triangles.
     uint32_t find_in(const Space& s, const Ray& ray, const Ray& local, uint32_t instance, Hit& best) const
     {
         float t_max = reach(ray, best);
@@ -208,7 +208,7 @@ private:
     {
         return best.kind == Kind::triangle && best.instance == instance;
     }
-    // What a tree asks of the triangles that it finds.
+    // The callback of the tree for candidate triangles.
     auto asking(const Space& s, const Ray& ray, uint32_t instance, Hit& best) const
     {
         return [&, instance](uint32_t number, float t) {
@@ -222,8 +222,7 @@ private:
     }
     void find_object(const Ray& ray, Hit& best) const
     {
-        // A triangle's distance is known before it is compared with that of another thing, but not computed for
-        // nothing.
+        // The distance is only computed if the triangle is compared with another kind of hit.
         bool is_known = !is_bvh8;
         const auto farthest = [&] { return reach(ray, best) * (is_known ? 1 : 1 + 2 * Bvh8Nearest::most_error); };
         objects_.closest(ray, farthest(), [&](uint32_t object, uint32_t, float) {
@@ -261,7 +260,7 @@ private:
         });
     }
 
-    // Of equally far hits the one that a loop over everything would come by first wins.
+    // Of equal distances the hit that a loop over all primitives would find first wins.
     static bool precedes(const Hit& a, const Hit& b)
     {
         const auto place = [](const Hit& h) { return std::tuple(h.kind, h.instance, h.geometry, h.primitive); };
@@ -273,7 +272,7 @@ private:
         return g_.alpha_test.meshes[hit.geometry][hit.primitive] &&
                g_.alpha_test.passes_through(g_.alpha_test.context, ray, refine(g_, ray, hit));
     }
-    // Objects are numbered: first the instances, then the spheres.
+    // Objects are numbered: instances first, then spheres.
     bool is_sphere(uint32_t object) const { return object >= g_.instances.size(); }
     uint32_t sphere(uint32_t object) const { return object - static_cast<uint32_t>(g_.instances.size()); }
     void build_objects()
@@ -304,8 +303,8 @@ private:
 
     const Geometry& g_;
     std::optional<Space> plain_;
-    std::vector<std::optional<Space>> placed_;  // of each mesh
-    BinaryTree objects_;                        // `first` of a leaf: the object
+    std::vector<std::optional<Space>> placed_;  // per mesh
+    BinaryTree objects_;                        // `first` of a leaf is the object
     double build_seconds_ = 0;
 };
 

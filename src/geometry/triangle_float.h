@@ -1,7 +1,7 @@
-// A ray against a triangle in float, so that no ray passes between neighbours: Woop, Benthin, Wald, "Watertight
-// Ray/Triangle Intersection", JCGT 2(1), 2013, with double where an edge function vanishes. The distance is not theirs,
-// which errs by 1e-4 on slivers, but that of the plane, and of the few triangles that get so far in double: in float a
-// needle's plane errs by more than the offset of rays that start on it, and they hit where they start.
+// Watertight ray-triangle intersection in float: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT
+// 2(1), 2013, with double where an edge function vanishes. Their distance errs by 1e-4 on slivers; here it is that of
+// the plane, and in double for the few triangles that get that far: in float a sliver's plane errs by more than the
+// offset of rays that start on it, which would hit their own origin.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace lancer {
 
-// A ray as the axis kz of a sheared space.
+// A ray as axis kz of a sheared space.
 struct ShearedRay {
     int kx, ky, kz;
     float sx, sy;
@@ -26,16 +26,15 @@ struct ShearedRay {
     }
 };
 
-// Of the edges' signs: 0 counts for both sides.
+// By the signs of the edge functions; 0 counts as both signs.
 template <class T>
 bool is_inside(T u, T v, T w)
 {
     return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
-// Where the ray's line meets the plane of the triangle, but not before nor behind all of its corners: seen almost from
-// its edge a triangle has no better place. Not NaN.
-// kz: the axis along which the ray goes most.
+// Parameter of the intersection with the triangle's plane, limited to the range of its corners: a triangle seen almost
+// edge-on has no better point. Never NaN. kz: the largest axis of the ray.
 inline float distance_to_plane(Vec3 ray_org, Vec3 ray_dir, int kz, Vec3 v0, Vec3 v1, Vec3 v2)
 {
     const Vec3d a = to_double(v0), b = to_double(v1), c = to_double(v2);
@@ -49,7 +48,7 @@ inline float distance_to_plane(Vec3 ray_org, Vec3 ray_dir, int kz, Vec3 v0, Vec3
     return static_cast<float>(t);
 }
 
-// Where the ray's line meets the triangle. Not NaN.
+// Parameter of the intersection with the triangle. Never NaN.
 inline std::optional<float> distance_to(const ShearedRay& r, Vec3 v0, Vec3 v1, Vec3 v2)
 {
     const Vec3 a = v0 - r.org, b = v1 - r.org, c = v2 - r.org;

@@ -1,5 +1,4 @@
-// What triangles that were hit have in common several at a time: which of a batch go together, and their vectors in
-// registers.
+// Grouping of the triangle hits of a batch for SIMD, and loading of their vectors.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +10,14 @@
 
 namespace lancer {
 
-// Numbers of hits of a batch. The last ones of a batch may name one several times.
+// Indices of hits of a batch; the last group may repeat an index.
 template <size_t n>
 using SomeHits = std::array<size_t, n>;
 using FourHits = SomeHits<double_lanes>;
 using HitIndices = SomeHits<float_lanes>;
 
-// some(which), n at a time, of the triangles that are drawn as they are, placed(i) of each one that an instance places.
-// Spheres, planes and misses are left out.
+// Calls some(which) for groups of n hits of non-instanced triangles and placed(i) for each hit of an instanced
+// triangle. Spheres, planes and misses are skipped.
 template <size_t n, class Some, class Placed>
 void for_triangles(std::span<const Hit> hits, const Some& some, const Placed& placed)
 {
@@ -38,7 +37,7 @@ void for_triangles(std::span<const Hit> hits, const Some& some, const Placed& pl
     some(which);
 }
 
-// Of four vectors, each with something behind it: all x in one register, then all y, all z.
+// Transposes four vectors that are each followed by another number.
 inline Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
 {
     _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);

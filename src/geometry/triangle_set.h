@@ -1,5 +1,4 @@
-// The triangles that one tree is built over: of all meshes that are drawn as they are, or of one that instances place,
-// in its own space.
+// The triangles of one tree: those of all non-instanced meshes, or of one instanced mesh in its own space.
 #pragma once
 
 #include <array>
@@ -13,18 +12,18 @@ namespace lancer {
 class TriangleSet {
 public:
     struct Id {
-        uint32_t mesh, triangle;  // numbers in the Geometry and in the mesh
+        uint32_t mesh, triangle;  // indices in the Geometry and in the mesh
     };
 
-    // meshes: numbers, ascending. The triangles are then numbered in order of (mesh, triangle). The Geometry must
-    // outlive the set. Throws Error (failed) for 2^32 triangles or more.
+    // meshes: indices, ascending. Triangles are numbered in order of (mesh, triangle). The Geometry must outlive the
+    // set. Throws Error (failed) for 2^32 triangles or more.
     TriangleSet(const Geometry& g, std::vector<uint32_t> meshes);
 
     uint32_t size() const { return first_.back(); }
     Id id(uint32_t number) const
     {
         size_t k = 0;
-        for (size_t n = meshes_.size(); n > 1;) {  // the last mesh that does not begin behind it
+        for (size_t n = meshes_.size(); n > 1;) {  // binary search of its mesh
             const size_t half = n / 2;
             k = first_[k + half] <= number ? k + half : k;
             n -= half;
@@ -38,12 +37,12 @@ public:
         const auto& t = m.triangles[i.triangle];
         return {m.positions[t[0]], m.positions[t[1]], m.positions[t[2]]};
     }
-    // Trees leave out what is not.
+    // Trees skip triangles that are not finite.
     bool is_finite(uint32_t number) const;
 
 private:
     const Geometry* g_;
-    std::vector<uint32_t> meshes_, first_;  // first_: number of each mesh's first triangle, then how many there are
+    std::vector<uint32_t> meshes_, first_;  // first_: index of each mesh's first triangle, then the total
 };
 
 // What a tree over a TriangleSet offers; TreeAccelerator makes an accelerator of it. No answer depends on how many

@@ -1,5 +1,5 @@
-// Ambient occlusion: the part of the sky that a white, diffuse world would see, within the scene's own radius. A look
-// at geometry alone, with one shadow ray per sample: Pharr, Jakob, Humphreys, 4th ed., section 13.2.
+// Ambient occlusion: the unoccluded part of the hemisphere within the scene's radius. It depends on geometry alone and
+// takes one shadow ray per sample. Pharr, Jakob, Humphreys, 4th ed., section 13.2.
 #pragma once
 
 #include "core/frame.h"

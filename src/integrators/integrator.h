@@ -1,5 +1,5 @@
-// The list of integrators. A new one is a header, a word here and a file render/kernel/NAME.cpp; the command line, the
-// scene files and the laws in tests/ take it from here.
+// The list of integrators. A new integrator is a header, an alternative of the variant below and a file
+// render/kernel/NAME.cpp. The command line, the scene files and the tests use this list.
 #pragma once
 
 #include <string>
@@ -22,23 +22,22 @@ using AnyIntegrator = std::variant<Path, Direct, AmbientOcclusion>;
 using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, AmbientOcclusion, LegacyPath>;
 #endif
 
-// Whether the ways of the past are in this build.
+// Whether this build contains the classic integrators and --legacy.
 bool knows_legacy();
 
-// Whether an integrator is one of the two that the course's ray tracer had; with legacy the others go the student's
-// way.
+// Whether an integrator is whitted or random-decision. With --legacy all others are replaced by LegacyPath.
 bool is_classic(std::string_view name);
 
 // The first is the default.
 std::vector<std::string_view> names_of_integrators();
 
-// name: one of those.
+// name: one of names_of_integrators().
 AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings);
 
-// How many surface vertices its paths have at most; 0: no limit.
+// Maximal number of surface vertices of a path; 0: no limit.
 uint32_t max_depth_of(const AnyIntegrator& integrator);
 
-// What its pictures lack by its nature, as entries of the bias ledger.
+// Biases of the integrator, as entries of the bias ledger.
 std::vector<std::string> biases_of(const AnyIntegrator& integrator);
 
 }  // namespace lancer

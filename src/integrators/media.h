@@ -1,6 +1,6 @@
-// What media do to paths, whichever integrator makes them: the kernel calls it before and after hit() and miss(), in
-// scenes that have media. Rays lose light on the way by Beer and Lambert's law, and surfaces inside a medium of higher
-// priority are passed as if they were not there.
+// Participating media, for all integrators: the kernel calls this before and after hit() and miss() in scenes that have
+// media. Rays are attenuated by the Beer-Lambert law. Surfaces inside a medium of higher priority (nested dielectrics)
+// are skipped.
 #pragma once
 
 #include <limits>
@@ -10,8 +10,8 @@
 
 namespace lancer {
 
-// No vertex: the ray goes on, its random numbers are not touched. But shadow rays stop there, so no light sampling can
-// have found what lies beyond.
+// Continues a ray behind a skipped surface. It is no vertex, so the random numbers stay the same. Shadow rays end at
+// skipped surfaces, so light sampling cannot have found what lies behind.
 inline PathState passed(const PathState& s, const Surface& surface, const MediumStack& beyond)
 {
     PathState n = s;
@@ -24,12 +24,12 @@ inline PathState passed(const PathState& s, const Surface& surface, const Medium
     return n;
 }
 
-// A ray at a surface. Not a function around the integrator's hit(): the kernel would hold that twice, and scenes
-// without media pay for it.
+// Media at a surface. It is not a wrapper around the integrator's hit(): the kernel would then contain hit() twice, and
+// scenes without media would be slower.
 class MediaAtHit {
 public:
-    // Changes `s` and `surface` to what the integrator is to see. False if the surface is not there for the ray: then
-    // that has been sent on, and nothing else is to happen here.
+    // Attenuates `s` and sets the relative index of `surface`. Returns false if the surface is skipped; the ray has
+    // then been continued, and the integrator must not be called.
     bool enter(const View& view, PathState& s, Surface& surface, const Queue& queue, PathActions& actions)
     {
         const std::vector<Medium>& media = view.scene.media;
@@ -43,7 +43,7 @@ public:
         rays_ = queue.next.size(), shadows_ = queue.shadows.size(), tinted_ = queue.tinted_shadows.size();
         return true;
     }
-    // After the integrator: tells the rays that it sent on which media they are in.
+    // Called after the integrator: sets the media of the rays that it emitted and attenuates its shadow rays.
     void leave(const View& view, const Surface& surface, Queue& queue) const
     {
         const std::vector<Medium>& media = view.scene.media;
@@ -59,11 +59,11 @@ public:
 
 private:
     Boundary at_;
-    size_t rays_ = 0, shadows_ = 0, tinted_ = 0;  // that there were before
+    size_t rays_ = 0, shadows_ = 0, tinted_ = 0;  // sizes of the queues before the integrator ran
 };
 
-// The part of a shadow ray's light that goes on beyond a surface. `in` becomes what the ray is in there; through():
-// what the integrator says of `surface`, which is changed before.
+// Transmittance of a tinted shadow ray across a surface and the medium before it. `in` becomes the medium behind.
+// through(): the integrator's transmittance of `surface`, whose eta is set before the call.
 template <class F>
 Color shadow_in_media(const View& view, MediumStack& in, Surface& surface, const F& through)
 {
@@ -76,7 +76,7 @@ Color shadow_in_media(const View& view, MediumStack& in, Surface& surface, const
     return part * through();
 }
 
-// Of a ray that left the scene.
+// Attenuates a ray that left the scene.
 inline void miss_in_media(const View& view, PathState& s)
 {
     s.throughput *= s.media.transmittance(view.scene.media, std::numeric_limits<float>::infinity());

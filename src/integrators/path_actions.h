@@ -1,5 +1,6 @@
-// What an integrator may do where a ray ended: add light, ask whether a light is seen, send rays on. It never waits
-// for an answer, so the kernel advances many paths at once and nothing recurses.
+// The interface between integrators and kernels. An integrator describes what a path does at a vertex: it adds
+// radiance, requests shadow rays and continues rays. It never waits for an answer, so that the kernel advances many
+// paths at once without recursion.
 #pragma once
 
 #include <limits>
@@ -12,36 +13,38 @@
 
 namespace lancer {
 
-// Parts of a path, as light is taken apart for teaching. Only the first two see what emits directly.
+// Segments of a path, by which a picture can be split into parts of the light. Only `view` and `direct` see emitters
+// directly.
 enum class PathSegment : uint8_t {
-    view,      // from the camera, and on by mirrors and smooth glass
-    direct,    // from the first surface that spreads light, once
-    indirect,  // all that comes after
+    view,      // from the camera, continued by mirrors and smooth glass
+    direct,    // the ray from the first diffuse or rough surface
+    indirect,  // all later rays
 };
 
-// One ray under way.
+// The state of one path: its next ray and what the integrator needs to continue it.
 struct PathState {
     Ray ray;
-    Color throughput{1, 1, 1};     // what the path so far does to light that comes along the ray
+    Color throughput{1, 1, 1};     // of the path up to this ray
     Color importance{-1, -1, -1};  // see SamplingPlan::importance_at()
-    float pdf = 0;                 // with which the BSDF chose the ray, per solid angle
-    Vec3 normal;                   // shading normal where it started
-    RayCone cone;                  // of the light that the ray stands for
-    MediumStack media;             // what the ray is in; only kept in scenes that have media
-    float eta_scale = 1;           // product of eta^2 over refractions: throughput times it speaks of energy
-    uint32_t slot = 0;             // the sample that it adds to
-    uint32_t branch = 0;           // part of the address of its random numbers; siblings differ
-    uint32_t sample = 0;           // likewise: that of the sample until the path splits, then see SamplingPlan::parts
-    uint32_t part = 0;             // of the random numbers: first one that the path takes when it splits
-    uint32_t depth = 0;            // surface vertices before this ray
-    bool specular = true;          // chosen by a delta lobe or by the camera
-    bool light_sampled = false;    // where it started a light was sampled that might have been what it meets
-    PathSegment segment = PathSegment::view;  // part of the path that the ray belongs to
-    bool last = false;                        // only emission counts where it ends
-    bool has_split = false;                   // the path has come by the vertex where it splits
+    float pdf = 0;                 // density with which the BSDF sampled the ray, per solid angle
+    Vec3 normal;                   // shading normal at the ray's origin
+    RayCone cone;                  // ray cone, for texture filtering
+    MediumStack media;             // media around the ray; only in scenes that have media
+    float eta_scale = 1;           // product of eta^2 over refractions; throughput times eta_scale is energy
+    uint32_t slot = 0;             // index of the sample to which it adds
+    uint32_t branch = 0;           // part of the sampler's address; rays of one path differ in it
+    uint32_t sample =
+        0;  // part of the sampler's address: the sample's index until the path splits, then see SamplingPlan::parts
+    uint32_t part = 0;                        // first part of the random numbers that the path uses when it splits
+    uint32_t depth = 0;                       // number of surface vertices before this ray
+    bool specular = true;                     // sampled from a delta lobe or by the camera
+    bool light_sampled = false;               // light sampling at its origin could have found what it hits
+    PathSegment segment = PathSegment::view;  // segment of the path
+    bool last = false;                        // only emission counts at its end
+    bool has_split = false;                   // the path has passed the vertex where it splits
 };
 
-// The light of a sample, summed in double: of a path of 1e5 vertices float would lose 2e-5.
+// The radiance of a sample, summed in double: on a path of 1e5 vertices float would lose 2e-5.
 struct RadianceSum {
     double r = 0, g = 0, b = 0;
 
@@ -51,14 +54,15 @@ struct RadianceSum {
         return *this;
     }
     Color color() const { return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)}; }
-    // What was added since.
+    // Difference to an earlier value.
     Color since(const RadianceSum& before) const
     {
         return RadianceSum{r - before.r, g - before.g, b - before.b}.color();
     }
 };
 
-// What steps collect, for a whole batch. Reused from batch to batch, so that no ray allocates.
+// The queues that PathActions fills for a whole batch. They are reused from batch to batch, so that no ray allocates
+// memory.
 struct Queue {
     struct Shadow {
         Color radiance;  // if nothing is in between
@@ -78,9 +82,8 @@ struct Queue {
     std::vector<PathState> next;
 };
 
-// The steps of one sample. A shadow ray that would bring nothing is not traced.
-// Their order is the order of summation: all adds of a depth, then its shadow rays, then its
-// tinted ones, those that went through fewer surfaces first.
+// The actions of one sample. Shadow rays without radiance are not traced. The order of summation is fixed: all add() of
+// a depth, then its shadow rays, then its tinted shadow rays, those that crossed fewer surfaces first.
 class PathActions {
 public:
     PathActions(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
@@ -90,7 +93,7 @@ public:
     {
         shadow_from([&](Ray& r) { r = ray; }, radiance_if_unoccluded);
     }
-    // The same with a ray that is still to be written: f(ray) changes what a new one holds.
+    // The same; f(ray) fills a default ray in the queue.
     template <class F>
     void shadow_from(F&& f, Color radiance_if_unoccluded)
     {
@@ -103,8 +106,8 @@ public:
         }
         queue_.shadows.push_back({radiance_if_unoccluded, slot_});
     }
-    // As shadow(), but what lies in between takes only its part: the integrator's through() says which. light: the
-    // colour of the light itself, for is_spent().
+    // As shadow(), but surfaces in between attenuate the light by the integrator's through() instead of blocking it.
+    // light: the light's own radiance, for is_spent().
     void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light)
     {
         if (is_black(radiance_if_unoccluded)) return;
@@ -116,7 +119,7 @@ public:
         if (!is_traceable(state.ray)) return invalidate();
         queue_.next.push_back(state);
     }
-    // A next ray that is still to be written: a copy of `from` for f to change. f says whether it shall go on.
+    // The same with a copy of `from` that f changes in the queue. f returns whether the ray is continued.
     template <class F>
     void next_from(const PathState& from, F&& f)
     {
@@ -127,7 +130,7 @@ public:
         if (goes_on) invalidate();
     }
 
-    // A ray that is not a number spoils its sample: dropped and counted in the end, never silently black.
+    // Marks the sample as invalid (NaN): the kernel drops and counts it, so that it does not become black.
     void invalidate() { queue_.radiance[slot_].r = std::numeric_limits<double>::quiet_NaN(); }
 
 private:

@@ -1,4 +1,4 @@
-// What the user may say of an integrator. Each takes what it knows in a member take(); none is an error.
+// Settings of integrators. Each integrator reads the settings that it knows in a member take() and ignores the others.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// All that an integrator can see of a scene. No accelerator: rays are asked for through PathActions.
+// What an integrator sees of a scene. It does not contain the accelerator: integrators request rays through
+// PathActions.
 #pragma once
 
 #include <span>
@@ -29,15 +30,15 @@ struct View {
         lancer::triangle_interactions(scene, hits, places);
     }
 
-    // f gets the concrete BSDF of the place, so that all it calls on it is inlined. The one dispatch per hit. Where
-    // the material is a mix, a number of the sampler decides which part it is.
+    // Calls f with the concrete BSDF of the point, so that its functions are inlined: the one dispatch per hit. Of a
+    // mix, a random number selects the material.
     template <class F>
     auto with_bsdf(const Surface& s, const Sampler& sampler, uint32_t bounce, F&& f) const
     {
         return with_bsdf(
             s, [&] { return sampler.get1(bounce, Dim::mix); }, std::forward<F>(f));
     }
-    // The same where number() gives that number, in [0, 1).
+    // The same; number() returns that random number in [0, 1).
     template <class Number, class F>
     auto with_bsdf(const Surface& s, const Number& number, F&& f) const
     {
@@ -45,7 +46,7 @@ struct View {
         if (is_mix(id)) id = scene.scattering_material(id, scene.shading_point(s), number());
         return std::visit([&](const auto& material) { return f(bsdf_at(material, s)); }, scene.materials[id]);
     }
-    // The same where all that is looked up there is known.
+    // The same with a given ShadingPoint.
     template <class Number, class F>
     auto with_bsdf(uint32_t id, const ShadingPoint& p, const Number& number, F&& f) const
     {
@@ -58,19 +59,19 @@ struct View {
     {
         return material.at(scene.shading_point(s));
     }
-    // Where nothing is looked up a matt surface wants to know no more of the place.
+    // A Lambertian surface without textures needs no ShadingPoint.
     LambertBsdf bsdf_at(const Lambert& lambert, const Surface& s) const
     {
         if (lambert.albedo.texture != no_texture) [[unlikely]]
             return {textured_albedo(lambert, s)};
         return {lambert.albedo.value * s.vertex_color};
     }
-    // Out of line, so that matt surfaces of one colour do not pay for what looking up wants of the stack.
+    // Not inlined, so that surfaces without textures do not pay for its stack frame.
     [[gnu::noinline]] Color textured_albedo(const Lambert& lambert, const Surface& s) const
     {
         return lambert.at(scene.shading_point(s)).albedo;
     }
-    // What the classic integrators see of the place; of a mix, mixed.
+    // Phong parameters of the point for the classic integrators, mixed for mixes.
     Phong phong(const Surface& s) const { return scene.phong(s.material, scene.shading_point(s)); }
     Color emission(const Surface& s) const
     {
@@ -84,13 +85,14 @@ struct View {
     {
         return e.towards(s.front, scene.shading_point(s));
     }
-    // Radiance of a ray that left the scene.
+    // Radiance of the environment in direction `dir`, as light sampling sees it.
     Color environment(Vec3 dir) const { return scene.radiance_from(dir); }
-    // The same for the camera and behind mirrors, where nothing samples it as a light: filtered, and with the glow of
-    // lights.
+    // The same for rays from the camera and from mirrors, which light sampling does not cover: filtered, and with the
+    // glow of lights.
     Color background(const Ray& ray, RayCone cone) const { return scene.radiance_seen(ray, cone); }
 
-    // through: also lights behind the surface.
+    // Samples a light as seen from `from`; nothing if no light can be sampled there. through: also lights behind the
+    // surface.
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
                                             bool through) const
     {
@@ -102,38 +104,38 @@ struct View {
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
     bool has_constant_environment() const { return scene.has_constant_environment(); }
-    // How many point and directional lights there are, and one of them, [0, n), as sample_light() gives it but for its
-    // choice.
+    // Number of point and directional lights, and light i of these as sample_light() returns it, without the
+    // probability of its selection.
     uint32_t delta_lights() const { return scene.lights.deltas; }
     std::optional<LightSample> delta_light(const Surface& from, uint32_t i) const
     {
         return sample_given_light(scene, from, i, {});
     }
-    // One of the others.
+    // Samples one of the other lights.
     std::optional<LightSample> sample_extended_light(const Surface& from, const Sampler& sampler, uint32_t bounce) const
     {
         return lancer::sample_extended_light(scene, from, sampler.get1(bounce, Dim::light),
                                              sampler.get2(bounce, Dim::light));
     }
-    // The density with which that one finds a direction out of the scene.
+    // Density of sample_extended_light() for a direction to the environment.
     float pdf_extended_environment(Vec3 normal, Vec3 wi) const
     {
         const float pdf = pdf_environment(normal, wi);
         return pdf > 0 ? pdf / static_cast<float>(scene.lights.pick.share_from(scene.lights.deltas)) : 0;
     }
     bool has_media() const { return !scene.media.empty(); }
-    // What tells the rays of a path apart where a surface stops a part of them; 0 in a scene without such surfaces.
+    // Ray::key for the stochastic alpha test; 0 in scenes without cut-outs.
     uint32_t alpha_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
         return scene.geometry.alpha_test.passes_through ? hash_alpha_key(sampler, bounce, dim) : 0;
     }
-    // The same for a ray that has none yet. Costs a scene without holes no more than the question.
+    // Sets Ray::key of a new ray; scenes without cut-outs pay one test.
     void set_alpha_key(Ray& ray, const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
         if (scene.geometry.alpha_test.passes_through) [[unlikely]]
             ray.key = hash_alpha_key(sampler, bounce, dim);
     }
-    // Out of line, so that the hash does not stand in the kernel for each kind of ray.
+    // Not inlined: the hash would be repeated in the kernel for each kind of ray.
     [[gnu::noinline]] static uint32_t hash_alpha_key(const Sampler& sampler, uint32_t bounce, Dim dim)
     {
         return sampler.key(bounce, dim);

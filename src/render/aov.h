@@ -1,6 +1,6 @@
-// Auxiliary outputs (AOVs): what the first surface that a sample meets looks like, without its light. For denoisers,
-// compositing and looking for faults. Summed as the light is, in double and block by block, so that they have the same
-// bits for any number of threads, tiles, batches and passes.
+// Auxiliary outputs (AOVs): properties of the first surface that a sample hits, for denoisers, compositing and
+// debugging. They are summed as radiance is, in double and block by block, so that they have the same bits for any
+// number of threads, tiles, batches and passes.
 #pragma once
 
 #include <string_view>
@@ -17,17 +17,17 @@ enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, 
 inline constexpr std::array<std::string_view, 10> aov_names{"albedo",   "normal",   "depth", "position", "uv",
                                                             "material", "variance", "mask",  "flat",     "samples"};
 
-// The part of the light that a material sends back when lit evenly; of a mix, mixed.
+// Albedo under uniform illumination; of a mix, mixed.
 Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
-// Its base colour, whatever the material makes of it; of a mix, mixed.
+// Base colour of the material; of a mix, mixed.
 Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& point);
 
 std::vector<Aov> all_aovs();
 
-// The sums that these AOVs need; none for variance and samples, which the light tells.
+// The sums that these AOVs need. Variance and sample count need none: the radiance sums contain them.
 AovLayout layout_of(const std::vector<Aov>& which);
 
-// Fills film.aovs; for films that have some.
+// Sums AOVs into a film that has room for them.
 class AovListener : public NoListener {
 public:
     AovListener(const Scene& scene, Film& film, const Tile& tile, Workspace& w)
@@ -49,7 +49,7 @@ private:
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
     }
-    // Of the sample's pixel; the film must have it.
+    // The sums of the sample's pixel, which must lie in the film.
     double* sum_of(const SampleId& id, AovSum sum) const
     {
         const size_t pixel = size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0);

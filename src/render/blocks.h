@@ -1,5 +1,5 @@
-// Blocks of samples and the passes that may end within one: what a pass sums goes on where the one before it stopped,
-// in the order of one pass, so that the bits are its bits.
+// Passes that end within a block of samples: the next pass continues the partial sums in the order of a single pass and
+// therefore has its bits.
 #pragma once
 
 #include <utility>
@@ -9,19 +9,19 @@
 
 namespace lancer {
 
-// Sum: Pixel or double. sums: of whole blocks; open: of one that is not full, or empty; see Film.
+// Sum: Pixel or double. sums: of complete blocks; open: of a partial block, or empty; see Film.
 template <class Sum>
 struct Blocks {
     std::vector<Sum>&sums, &open;
 
-    // What there is of the block that sample `first` belongs to; it is no longer in the film.
+    // Takes the partial block of sample `first` out of the film.
     Sum take(size_t i, uint32_t first)
     {
         if (first % samples_per_block == 0) return {};
         if (first < samples_per_block) return std::exchange(sums[i], {});
         return open.empty() ? Sum{} : std::exchange(open[i], {});
     }
-    // The block as it is before sample `end`.
+    // Stores the block as it is before sample `end`.
     void put(size_t i, const Sum& block, uint32_t end)
     {
         if (end % samples_per_block != 0 && end > samples_per_block && !open.empty())
@@ -33,7 +33,7 @@ struct Blocks {
 template <class Sum>
 Blocks(std::vector<Sum>&, std::vector<Sum>&) -> Blocks<Sum>;
 
-// f(i, k) of each pixel of a tile: its place in the film and in the tile, row by row.
+// Calls f(i, k) for each pixel of a tile, row by row; i: index in the film, k: index in the tile.
 template <class F>
 void for_pixels(const Film& film, const Tile& tile, const F& f)
 {

@@ -1,5 +1,5 @@
-// Pixel filters by importance sampling: the film position of a sample is drawn from the filter, so every sample has
-// weight 1 and belongs to one pixel. Ernst, Stamminger, Greiner, "Filter Importance Sampling", 2006.
+// Pixel filters by importance sampling: the film position of a sample is sampled from the filter, so that every sample
+// has weight 1 and belongs to one pixel. Ernst, Stamminger, Greiner, "Filter Importance Sampling", 2006.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ public:
 
     // Offset from the centre of the pixel, in pixels, for u in [0, 1)^2.
     Vec2 sample(Vec2 u) const { return {inverse(u.x), inverse(u.y)}; }
-    // Likewise, of eight.
+    // The same for eight samples.
     Vec2x8 sample(const Vec2x8& u) const
     {
         if (body_.empty()) return {box(u.x), box(u.y)};

@@ -1,5 +1,5 @@
-// A scene ready to render: the accelerator built, the kernel chosen. Every way of rendering (whole, crop, progressive,
-// one sample) goes through pass() or replay().
+// A scene ready to render, with its accelerator and its kernel. All kinds of rendering (whole picture, crop,
+// progressive, one sample) use pass() or replay().
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct RenderSettings {
     KernelSettings kernel;
 };
 
-// What a pass did. Incomplete if it was stopped before its last tile: some tiles then lack its samples.
+// Result of a pass. It is incomplete if the pass was stopped before its last tile.
 struct PassResult {
     Counters counters;
     bool complete = true;
@@ -29,18 +29,17 @@ struct PassResult {
 
 class Renderer {
 public:
-    // Builds the accelerator, then completes the scene if its pictures were still being read: problems with them go to
-    // diagnostics, if given. Throws Error (failed). Call inside with_threads.
+    // Builds the accelerator, then completes the scene if its pictures are still being read. Problems with pictures go
+    // to diagnostics, if given. Throws Error (failed). Must be called inside with_threads.
     Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Adds samples [begin, end) of every pixel of the tiles to the film. Begin and end must be multiples of
-    // samples_per_block for a picture to have the same bits however its samples are split; only the last end of all
-    // may differ. Each tile must lie within film.crop, and no two may overlap. `stop` is looked at once a tile;
-    // tile_done is called after each, from any thread; the film has that tile's samples then, and keeps them until the
-    // pass has ended.
+    // Adds samples [begin, end) of every pixel of the tiles to the film. For bits that do not depend on how samples are
+    // split into passes, begin and end must be multiples of samples_per_block, except the last end. Tiles must lie
+    // within film.crop and not overlap. `stop` is tested once per tile. tile_done is called after each tile, from any
+    // thread; the film then contains that tile's samples until the pass ends.
     PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                     const std::stop_token& stop = {}, const std::function<void(const Tile&)>& tile_done = {}) const;
 
@@ -48,7 +47,7 @@ public:
     Color replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
                  const PathListener& listener) const;
 
-    // How paths spend their rays in a picture of that size: found out once, then known.
+    // The sampling plan for a picture of this size; computed once.
     const SamplingPlan& plan(const Camera& camera, uint32_t width, uint32_t height) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
@@ -63,7 +62,7 @@ private:
     RenderSettings settings_;
     std::unique_ptr<Accelerator> accel_;
     TileKernel kernel_;
-    // Workspaces at rest: a thread takes one for a tile and puts it back.
+    // Unused workspaces: a thread takes one for each tile and returns it.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Workspace>> workspaces_;
     mutable std::optional<Piloted> piloted_;  // the last one

@@ -1,4 +1,4 @@
-// From run-time facts to types: the one place that turns a scene and the name of an integrator into a compiled kernel.
+// Selects the compiled kernel for a scene and an integrator; the only place that does so.
 #pragma once
 
 #include <functional>
@@ -8,19 +8,18 @@
 
 namespace lancer {
 
-// One call per tile, so the type erasure costs nothing; below it only concrete types.
+// A kernel with its scene, accelerator and integrator. It is called once per tile, so type erasure costs nothing.
 using TileKernel =
     std::function<void(const SamplingPlan&, const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
 
-// The version of the kernel that draws a complete scene: the plainest that covers it, or the one that is asked for.
+// The most specialised kernel variant that supports a complete scene, or the requested one if it does.
 Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted = {});
 
-// All references must outlive the kernel.
+// All references must outlive the returned kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings);
 
-// Traces one sample as a render would, with the same bits, and returns its radiance. width: of the whole
-// picture, pixels.
+// Traces one sample with the bits of a render and returns its radiance. width: of the whole picture, pixels.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
              const KernelSettings& settings, const SamplingPlan& plan, const Camera& camera, uint32_t width,
              const SampleId& id, const PathListener& listener);

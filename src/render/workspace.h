@@ -1,4 +1,4 @@
-// What the pixel loop works with: its settings, its memory, what it counts and who listens.
+// Settings, counters, memory and listeners of the kernels.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,24 @@
 
 namespace lancer {
 
-// Everything but the place in the picture.
+// Settings of a kernel.
 struct KernelSettings {
     SamplerKind sampler = SamplerKind::sobol;
     uint64_t seed = 0;
     Filter filter{FilterKind::blackman_harris};
-    uint32_t batch = 256;              // paths under way at once, >= 1
-    StopRule stop = StopRule::never;   // looked at only if the film has `wanted`
+    uint32_t batch = 256;              // number of paths in a batch, >= 1
+    StopRule stop = StopRule::never;   // used only if the film has `wanted`
     double stop_error = 0.01;          // see samples_for()
-    std::optional<Profile> profile{};  // rather than the plainest that covers the scene; ignored if it does not
-    bool clamp = false;                // each sample to [0, 1] before it is averaged; legacy
-    // Path i is number i / replicates of replicate i mod replicates, each of which has random numbers of its own: how
-    // far they lie apart tells the error without a bias, at the price that each has fewer points to spread evenly.
+    std::optional<Profile> profile{};  // requested variant; ignored if it does not support the scene
+    bool clamp = false;                // clamp samples to [0, 1]; legacy
+    // Number of independent replicates. Path i has index i / replicates in replicate i mod replicates. Each replicate
+    // has its own random numbers, so that their differences give an unbiased error estimate, at the price of fewer
+    // points per low-discrepancy sequence.
     uint32_t replicates = 1;
 
     uint32_t replicate_of(uint32_t path) const { return replicates == 1 ? 0 : path % replicates; }
     uint32_t sample_of(uint32_t path) const { return replicates == 1 ? path : path / replicates; }
-    // Of the first replicate that of a render without. No other one's is that of a seed nearby.
+    // The seed of a path's replicate. The first replicate has the seed of a render without replicates.
     uint64_t seed_of(uint32_t path) const
     {
         const uint64_t replicate = replicate_of(path);
@@ -47,9 +48,9 @@ struct SampleId {
 
 struct Counters {
     uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
-    uint64_t background_only_samples = 0;   // of camera rays that were not traced: see SamplingPlan::background_only
+    uint64_t background_only_samples = 0;   // samples without a traced ray; see SamplingPlan::background_only
     uint64_t dropped = 0;                   // samples that were not finite
-    std::optional<SampleId> first_dropped;  // in order of x, y, sample
+    std::optional<SampleId> first_dropped;  // the first one in order of x, y, sample
 
     void drop(const SampleId& id)
     {
@@ -65,7 +66,7 @@ struct Counters {
     }
 };
 
-// Memory of one thread at work, kept from tile to tile.
+// Working memory of a thread, reused from tile to tile.
 struct Workspace {
     Queue queue;
     std::vector<PathState> states;
@@ -76,8 +77,8 @@ struct Workspace {
     WideWorkspace wide;
     std::vector<Pixel> block;       // one per pixel of the tile
     std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
-    std::vector<Color> last;        // of each the last sample, if these decide when pixels end
-    bool is_pilot = false;          // what is traced is not for the picture and has other random numbers
+    std::vector<Color> last;        // last sample of each pixel, for StopRule::last_sample
+    bool is_pilot = false;          // the samples are those of a pilot, with other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
     {
@@ -86,11 +87,11 @@ struct Workspace {
     }
 };
 
-// Hears what happens to the paths of a batch, and when render_tile begins and ends a block of samples of its tile. This
-// one hears nothing, at no cost.
+// Listeners receive the events of the paths of a batch, and the begin and end of each block of samples. This one
+// ignores all events at no cost.
 struct NoListener {
     void ray(const PathState&, const Hit&) const {}
-    void background_only(const SampleId&) const {}  // in place of ray(): nothing would be hit
+    void background_only(const SampleId&) const {}  // instead of ray(), for samples that are not traced
     void vertex(const PathState&, const Surface&) const {}
     void added(const PathState&, Color) const {}
     void shadow(uint32_t /*slot*/, const Ray&, Color, bool) const {}

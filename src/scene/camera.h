@@ -1,4 +1,4 @@
-// From a point on the film to a ray. Pharr, Jakob, Humphreys, 4th ed., chapter 5.
+// Cameras: generate a ray from a film position. Pharr, Jakob, Humphreys, 4th ed., chapter 5.
 #pragma once
 
 #include "core/bounds.h"
@@ -8,14 +8,14 @@
 
 namespace lancer {
 
-// Where on the film the middle of a pixel lies.
+// Position of pixel centres on the film.
 enum class PixelGrid {
-    centres,  // in the middle of its square
-    shifted,  // one row lower, so that the picture stands one row too high: as in the student's path tracer
-    corners,  // the first and the last of each row and column on the edge: as in the course's ray tracer
+    centres,  // at the centres of their squares
+    shifted,  // one row lower, as in the path tracer that --legacy reproduces
+    corners,  // the outermost ones on the edges of the film, as in the ray tracer that --legacy reproduces
 };
 
-// A pinhole, or a thin lens where aperture is not 0.
+// A pinhole camera, or a thin-lens camera if aperture is not 0.
 class Camera {
 public:
     // size: of the whole picture, pixels.
@@ -24,27 +24,27 @@ public:
 
     // film: in pixels, x to the right, y down from the upper left corner; lens: in [0, 1)^2.
     Ray ray(Vec2 film, Vec2 lens) const;
-    // The same through the middle of the lens: all that a pinhole has.
+    // The ray through the centre of the lens.
     Ray middle_ray(Vec2 film) const { return {.org = position_, .dir = normalize(direction(film.x, film.y))}; }
-    // The directions of eight of these; they start at position().
+    // Directions of eight such rays; their origin is position().
     Vec3x8 middle_directions(const Vec2x8& film) const { return normalize(direction(film.x, film.y)); }
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
 
     bool is_pinhole() const { return lens_right_ == Vec3{}; }
     Vec3 position() const { return position_; }
-    // A place as a pinhole sees it: it lies at (x / depth, y / depth) of the film, in pixels, where depth > 0.
+    // Projection of a point: it lies at (x / depth, y / depth) of the film, in pixels, where depth > 0.
     struct Seen {
         double x, y, depth;
     };
     Seen seen(Vec3d p) const { return seen_along(p - to_double(position_)); }
-    // Of the way there from the camera, in which it is linear.
+    // Projection of a vector from the camera; linear in it.
     Seen seen_along(Vec3d way) const;
 
     friend bool operator==(const Camera&, const Camera&) = default;
 
 private:
-    // Through the middle of the lens; 1 long along the way that the camera looks.
+    // Direction through the centre of the lens, with length 1 along the optical axis.
     template <class T>
     Vec3T<T> direction(T x, T y) const
     {
@@ -59,10 +59,11 @@ private:
     float focus_;                             // distance of the plane in focus
 };
 
-// Looks at the whole of the subject from the front, a little from above. aspect: width over height.
+// A camera that sees the whole subject from the front and slightly from above. aspect: width over height.
 CameraDescription fit_camera(const Bounds& subject, double aspect);
 
-// A sky and a sun from the upper left, for a subject that brings no light; it is as bright as its albedo, or so.
+// Default lights for a subject without lights: a sky and a sun from the upper left, with a radiance that makes surfaces
+// about as bright as their albedo.
 std::vector<LightDescription> default_lights(const Bounds& subject);
 
 }  // namespace lancer

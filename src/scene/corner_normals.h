@@ -1,5 +1,5 @@
-// The shading normals at the corners of a mesh's triangles. In most scans and models each vertex has one: then the
-// normals stand behind the positions of the mesh, and shading waits for two tables less.
+// Shading normals at the corners of a mesh's triangles. If each vertex has a single normal, the normals are stored
+// behind the positions of the mesh, which saves two memory accesses when shading.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ struct CornerNormals {
     using Corners = std::array<uint32_t, 3>;
     static constexpr uint32_t none = MeshData::no_normal;
 
-    std::vector<Vec3> values;        // unit; one more than used, at the end: four numbers are read at a time
-    std::vector<Corners> triangles;  // which of them each has, `none` where it is flat
-    bool are_of_vertices = false;    // then both are empty, and Mesh::rows is two
+    std::vector<Vec3> values;        // unit; padded by one entry, as four numbers are read at a time
+    std::vector<Corners> triangles;  // normal indices of each triangle, `none` for a flat one
+    bool are_of_vertices = false;    // normals are stored with the vertices: both arrays are empty, and Mesh::rows is 2
 
-    // Stands for the normal of a vertex whose triangles are flat.
+    // Value of the normal of a vertex whose triangles are flat.
     static constexpr Vec3 of_flat()
     {
         constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -30,17 +30,17 @@ struct CornerNormals {
     }
 
     bool empty() const { return values.empty() && !are_of_vertices; }
-    // Which of them a triangle names, if it names any. Only if not empty().
+    // Normal indices of a triangle, if it has any. The object must not be empty().
     const Corners& named_by(const Mesh& mesh, uint32_t triangle) const
     {
         return are_of_vertices ? mesh.triangles[triangle] : triangles[triangle];
     }
-    // Of those that are named so.
+    // The normal with an index from named_by().
     const Vec3& value(const Mesh& mesh, uint32_t named) const
     {
         return are_of_vertices ? mesh.positions[named + 1] : values[named];
     }
-    // Which normals a triangle's corners have; null where it is flat.
+    // The normals of a triangle's corners; null if it is flat.
     const Corners* find(const Mesh& mesh, uint32_t triangle) const
     {
         if (empty()) return nullptr;

@@ -1,4 +1,4 @@
-// Three indices for each of those triangles of a mesh that have them, where often only some have.
+// Three indices for each triangle of a mesh that has them; often only some triangles do.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ public:
     static constexpr uint32_t none = UINT32_MAX;
 
     CornerTable() = default;
-    // has(triangle): whether its corners are kept.
+    // has(triangle): whether the triangle's indices are kept.
     template <class Has>
     CornerTable(const std::vector<Corners>& all, const Has& has)
     {
@@ -43,20 +43,20 @@ public:
         if (marks_.empty()) return corners_.empty() || corners_[triangle][0] == none ? nullptr : &corners_[triangle];
         return marks_.has(triangle) ? &corners_[marks_.before(triangle)] : nullptr;
     }
-    // What find() gives, or that of another triangle where there is none: found without a branch, to be asked for
-    // early. Only of a table that is not empty.
+    // The entry that find() returns, or the next one if the triangle has none: computed without a branch, for
+    // prefetching. The table must not be empty.
     const Corners* guess(uint32_t triangle) const
     {
         if (marks_.empty()) return &corners_[triangle];
         return &corners_[marks_.has(triangle) * marks_.before(triangle)];
     }
-    // In the order of their triangles, to be renumbered or turned round; `none` stays what it is.
+    // All entries in the order of their triangles, for renumbering. `none` entries must stay.
     std::vector<Corners>& all() { return corners_; }
     uint64_t bytes() const { return corners_.size() * sizeof(Corners) + marks_.bytes(); }
 
 private:
     std::vector<Corners> corners_;
-    RankedBitset marks_;  // empty: nearly all triangles have corners, and there is an entry for each; or none has
+    RankedBitset marks_;  // which triangles have an entry; empty if all of them or none have
 };
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// What a scene has of the things that scenes may have: the one list, and the one look at a scene that fills it. Kernels
-// that know less than everything are chosen by it (render/specialize.cpp), and `lancer info` prints it.
+// The list of scene features, and the function that finds those of a scene. Kernels are specialised by it
+// (render/specialize.cpp), and `lancer info` prints it.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ enum class Feature {
     instances,
     vertex_normals,
     vertex_colors,
-    // surfaces; a material counts if something wears it
+    // surfaces; only materials that are in use count
     textures,
     bump_maps,
     normal_maps,
@@ -37,13 +37,13 @@ enum class Feature {
     directional_lights,
     sphere_lights,
     triangle_lights,
-    shaped_triangle_lights,  // smooth or instanced ones, which are looked up where they are sampled
+    shaped_triangle_lights,  // smooth or instanced ones; their triangle is read when they are sampled
     constant_sky,
     sky_map,
     background,
     textured_lights,
     light_tree,
-    // ways
+    // methods
     terminator,
     legacy,
     count
@@ -91,7 +91,7 @@ public:
     constexpr bool has(Feature f) const { return (bits_ & bit(f)) != 0; }
     constexpr void add(Feature f, bool really = true) { bits_ |= really ? bit(f) : 0; }
     constexpr Features operator|(Features o) const { return Features(bits_ | o.bits_); }
-    // Whether nothing is needed that is not here.
+    // Whether `needed` is a subset of these features.
     constexpr bool covers(Features needed) const { return (needed.bits_ & ~bits_) == 0; }
 
 private:
@@ -100,7 +100,7 @@ private:
     uint64_t bits_ = 0;
 };
 
-// Of a complete scene.
+// Features of a complete scene.
 Features features_of(const Scene& scene);
 
 }  // namespace lancer

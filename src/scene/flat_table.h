@@ -1,6 +1,5 @@
-// All there is to know of triangles that are drawn as they are and have no normals of their own: a line of memory each,
-// where there are so few of them that all stay in the caches. triangle_interaction() gathers the same from three
-// tables.
+// A table of non-instanced flat triangles with all their shading data in one cache line each, for scenes so small that
+// it stays in the cache. triangle_interaction() reads the same data from three tables.
 #pragma once
 
 #include <vector>
@@ -13,16 +12,16 @@ namespace lancer {
 
 class FlatTable {
 public:
-    // Empty, unless all that rays of the scene can hit are so few such triangles.
+    // Empty unless all geometry of the scene consists of few such triangles.
     static FlatTable of(const Scene& scene);
 
     bool empty() const { return records_.empty(); }
     struct Found {
         InteractionLanes place;
         UInt8 material;
-        Mask8 shines;  // whether any of its sides does
+        Mask8 shines;  // whether the material emits on any side
     };
-    // Of lanes without a hit: anything finite.
+    // Results of lanes without a hit are finite but meaningless.
     Found at(const HitLanes& hits) const
     {
         const UInt8 number = select(hits.exist, permute(first_, hits.geometry) + hits.primitive, UInt8{});
@@ -32,8 +31,8 @@ public:
     }
 
 private:
-    // Of a triangle: each corner and its normal; behind these the material, PointOnTriangle::rounding, all bits where
-    // it shines, and its area.
+    // Per triangle: its corners and the normal, one component of the normal behind each corner; then the material,
+    // PointOnTriangle::rounding, a mask that tells whether it emits, and its area.
     struct alignas(64) Record : std::array<Row, 4> {};
 
     RowLanes rows(UInt8 records, size_t k) const
@@ -42,7 +41,7 @@ private:
     }
 
     std::vector<Record> records_;
-    UInt8 first_{};  // of each mesh
+    UInt8 first_{};  // index of each mesh's first triangle
 };
 
 }  // namespace lancer

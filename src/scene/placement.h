@@ -1,4 +1,4 @@
-// Where things are: the units of a scene, and the place of each mesh in it.
+// Normalisation of the scene's units, and the placement of meshes.
 #pragma once
 
 #include <map>
@@ -21,20 +21,21 @@ struct Normalisation {
     Vec3d to_file(Vec3d p) const { return p / scale + center; }
 };
 
-// What brings the bounds to an extent in [1, 2). Moved to the origin only if they lie far from it: a translation costs
-// a rounding.
+// The normalisation that scales the bounds to an extent in [1, 2). It translates only scenes far from the origin, as a
+// translation costs a rounding.
 Normalisation normalise(const Bounds& b);
 Transform to_transform(const Normalisation& n);
 Transform to_transform(const TransformDescription& t);
 
 Bounds bounds_of(const MeshData& data);
-// Of the transformed corners.
+// Bounds of the transformed corners.
 Bounds transformed(const Bounds& b, const Transform& m);
 
-// Bounds in file units of what a camera should see: all but planes and spheres far larger than the rest.
+// Bounds, in file units, of what a default camera should see: everything but planes and spheres much larger than the
+// rest.
 Bounds subject_bounds(const SceneDescription& description);
 
-// Where each mesh of the description is drawn.
+// Transforms and instances of the description's meshes.
 struct Placement {
     std::map<std::string, uint32_t> by_name;
     std::vector<bool> instanced;

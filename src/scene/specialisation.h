@@ -1,4 +1,4 @@
-// What a scene does without, and what that saves: kept for people to read, nothing depends on it.
+// Features and data that a scene does not use, and what that saves. For reports only.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 namespace lancer {
 
 struct UnusedFeature {
-    std::string what;    // in words that a number goes before: "textures of one value"
-    uint64_t count = 0;  // of them, >= 1
-    uint64_t bytes = 0;  // of memory that they would have taken; 0: next to none, or it is not known
-    std::string time{};  // that it would have taken, as the bench found it: "250 ms"; empty: none, or it is not known
+    std::string what;    // a plural that follows the count: "textures of one value"
+    uint64_t count = 0;  // number of them, >= 1
+    uint64_t bytes = 0;  // memory that is saved; 0: almost none, or unknown
+    std::string time{};  // time that is saved, as benchmarked: "250 ms"; empty: none, or unknown
 };
 
-// In the order in which things were first left out.
+// A list in the order of insertion.
 class UnusedFeatures {
 public:
-    // More of the same add up; nothing happens where count is 0.
+    // Adds to the entry with the same text; ignores count 0.
     void add(std::string_view what, uint64_t count, uint64_t bytes = 0, std::string_view time = {})
     {
         if (count == 0) return;

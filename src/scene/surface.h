@@ -1,4 +1,4 @@
-// The place that a hit is: point, normals, material. Derived from the hit once, whichever accelerator found it.
+// The surface at a hit: point, normals, material. It is computed from the hit alone, whichever accelerator found it.
 #pragma once
 
 #include "core/color.h"
@@ -14,23 +14,23 @@ struct MeshShading;
 
 struct Surface {
     Vec3 p;
-    Vec3 p_error;  // bound of p's rounding error, per axis: what offset_origin() wants
+    Vec3 p_error;  // bound of p's rounding error, per axis; see offset_origin()
     Vec3 n;        // geometric, unit, on the side the ray came from
     Vec3 ns;       // shading, unit, in the hemisphere of n and turned towards the ray
-    Vec3 origin;   // where rays to the side of n start: p, or with the terminator fix above it, off its rounding
-    Vec3 side;     // what decides on which side of the surface a direction is: n, or with the terminator fix ns
+    Vec3 origin;   // origin of rays to the side of n, offset by p_error; with the terminator fix above p
+    Vec3 side;     // normal that decides the side of a direction: n, or with the terminator fix ns
     bool front;    // the ray came from the side the geometric normal of the shape points to
     uint32_t material;
-    uint32_t light;  // id of the light that this place belongs to, or Scene::none
+    uint32_t light;  // id of the light at this point, or Scene::none
     float t;
-    float area = 0;               // of a triangle as a whole, scene units; else 0
-    Vec2d uv{};                   // texture coordinates; only filled where the material reads textures
-    float uv_width = 0;           // footprint of the ray's cone there, in uv
-    Vec2 uv_along{};              // of a plane: what is more of it along the ray; see Footprint
-    float eta = 0;                // index beyond over index before, where the media on the ray's way tell; else 0
-    Vec3 ns_front{};              // shading normal on the front side, as the shape and its maps say: not turned or bent
+    float area = 0;               // area of the triangle, scene units; else 0
+    Vec2d uv{};                   // texture coordinates; only set if the material reads textures
+    float uv_width = 0;           // footprint of the ray cone, in uv
+    Vec2 uv_along{};              // planes: additional extent along the ray; see Footprint
+    float eta = 0;                // relative index of refraction from the media of the ray; 0: from the material
+    Vec3 ns_front{};              // shading normal on the front side, not faced forward or limited
     Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
-    uint32_t leaf_hint = Ray::no_leaf_hint;  // of rays that start there, as in Ray
+    uint32_t leaf_hint = Ray::no_leaf_hint;  // Ray::leaf_hint of rays that start here
 };
 
 // How texture coordinates lie on a plane, in units of the file: uv = (dot(p - origin, u), dot(p - origin, v)).
@@ -40,29 +40,29 @@ struct PlaneMap {
         step_v{0, 1, 0};  // steps in the plane by which u, by which v grows by 1, and the other stays
 };
 
-// A ray as thick as the light that it stands for: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail
-// Using Ray Cones", JCGT 10(1), 2021.
+// A ray cone, for texture filtering: Akenine-Moeller et al., "Improved Shader and Texture Level of Detail Using Ray
+// Cones", JCGT 10(1), 2021.
 struct RayCone {
-    float width = 0;   // where the ray starts, scene units
+    float width = 0;   // at the ray's origin, scene units
     float spread = 0;  // growth of the width per unit of distance
 };
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone = {});
-// The same where it is known where on its triangle the hit is; of other hits `place` is not looked at.
+// The same with the interaction of a triangle hit already computed; other hits ignore `place`.
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& place);
 
-// What a material wants to know at a hit of a triangle that is drawn as it is and that no map tilts. front: of the
-// surface; width: of the ray's cone there; area: of the triangle.
+// ShadingPoint of a hit of a non-instanced triangle without normal maps. front: side of the surface; width: of the ray
+// cone; area: of the triangle.
 ShadingPoint shading_point_at(const Scene& scene, const Hit& hit, bool front, float width, float area);
 
-// Where a ray in direction w starts, off the surface by its rounding.
+// Origin of a ray in direction w, offset from the surface.
 inline Vec3 ray_origin(const Surface& s, Vec3 w)
 {
     return dot(w, s.side) < 0 ? offset_origin(s.p, s.p_error, s.n, -s.n) : s.origin;
 }
 
-// Turns the normals of a surface to the side of wo, which points away from it. n: geometric, ns: shading. Returns
-// whether the surface is met from its front. T: float or several of them.
+// Flips n and ns to the side of wo, which points away from the surface. n: geometric, ns: shading. Returns whether wo
+// is on the front side. T: float or a vector of them.
 template <class T>
 auto face_forward(Vec3T<T>& n, Vec3T<T>& ns, const Vec3T<T>& wo)
 {
@@ -96,7 +96,7 @@ inline float rounding_on(const Sphere& s)
 }
 inline Vec3 sphere_point_error(const Sphere& s, Vec3 p) { return sphere_point_error(rounding_on(s), p); }
 
-// A point of a triangle and what light sampling needs to know there.
+// A point on a triangle, for light sampling.
 struct TrianglePoint {
     Vec3 p, p_error, n;  // n: geometric, unit, on the front side
     float area;          // of the whole triangle, scene units
@@ -105,7 +105,7 @@ struct TrianglePoint {
 // uv: barycentric weights of the second and third corner.
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
 
-// Texture coordinates there; {} where the mesh keeps none.
+// Texture coordinates of the point; {} if the mesh has none.
 Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv);
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// Where on a triangle a hit is: point, normals, area. Once for a single hit, and once for many, eight at a time, with
-// the same bits: of what surface_at() does this takes longest.
+// The interaction of a ray with a triangle: point, normals, area. For one hit and for eight at a time with the same
+// bits; it is the most expensive part of surface_at().
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace lancer {
 
 struct Scene;
 
-// What intersecting in double leaves, on top of rounding the point to float, for a shape that reaches so far from the
-// origin. It alone remains where coordinates vanish: on a floor at y = 0, or where a wall sphere passes the origin.
+// Error of the intersection in double, in addition to rounding the point to float, for a shape with this largest
+// coordinate. It matters where coordinates vanish: on a floor at y = 0, or where a wall sphere crosses the origin.
 template <class T>
 T rounding_in_double(T reach)
 {
@@ -34,10 +34,10 @@ inline Float8 first_weight(Float8 u, Float8 v)
     return concat(half(lower(u), lower(v)), half(upper(u), upper(v)));
 }
 
-// A point of a triangle. T: float or several of them; u, v: barycentric weights of the second and third corner.
+// A point of a triangle by barycentric weights u, v of the second and third corner. T: float or a vector of them.
 template <class T>
 struct PointOnTriangle {
-    T first_weight;  // of the first corner
+    T first_weight;  // weight of the first corner
     Vec3T<T> p, p_error;
 
     PointOnTriangle(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c, T u, T v)
@@ -53,7 +53,7 @@ struct PointOnTriangle {
         // Section 6.8.5 of Physically Based Rendering, 4th ed.: seven roundings per component.
         p_error = (abs(wa) + abs(wb) + abs(wc)) * (T{} + gamma(7)) + Vec3T<T>{rounded, rounded, rounded};
     }
-    // What is left of intersecting in double.
+    // The error of the intersection in double.
     static T rounding(const Vec3T<T>& a, const Vec3T<T>& b, const Vec3T<T>& c)
     {
         return rounding_in_double(larger(largest(abs(a)), larger(largest(abs(b)), largest(abs(c)))));
@@ -76,35 +76,35 @@ struct TriangleInteraction {
 TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle,
                                          Vec2 uv);
 
-// triangle_interaction() of eight triangles that are drawn as they are.
+// triangle_interaction() of eight non-instanced triangles.
 struct InteractionLanes {
     Vec3x8 p, p_error, n, ns;
     Float8 area;
     TriangleInteraction of(size_t k) const { return {lane(p, k), lane(p_error, k), lane(n, k), lane(ns, k), area[k]}; }
 };
 InteractionLanes interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which);
-// The same of triangles whose corners have no normals of their own.
+// The same for triangles without corner normals.
 InteractionLanes flat_interactions_of(const Scene& scene, std::span<const Hit> hits, const HitIndices& which);
-// Each to the place of its hit.
+// Stores each interaction at the index of its hit.
 inline void put(const InteractionLanes& eight, const HitIndices& which, std::span<TriangleInteraction> places)
 {
     for (size_t k = 0; k < float_lanes; ++k) places[which[k]] = eight.of(k);
 }
 
-// What is kept of each triangle besides its corners is asked for early, step by step, so that who reads it need not
-// wait for one line of memory after the other. Whether that pays:
+// Prefetching of the shading data of triangles, step by step, so that dependent cache misses overlap. Whether it pays
+// off:
 bool tables_exceed_caches(const Scene& scene);
-// Of all that were hit: material, and which normals the corners have.
+// Prefetches materials and normal indices of all hits.
 void prefetch_shading(const Scene& scene, std::span<const Hit> hits);
-// Then, where they are triangles, these normals. which: bit i: of hits[i].
+// Prefetches the corner normals of triangle hits; bit i of `which` selects hits[i].
 void prefetch_normals(const Scene& scene, std::span<const Hit> hits, uint32_t which);
-// Where materials read textures: which points of them the corners have, and later these.
+// Prefetches uv indices, and later the uvs, of hits whose material reads textures.
 void prefetch_uv_corners(const Scene& scene, std::span<const Hit> hits, uint32_t which);
 void prefetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which);
-// For who does not go by steps: whatever may be read.
+// Prefetches everything that may be read, in one call.
 void prefetch_all(const Scene& scene, std::span<const Hit> hits);
 
-// places[i]: of hits[i], where that is a triangle; others stay as they are.
+// Computes places[i] for each hits[i] that is a triangle; the others stay unchanged.
 void triangle_interactions(const Scene& scene, std::span<const Hit> hits, std::span<TriangleInteraction> places);
 
 }  // namespace lancer

@@ -1,7 +1,6 @@
-// A scene of which eight places can be shaded at once: without media. Plainest are triangles of Lambert's materials
-// drawn as they are, lit by triangles of one colour each or by a sky of one colour: what such a scene lacks is never
-// asked for. Else places are looked at one by one, lights that are no such triangles sampled so, and materials that are
-// not Lambert's asked so. Tables of it as registers want them.
+// Tables for shading eight points at once (the wide kernel), for scenes without media. The plainest variant supports
+// non-instanced Lambertian triangles without textures, lit by single-colour triangles or by a constant environment. The
+// others handle other shapes, lights and materials lane by lane.
 #pragma once
 
 #include <optional>
@@ -15,44 +14,46 @@
 namespace lancer {
 
 enum class Shading {
-    plain,     // nothing is looked up
-    textured,  // matt places that may have textures, maps and holes, under any lights
-    any,       // of any material
+    plain,     // no textures, one kind of light
+    textured,  // Lambertian surfaces with textures, maps and cut-outs, any lights
+    any,       // any material
 };
 
 struct WideScene {
-    // What is said of one place, gathered for eight without a branch: said << i is ORed for place i, after which byte k
-    // has the places of which the k-th fact is true.
+    // Flags of eight lanes, gathered without branches: flags << i is ORed for lane i, after which byte k contains the
+    // lanes for which flag k is set.
     struct LaneFlags {
         uint32_t bits = 0;
         void add(uint32_t i, uint32_t flags) { bits |= flags << i; }
         uint32_t lanes(uint32_t flag) const { return bits / flag & 255; }
     };
-    // Of triangles.
-    static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8, is_fixed = 1u << 16,  // no map tilts it; Fixed::is
-        is_mirroring = 1u << 24;                                                         // MaterialTraits::mirrors
-    // Of BSDFs.
+    // Flags of triangles.
+    static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8,
+                              is_fixed = 1u << 16,  // straight: no normal map; fixed: see Fixed::is
+        is_mirroring = 1u << 24;                    // MaterialTraits::mirrors
+    // Flags of BSDFs.
     static constexpr uint32_t is_non_lambert = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16,
                               is_transmissive = 1u << 24;
 
-    // A triangle that shines: its corners, behind the first PointOnTriangle::rounding(); normal of its front side, and
-    // area; radiance to either side, behind that of the front the probability of being chosen.
+    // Rows of a triangle light: its corners, with PointOnTriangle::rounding() behind the first one; the normal of its
+    // front side and its area; the radiance of both sides, with the selection probability behind the front's.
     enum LightRow : size_t { corner_a, corner_b, corner_c, normal_area, front, back, light_rows };
-    // A sphere that shines.
+    // A sphere light.
     struct alignas(32) SphereLightRow {
         std::array<double, 4> center_radius{};
-        Row radiance;        // of its outside; w: probability of being chosen
+        Row radiance;        // of its outside; w: selection probability
         float rounding = 0;  // rounding_on()
     };
-    // How a light is sampled.
+    // How a light is sampled by the wide kernel.
     enum class LightKind : uint8_t {
-        triangle,  // drawn as it is and of one colour
+        triangle,  // not instanced, of one colour
         sphere,    // of one colour
         constant_environment,
-        other,  // by the functions for one
+        other,  // by the scalar functions
     };
 
-    // What each way of shading knows, and those above it. Of lamps and a sky the plainest knows only one at a time.
+    // Features that each Shading supports, in addition to those of the previous one. `plain` supports either triangle
+    // lights or a constant environment, not both.
     static constexpr Features plain{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
                                     Feature::constant_sky, Feature::light_tree};
     static constexpr Features textured{Feature::spheres,        Feature::planes,
@@ -66,31 +67,30 @@ struct WideScene {
     static constexpr Features any{Feature::mirror,  Feature::metal,     Feature::glass,
                                   Feature::plastic, Feature::interface, Feature::mixes};
 
-    // What a material becomes wherever it is, on the back and on the front of a surface.
+    // The BSDFs of a material that are the same everywhere, for the back and the front side.
     struct Fixed {
-        bool is = false;  // if not, it asks for the place
+        bool is = false;  // false: the BSDF depends on the point
         std::array<AnyBsdf, 2> bsdf{};
-        std::array<uint32_t, 2> flags{};  // bsdf_flags() these
+        std::array<uint32_t, 2> flags{};  // bsdf_flags() of each
     };
 
-    Shading shading = Shading::plain;           // the least that it takes
-    RowTable<1> albedo;                         // of each material, before anything is looked up
-    FlatTable flat;                             // only where the plainest way of shading will do
-    std::vector<uint8_t> shines;                // of each material, whether any of its sides does
-    std::vector<uint32_t> triangle_flags;       // of each material, facts of triangles of it that are drawn as they are
-    std::vector<Fixed> fixed;                   // of each material; not where the plainest way of shading will do
-    bool has_colors = false;                    // of vertices
+    Shading shading = Shading::plain;           // the plainest one that supports the scene
+    RowTable<1> albedo;                         // of each material without textures
+    FlatTable flat;                             // only for Shading::plain
+    std::vector<uint8_t> shines;                // per material: whether any side emits
+    std::vector<uint32_t> triangle_flags;       // per material: flags of its non-instanced triangles
+    std::vector<Fixed> fixed;                   // per material; not for Shading::plain
+    bool has_colors = false;                    // some mesh has vertex colours
     std::vector<LightKind> light_kinds;         // parallel to Scene::lights
-    RowTable<light_rows> lights;                // so, too, if some are triangles
-    std::vector<SphereLightRow> sphere_lights;  // so, too, if some are balls
-    bool has_triangles_only = false;            // of the lights
+    RowTable<light_rows> lights;                // parallel to Scene::lights if there are triangle lights
+    std::vector<SphereLightRow> sphere_lights;  // parallel to Scene::lights if there are sphere lights
+    bool has_triangles_only = false;            // all lights are of kind triangle
 
-    // Nothing if the scene is not so plain.
+    // Returns nothing if the scene has unsupported features.
     static std::optional<WideScene> of(const Scene& scene);
 };
 
-// What there is to know of a BSDF besides what it is asked: whether it is not Lambert's, whether it is plastic, has
-// only delta lobes, lets light through.
+// Flags of a BSDF: not Lambertian, plastic, only delta lobes, transmissive.
 template <Bsdf B>
 uint32_t bsdf_flags(const B& bsdf)
 {

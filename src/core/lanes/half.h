@@ -1,4 +1,4 @@
-// Half floats (IEEE 754 binary16), as pictures store them; converted by the F16C instructions that x86-64-v3 has.
+// Half floats (IEEE 754 binary16), as picture files store them.
 #pragma once
 
 #include <immintrin.h>

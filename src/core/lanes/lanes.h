@@ -1,5 +1,5 @@
-// Several numbers at once, each computed as one alone would be: the same bits, as no operation is fused or reordered.
-// What is written once for T = float and T = Float8 uses these functions, which there are for both.
+// SIMD types and functions. Each lane has the bits of the scalar function, as no operation is fused or reordered.
+// Templates over T = float and T = Float8 use these functions for both.
 #pragma once
 
 #include <immintrin.h>
@@ -36,7 +36,7 @@ T broadcast_to(float x)
         return broadcast(x);
 }
 
-// The lower four lanes and the upper four.
+// Joins the lower and upper four lanes, and splits them.
 inline Float8 concat(Float4 low, Float4 high) { return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1); }
 inline Mask8 concat(Mask4f low, Mask4f high)
 {
@@ -45,12 +45,12 @@ inline Mask8 concat(Mask4f low, Mask4f high)
 inline Float4 lower(Float8 x) { return _mm256_castps256_ps128(x); }
 inline Float4 upper(Float8 x) { return _mm256_extractf128_ps(x, 1); }
 
-// From four numbers, as they are and in double.
+// Loads four numbers; load() converts them to double.
 inline Float4 load4(const float* from) { return _mm_loadu_ps(from); }
 inline Double4 load4(const double* from) { return _mm256_loadu_pd(from); }
 inline Double4 load(const float* from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
 
-// Put together in a register: what is written lane by lane and then read as a whole is waited for.
+// Builds a register from an array. Writing lanes to memory and loading them as a whole would stall on store forwarding.
 inline UInt8 from_array(const std::array<uint32_t, float_lanes>& x)
 {
     return UInt8{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
@@ -65,7 +65,7 @@ inline double to_double(float x) { return x; }
 inline Float4 to_float(Double4 x) { return _mm256_cvtpd_ps(x); }
 inline float to_float(double x) { return static_cast<float>(x); }
 
-// As it is after being stored in float.
+// Rounds to float and back.
 inline Double4 as_stored(Double4 x) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(x)); }
 
 // NaN where x is negative.
@@ -102,7 +102,7 @@ inline UInt8 select(Mask8 m, UInt8 yes, UInt8 no)
 {
     return reinterpret_cast<UInt8>(select(m, reinterpret_cast<Float8>(yes), reinterpret_cast<Float8>(no)));
 }
-// Lane i of what comes out is lane from[i] of x.
+// Lane i of the result is lane from[i] of x.
 inline Float8 permute(Float8 x, UInt8 from) { return _mm256_permutevar8x32_ps(x, reinterpret_cast<__m256i>(from)); }
 inline UInt8 permute(UInt8 x, UInt8 from)
 {
@@ -114,7 +114,7 @@ inline Mask8 permute(Mask8 x, UInt8 from)
 }
 inline double select(bool m, double yes, double no) { return m ? yes : no; }
 inline float select(bool m, float yes, float no) { return m ? yes : no; }
-// Of four doubles, for what is done with four floats.
+// Narrows a mask of four doubles to one of four floats.
 inline Mask4f narrow(Mask4 m)
 {
     const __m256i low =
@@ -122,13 +122,13 @@ inline Mask4f narrow(Mask4 m)
     return reinterpret_cast<Mask4f>(_mm256_castsi256_si128(low));
 }
 
-// a where b is NaN, and b where a is, as std::max does.
+// The larger number; a where b is NaN and b where a is NaN, as std::max.
 template <class T>
 T larger(T a, T b)
 {
     return select(a < b, b, a);
 }
-// Likewise, as std::min does.
+// The smaller number, with NaN as in std::min.
 template <class T>
 T smaller(T a, T b)
 {
@@ -148,13 +148,13 @@ inline Float8 abs(Float8 x) { return _mm256_andnot_ps(broadcast(-0.0f), x); }
 // c - a * b, rounded once.
 inline Float8 minus_product(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }
 
-// To the nearest whole number, to the even one of two.
+// Rounds to the nearest integer, ties to even.
 inline float nearest(float x) { return std::nearbyint(x); }
 inline Float8 nearest(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC); }
-// Of whole numbers that an int can hold.
+// Converts integral floats in the range of int.
 inline uint32_t to_whole(float x) { return static_cast<uint32_t>(static_cast<int>(x)); }
 inline UInt8 to_whole(Float8 x) { return reinterpret_cast<UInt8>(_mm256_cvttps_epi32(x)); }
-// The sign turned where the lowest bit of `bit` is set.
+// Flips the sign where the lowest bit of `bit` is set.
 inline float negated(float x, uint32_t bit) { return std::bit_cast<float>(std::bit_cast<uint32_t>(x) ^ (bit << 31)); }
 inline Float8 negated(Float8 x, UInt8 bit)
 {
@@ -163,7 +163,7 @@ inline Float8 negated(Float8 x, UInt8 bit)
 inline bool is_odd(uint32_t x) { return x & 1; }
 inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
-// Bit i: lane i.
+// The sign bits of a mask: bit i is that of lane i.
 inline uint32_t movemask(Mask8 m) { return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(m))); }
 inline uint32_t movemask(bool m) { return m; }
 inline uint32_t movemask(Mask4f m) { return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(m))); }
@@ -178,17 +178,17 @@ inline uint32_t movemask_eq(const std::array<uint32_t, 8>& a, uint32_t b)
 }
 inline uint32_t movemask(Mask4 m) { return static_cast<uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m))); }
 
-// The other way round.
+// The mask whose movemask() is `bits`.
 inline Mask8 lanes_of(uint32_t bits)
 {
     const Mask8 bit{1, 2, 4, 8, 16, 32, 64, 128};
     return (bit & static_cast<int>(bits)) == bit;
 }
 
-// The first n.
+// A mask of the first n lanes.
 inline Mask8 first_lanes(size_t n) { return Mask8{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<int>(n); }
 
-// f(lane) for each bit that is set.
+// Calls f(lane) for each set bit, from the lowest.
 template <class F>
 void for_each_lane(uint32_t bits, F&& f)
 {

@@ -1,4 +1,4 @@
-// Of eight lanes the wanted ones, side by side.
+// Compaction of eight lanes: moves the selected lanes to the front.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace lancer {
 
-// The wanted lanes of a mask first, in order; behind them anything.
+// Permutes the selected lanes to the front, in order; the other lanes are undefined.
 class Packing {
 public:
-    // wanted: bit i of lane i.
+    // wanted: bit i selects lane i.
     explicit Packing(uint32_t wanted)
         : order_(_mm256_load_si256(reinterpret_cast<const __m256i*>(orders[wanted].data())))
     {
@@ -20,7 +20,7 @@ public:
     {
         return reinterpret_cast<UInt8>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(x), order_));
     }
-    // Writes eight numbers, of which the wanted ones come first.
+    // Writes eight numbers; the selected ones come first.
     void store(float* to, Float8 x) const { _mm256_storeu_ps(to, (*this)(x)); }
     void store(uint32_t* to, UInt8 x) const
     {

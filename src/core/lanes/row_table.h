@@ -1,4 +1,4 @@
-// Rows of four numbers, looked up for eight places at once.
+// A table of rows of four floats, gathered for eight indices at once.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ struct alignas(16) Row {
     float x = 0, y = 0, z = 0, w = 0;
 };
 
-// Records of so many rows each.
+// A table of records of `rows` rows each.
 template <size_t rows>
 class RowTable {
 public:
@@ -29,7 +29,7 @@ public:
             }
     }
     bool empty() const { return records_.empty(); }
-    // The row of that place in each of eight records.
+    // The given row of eight records.
     RowLanes at(UInt8 numbers, size_t row = 0) const
     {
         if (!are_few()) return transpose([&](size_t i) { return load4(&records_[numbers[i]][row].x); });
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    // So few that a register holds one number of each of them, and what is looked up is a permutation of it.
+    // At most eight records: a register holds one number of each, and a gather is a permutation.
     bool are_few() const { return records_.size() <= float_lanes; }
 
     std::vector<Record> records_;

@@ -1,4 +1,4 @@
-// The numbers of eight samplers at once, with the bits of each alone.
+// Eight samplers at once, with the bits of Sampler in each lane.
 #pragma once
 
 #include "core/lanes/vec.h"
@@ -6,12 +6,12 @@
 
 namespace lancer {
 
-// Sampler::key_of() of each lane, by halves.
+// Sampler::key_of() of each lane, split into halves.
 struct KeyLanes {
     UInt8 low, high;
 };
 
-// The address of a group of numbers in each lane, but for the sample.
+// The hashes of a group of numbers in each lane, without the sample.
 class AddressLanes {
 public:
     AddressLanes(SamplerKind kind, const KeyLanes& key, uint32_t bounce, Dim dim) : kind_(kind)
@@ -24,7 +24,7 @@ public:
         low_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0x88));
         high_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0xdd));
     }
-    // As Sampler's; sample: index within the pixel.
+    // As Sampler::get2(); sample: index within the pixel.
     Vec2x8 get2(UInt8 sample) const
     {
         if (kind_ == SamplerKind::independent) {
@@ -38,7 +38,7 @@ public:
         const UInt8 i = shuffled(sample);
         return {first_of(i), second_of(i)};
     }
-    // The first of get2().
+    // The first number of get2().
     Float8 get2_x(UInt8 sample) const
     {
         if (kind_ == SamplerKind::independent) return get2(sample).x;
@@ -63,7 +63,7 @@ public:
         const UInt8 i = shuffled(sample);
         return {first_of(i), second_of(i), third_of(i)};
     }
-    // As Sampler's, of lane i.
+    // As Sampler::key(), for lane i.
     uint32_t key(size_t i, uint32_t sample) const { return Sampler::key(hash(i), sample); }
 
 private:
@@ -73,7 +73,7 @@ private:
     {
         return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), low_));
     }
-    // Of a shuffled index the coordinates of its point.
+    // Coordinates of the point with a shuffled index.
     Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)); }
     Float8 second_of(UInt8 i) const
     {

@@ -1,4 +1,4 @@
-// Vectors of eight, and of four: what vec.h has for one, with the same bits in each lane.
+// Vectors of eight and of four lanes: the operations of core/vec.h, with the same bits in each lane.
 #pragma once
 
 #include "core/lanes/lanes.h"
@@ -36,7 +36,7 @@ Vec3T<T> broadcast_to(Vec3 v)
 {
     return {broadcast_to<T>(v.x), broadcast_to<T>(v.y), broadcast_to<T>(v.z)};
 }
-// Component by component, as colours are multiplied.
+// Component-wise product.
 inline Vec3x8 times(const Vec3x8& a, const Vec3x8& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline Mask8 is_black(const Vec3x8& c)
 {
@@ -55,12 +55,12 @@ inline Vec3x8 concat(const Vec3T<Float4>& low, const Vec3T<Float4>& high)
     return {concat(low.x, high.x), concat(low.y, high.y), concat(low.z, high.z)};
 }
 
-// Eight rows of four numbers, the first of all in one register, and so on.
+// Transposes eight rows of four floats: each column becomes a register.
 struct RowLanes {
     Vec3x8 xyz;
     Float8 w;
 };
-// row(i): the i-th.
+// row(i): row i.
 template <class Row>
 RowLanes transpose(const Row& row)
 {
@@ -72,7 +72,7 @@ RowLanes transpose(const Row& row)
             _mm256_shuffle_ps(zw0, zw2, 0xee)};
 }
 
-// The same of four rows of doubles.
+// The same for four rows of four doubles.
 struct RowsOfFour {
     Vec3T<Double4> xyz;
     Double4 w;

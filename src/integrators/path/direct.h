@@ -1,4 +1,4 @@
-// Direct light only: emission, and light that reaches the first surface that is not a mirror or glass; those are
+// Direct illumination only: emission, and direct light at the first surface that is not specular. Specular surfaces are
 // followed.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace lancer {
 struct Direct {
     static constexpr const char* name = "direct";
 
-    uint32_t max_depth = 0;       // surface vertices, mirrors and glass included; 0: no limit
-    uint32_t roulette_depth = 5;  // vertices before roulette may end a chain of mirrors
+    uint32_t max_depth = 0;       // surface vertices, specular ones included; 0: no limit
+    uint32_t roulette_depth = 5;  // vertices before Russian roulette
     DirectLight direct{};
     LightParts parts{};
 

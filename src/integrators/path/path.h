@@ -10,11 +10,11 @@ namespace lancer {
 struct Path {
     static constexpr const char* name = "path";
 
-    uint32_t max_depth = 0;       // surface vertices that scatter light; 1 is direct light only; 0: no limit
-    uint32_t roulette_depth = 5;  // vertices before roulette by the throughput may end the path
+    uint32_t max_depth = 0;       // scattering surface vertices; 1: direct light only; 0: no limit
+    uint32_t roulette_depth = 5;  // vertices before Russian roulette by the throughput
     DirectLight direct{};
     LightParts parts{};
-    bool split = true, roulette_by_pixel = true;  // whether a pilot may plan for them
+    bool split = true, roulette_by_pixel = true;  // allow splitting and adjoint-driven roulette
 
     void take(const IntegratorSettings& settings)
     {

@@ -1,6 +1,5 @@
-// How a picture's paths are to spend their rays: into how many a path splits, and which of them roulette may end. Found
-// out by a pilot before the first sample; see render/estimators/pilot.h. Whatever it says, pictures converge to the
-// same.
+// How the paths of a picture use their rays: path splitting and adjoint-driven Russian roulette. A pilot estimates it
+// before the first sample (render/estimators/pilot.h). The expected value of the picture does not depend on it.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +10,32 @@
 namespace lancer {
 
 struct SamplingPlan {
-    // Rays that a path sends on from the first vertex that spreads light, each with its share of the throughput.
+    // Number of rays into which a path splits at its first diffuse or rough vertex, each with its share of the
+    // throughput.
     uint32_t split = 1;
-    // In how many parts the random numbers from there on are dealt: `split`, but in a pilot, where the parts of a path
-    // are samples of their own. Part j of sample i has the numbers of sample i * parts + j, so that all of a pixel's
-    // are still one low-discrepancy sequence.
+    // Number of parts into which the random numbers behind the split are divided. It equals `split`, except in a pilot,
+    // where each part is a sample. Part j of sample i uses the numbers of sample i * parts + j, so that all parts of a
+    // pixel form one low-discrepancy sequence.
     uint32_t parts = 1;
 
-    // The number of the random numbers of a path's first part; its others follow. sample: number of the path's own;
-    // part: that of the pilot's sample within its path, else 0. T: uint32_t or several of them.
+    // Sampler index of a path's first part; the other parts follow. sample: index of the path's sample; part: index of
+    // the pilot's sample within its path, else 0. T: uint32_t or a vector of them.
     template <class T>
     T first_number(T sample, T part) const
     {
         return sample * parts + part;
     }
 
-    // Samples that share the first vertices of a path: those of number i / samples_per_path().
+    // Number of samples that share the first vertices of a path: those with the same index / samples_per_path().
     uint32_t samples_per_path() const { return parts / split; }
 
-    // Of each cell of cell x cell pixels, row by row, and each colour channel: about how much light comes along a ray,
-    // as a part of what the pixel shows of it. Empty: roulette knows nothing of pixels.
+    // Importance map: for each cell of cell x cell pixels, row by row, and each colour channel the radiance expected
+    // along a ray, relative to the radiance of the pixel. Empty: roulette uses the throughput alone.
     uint32_t cell = 0, columns = 0;
     std::vector<Color> importance;
 
-    // Squares of background_cell pixels, row by row, in which no camera ray of the picture meets anything, and what it
-    // sees instead is the same everywhere: 1 where that is so. Empty: nowhere.
+    // Squares of background_cell pixels, row by row: 1 where no camera ray hits anything and the background is
+    // constant. Empty: none.
     uint32_t background_cell = 0, background_columns = 0;
     std::vector<uint8_t> background_only;
     bool is_background_only(uint32_t x, uint32_t y) const
@@ -44,7 +44,7 @@ struct SamplingPlan {
                background_only[size_t{y / background_cell} * background_columns + x / background_cell] != 0;
     }
 
-    // Of a pixel; negative if it is not known.
+    // Importance for a pixel; negative if it is unknown.
     Color importance_at(uint32_t x, uint32_t y) const
     {
         if (importance.empty()) return {-1, -1, -1};

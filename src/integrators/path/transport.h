@@ -1,6 +1,6 @@
-// The pieces of which path tracers are made: emission with its weight, light sampling, scattering.
-// Multiple importance sampling by the power heuristic: Veach, "Robust Monte Carlo Methods for Light Transport
-// Simulation", 1997, section 9.2.
+// Building blocks of path tracers: weighted emission, light sampling, scattering, Russian roulette. Multiple importance
+// sampling by the power heuristic: Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, section
+// 9.2.
 #pragma once
 
 #include "core/frame.h"
@@ -12,29 +12,29 @@
 
 namespace lancer {
 
-// Which of two techniques find direct light. Both off-combinations stay unbiased but for emitters that one alone
-// cannot find: nee alone misses none that it lists; BSDF sampling alone misses point lights.
+// Techniques for direct light. Without multiple importance sampling the result is unbiased except for emitters that one
+// technique cannot find: BSDF sampling misses point lights.
 struct DirectLight {
     bool nee = true;      // next-event estimation: a shadow ray to a sampled light at each vertex
-    bool mis = true;      // weight it against BSDF sampling; off: nee alone where it can, else BSDF sampling alone
-    bool always = false;  // nee also where BSDF sampling has the same density: a second ray that finds nothing new
+    bool mis = true;      // combine it with BSDF sampling; off: nee where it is possible, else BSDF sampling
+    bool always = false;  // nee also where BSDF sampling has the same density
 
     static DirectLight of(const Switches& s) { return {s[Switch::nee], s[Switch::mis], s[Switch::always_nee]}; }
 };
 
-// Which parts of the light there are in the picture; see Switch. They add up: with any path the whole is what is seen
-// of emitters, plus direct light, plus indirect light.
+// Parts of the light in the picture; see Switch. The parts are additive: emitters, direct light and indirect light add
+// up to the complete picture.
 struct LightParts {
-    bool emitters = true;  // that the camera sees, also by mirrors and smooth glass; the environment is one
-    bool direct = true;    // straight from an emitter to the first surface that spreads light
-    bool indirect = true;  // that such a surface gets by way of other surfaces, be it mirrors and glass
+    bool emitters = true;  // seen by the camera, also by specular paths; includes the environment
+    bool direct = true;    // from an emitter to the first diffuse or rough surface
+    bool indirect = true;  // that such a surface receives by other surfaces, specular ones included
 
     LightParts() = default;
     explicit LightParts(const Switches& s)
         : emitters(s[Switch::emitters]), direct(s[Switch::direct]), indirect(s[Switch::indirect])
     {
     }
-    // Whether light is wanted that such a ray meets.
+    // Whether light at the end of a ray of this segment is part of the picture.
     bool has(PathSegment segment) const
     {
         return segment == PathSegment::view ? emitters : segment == PathSegment::direct ? direct : indirect;
@@ -42,7 +42,7 @@ struct LightParts {
     bool has_all() const { return emitters && direct && indirect; }
 };
 
-// Weight of a sample of density a, when the other technique would have found it with density b. a > 0.
+// Power heuristic for a sample of density a > 0 that the other technique would have sampled with density b.
 template <class T>
 T power_heuristic(T a, T b)
 {
@@ -50,7 +50,7 @@ T power_heuristic(T a, T b)
     return 1.0f / (1.0f + r * r);
 }
 
-// Weight of a light sample against BSDF sampling. delta: whether no BSDF sample can meet the light; bool or a mask.
+// MIS weight of a light sample. delta: BSDF sampling cannot hit the light; bool or a mask.
 template <class T, class Mask>
 T weight_of_light_sample(T pdf_light, T pdf_bsdf, const Mask& delta, DirectLight how)
 {
@@ -58,7 +58,7 @@ T weight_of_light_sample(T pdf_light, T pdf_bsdf, const Mask& delta, DirectLight
     return how.mis ? select(delta, one, power_heuristic(pdf_light, pdf_bsdf)) : one;
 }
 
-// What a light sample adds to its path; weight: weight_of_light_sample() over its density.
+// Contribution of a light sample. weight: weight_of_light_sample() divided by its density.
 inline Color sampled_light(Color throughput, Color f_cos, Color radiance, float weight)
 {
     return throughput * f_cos * radiance * weight;
@@ -68,8 +68,8 @@ inline Vec3x8 sampled_light(const Vec3x8& throughput, const Vec3x8& f_cos, const
     return times(times(throughput, f_cos), radiance) * weight;
 }
 
-// Weight of light found by following a ray, against a light sample's density there (0: none was sampled that could
-// have found it).
+// MIS weight of emission hit by a BSDF sample. pdf_light: density of light sampling, 0 if it could not have found the
+// light.
 inline float weight_of_found(const PathState& s, DirectLight how, float pdf_light)
 {
     if (pdf_light == 0) return 1;
@@ -97,15 +97,15 @@ void add_environment(const V& view, const PathState& s, DirectLight how, LightPa
     actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
-// From the surface to a sampled light, both ends off their surfaces by their own rounding; the far end also by that of
-// the distance at which an accelerator finds the light's own triangle: two dot products with a cross product and a
-// quotient, all in float.
+// The shadow ray from a surface to a sampled light. Both ends are moved off their surfaces by their rounding errors.
+// The far end also allows for the error of the hit distance of the light's own triangle: two dot products, a cross
+// product and a quotient in float.
 template <class T>
 struct ShadowSegment {
     Vec3T<T> dir;
     T distance;
 
-    // light: a LightSample or several.
+    // light: a LightSample or its SIMD form.
     template <class Sample>
     [[gnu::always_inline]] ShadowSegment(const Vec3T<T>& org, const Sample& light)
     {
@@ -125,8 +125,8 @@ inline Ray shadow_ray(const Surface& from, const LightSample& light)
     return {.org = org, .dir = to.dir, .t_max = to.distance};
 }
 
-// The geometric side decides: a tilted shading normal must not carry light through the surface, whichever technique
-// found the direction.
+// Whether shading and geometric normal agree on the side of a direction: a tilted shading normal must not let light
+// through the surface.
 template <class T>
 auto sides_agree(const Vec3T<T>& side, const Vec3T<T>& wi, const T& local_z)
 {
@@ -137,9 +137,8 @@ inline bool sides_agree(const Surface& surface, Vec3 wi, Vec3 wi_local)
     return sides_agree(surface.side, wi, wi_local.z);
 }
 
-// Whether a light is sampled at a vertex. Under a constant sky alone, whose directions are drawn by the cosine, a BSDF
-// that draws by it too finds all light with the same density: a second ray as dear as the first would bring no more
-// than any other sample does.
+// Whether next-event estimation is done at a vertex. Under a constant environment alone, light sampling and cosine-
+// weighted BSDF sampling have the same density, so that a shadow ray would bring no more than another sample does.
 template <class V, class B>
 bool samples_light(const V& view, const B& bsdf, DirectLight how)
 {
@@ -148,7 +147,7 @@ bool samples_light(const V& view, const B& bsdf, DirectLight how)
     return true;
 }
 
-// Whether a surface absorbs all light, as emitters often do: nothing needs to be sampled there.
+// Whether a surface absorbs all light, as many emitters do.
 template <class B>
 bool scatters_nothing(const B& bsdf)
 {
@@ -173,14 +172,14 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     actions.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf));
 }
 
-// The cone of light after a bounce: a delta lobe keeps its angle (mirrors that curve are taken for flat ones, which
-// only makes textures sharper); else it opens to a sixteenth of the solid angle that the sample stands for.
+// Ray cone after scattering: a delta lobe keeps the spread (curved mirrors are treated as flat, which only makes
+// textures sharper); other lobes widen it to a sixteenth of the sample's solid angle.
 template <class T>
 T opened(T spread, T pdf)
 {
     return smaller(broadcast_to<T>(1), larger(spread, 0.25f / sqrt(pdf)));
 }
-// delta: of the lobe that chose the direction with density pdf; bool or a mask.
+// delta: whether a delta lobe sampled the direction; bool or a mask. pdf: its density.
 template <class T, class Mask>
 T spread_after(const Mask& delta, T spread, T pdf)
 {
@@ -197,7 +196,7 @@ inline PathSegment segment_after(PathSegment segment, bool delta)
     return delta ? PathSegment::view : PathSegment::direct;
 }
 
-// Makes of n, a copy of s, the ray that a sample of the BSDF sends on; false if there is none or the surface keeps it.
+// Turns n, a copy of s, into the ray of a BSDF sample. Returns false if there is no sample or it carries no light.
 template <class V>
 bool send_on(const V& view, const PathState& s, PathState& n, const Surface& surface, const Frame& frame,
              const std::optional<BsdfSample>& b, const Sampler& sampler)
@@ -219,7 +218,7 @@ bool send_on(const V& view, const PathState& s, PathState& n, const Surface& sur
     return true;
 }
 
-// The same with the BSDF's own choice; false if it absorbs.
+// Samples the BSDF and does the same.
 template <class V, class B>
 bool scatter(const V& view, const PathState& s, PathState& n, const Surface& surface, const Frame& frame, Vec3 wo,
              const B& bsdf, const Sampler& sampler)
@@ -228,19 +227,16 @@ bool scatter(const V& view, const PathState& s, PathState& n, const Surface& sur
     return send_on(view, s, n, surface, frame, b, sampler);
 }
 
-// See survives_roulette(). The cap ends loops that lose nothing, after a thousand bounces or so. What survives it
-// weighs more, bounce by bounce: between walls whose albedo squared is above the cap light has no finite variance.
+// Constants of survival_probability. The cap ends lossless loops after about a thousand bounces.
 inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_cap = 0.999f;
 
-// Russian roulette on what a ray may still bring. Where it is known what its pixel shows: on the part of that, so that
-// dark pixels keep the rays that bright ones can do without; roulette on the throughput alone ends the same paths
-// everywhere. Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light Transport Simulation", 2016. A
-// factor of 1.5 more or less changes the error at equal time by a few per cent, less costs much; fitted once, on four
-// scenes. Rays that only mirrors and smooth glass sent are spared: what they see is what the pixel shows. Else it is
-// the energy that the path still carries that decides, but not at the first vertices: on bright scenes ending paths
-// there costs several times the samples. Unbiased. split: into how many rays such a path splits.
-// With what probability a ray goes on. by_pixel: whether what its pixel shows decides, if that is known at all. paths:
-// into how many it has split. T: float or several of them.
+// Adjoint-driven Russian roulette: Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light Transport
+// Simulation", 2016. If the importance map is known, the survival probability follows from the expected contribution
+// relative to the pixel's radiance, so that dark pixels keep rays; roulette by the throughput alone ends the same paths
+// everywhere. The constants were fitted on four scenes; a factor of 1.5 changes the error at equal time by a few per
+// cent. Rays on specular paths from the camera survive. Without a map the throughput decides, but not at the first
+// vertices, where ending paths costs several times the samples in bright scenes. Returns the probability. by_pixel: use
+// the importance map if it is known. paths: number of rays into which the path has split. T: float or Float8.
 template <class T>
 T survival_by_throughput(const Vec3T<T>& t, T eta_scale, bool is_deep)
 {
@@ -269,16 +265,16 @@ inline bool survives_roulette(PathState& s, const Sampler& sampler, uint32_t fir
     return true;
 }
 
-// Whether a path splits at a vertex: at the first one that may send it anywhere but straight on. Below it lies most of
-// what a sample is unsure of, above it the rays that several of them can share.
+// Whether a path splits at a vertex: at its first one that is not specular. Most of the variance arises behind it, and
+// the rays before it are shared.
 template <class B>
 bool splits_at(const PathState& s, const B& bsdf)
 {
     return !s.has_split && !bsdf.only_delta();
 }
 
-// One vertex of a path tracer: emission, a shadow ray, the next ray. is_last(next) tells whether only emission is
-// wanted of where the next ray ends.
+// One vertex of a path tracer: emission, next-event estimation, BSDF sampling. is_last(next): whether only emission
+// counts at the end of the next ray.
 template <class V, class IsLast>
 void trace_vertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, DirectLight how,
                   LightParts parts, uint32_t roulette_depth, const IsLast& is_last, PathActions& actions)

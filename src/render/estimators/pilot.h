@@ -1,5 +1,5 @@
-// A look at a picture before its first sample: how much light its parts show, and what makes a sample unsure. Of that
-// follows how paths are to spend their rays.
+// The pilot: a few samples before the first one estimate how much radiance parts of the picture have and where variance
+// arises. The sampling plan follows from it.
 #pragma once
 
 #include "integrators/path/path.h"
@@ -8,14 +8,14 @@
 
 namespace lancer {
 
-// The plan of a picture. It depends on the scene, the camera, the size of the whole picture and the seed alone: the
-// same for every crop, shard and pass, and any number of threads. At most 64 x 64 pixels are looked at, with 16 samples
-// of other random numbers than those that count, so that what is rendered by the plan stays unbiased. Call inside
-// with_threads.
+// Computes the sampling plan of a picture. It depends on the scene, the camera, the size of the whole picture and the
+// seed alone, so that it is the same for every crop, pass and number of threads. It uses at most 64 x 64 pixels with 16
+// samples each, whose random numbers are not those of the picture, so that the picture stays unbiased. Must be called
+// inside with_threads.
 SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
                        const Camera& camera, uint32_t width, uint32_t height);
 
-// A plan, and of what picture.
+// A plan and the picture for which it was computed.
 struct Piloted {
     Camera camera;
     uint32_t width, height;

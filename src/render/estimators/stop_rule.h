@@ -1,8 +1,9 @@
-// When a pixel has samples enough. By confidence: a pilot of 16 samples, with random numbers of its own, tells from its
-// variance how many the pixel needs, and does not count itself: Stein, "A Two-Sample Test for a Linear Hypothesis Whose
-// Power is Independent of the Variance", Annals of Mathematical Statistics 16(3), 1945. What is averaged knows nothing
-// of when it ends, so that the mean stays unbiased; a rule that looks at the samples which it averages ends early where
-// they happen to agree, and misses thin bright things. The rule of the past is of that kind.
+// Adaptive sampling: when a pixel has enough samples. `confidence`: a pilot of 16 samples with its own random numbers
+// estimates the variance, from which the number of samples follows; the pilot is not part of the picture. Stein, "A
+// Two-Sample Test for a Linear Hypothesis Whose Power is Independent of the Variance", Annals of Mathematical
+// Statistics 16(3), 1945. As the averaged samples do not decide when to stop, the mean stays unbiased. A rule that
+// tests the averaged samples, such as the legacy rule, stops early where they happen to agree and misses thin bright
+// features.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +24,7 @@ enum class StopRule {
     last_sample,  // when a sample, the fifth or a later one, is close to the mean; legacy
 };
 
-// The classic integrators have ways of their own with legacy: they clamp each sample to [0, 1], and end pixels by the
-// last sample.
+// The classic integrators with --legacy clamp each sample to [0, 1] and end pixels by the last sample.
 inline bool clamps_samples(std::string_view integrator, const Switches& switches)
 {
     return switches[Switch::legacy] && is_classic(integrator);
@@ -35,12 +35,12 @@ inline StopRule stop_rule(std::string_view integrator, const Switches& switches)
     return clamps_samples(integrator, switches) ? StopRule::last_sample : StopRule::confidence;
 }
 
-// The seed of the pilots in a picture of that seed: their numbers have nothing to do with those that count.
+// Seed of the pilots in a picture with this seed; their random numbers are independent of the picture's.
 constexpr uint64_t pilot_seed(uint64_t seed) { return mix_bits(~seed); }
 
-// How many samples a pixel needs after its pilot of samples_per_block samples: so many, in whole blocks, that the 95 %
-// confidence interval of its mean luminance reaches no further than error * sqrt(mean^2 + 0.01) to either side.
-// error: > 0. A pilot in which something was not finite cannot tell: all that there can be.
+// Number of samples of a pixel after its pilot of samples_per_block samples: the smallest multiple of a block for which
+// the 95 % confidence interval of the mean luminance is at most +- error * sqrt(mean^2 + 0.01). error: > 0. If a pilot
+// sample was not finite, the result is the maximum.
 inline uint32_t samples_for(const Pixel& pilot, double error)
 {
     constexpr uint32_t all = std::numeric_limits<uint32_t>::max();
@@ -53,7 +53,7 @@ inline uint32_t samples_for(const Pixel& pilot, double error)
     return blocks < double{all / samples_per_block} ? static_cast<uint32_t>(blocks) * samples_per_block : all;
 }
 
-// Whether the pixel ends with `last`, which is in its sums already. Never with one that was not finite.
+// Whether the pixel ends with `last`, which its sums already contain; never with a sample that is not finite.
 inline bool ends_with(const Pixel& pixel, Color last)
 {
     if (pixel.n < 5) return false;

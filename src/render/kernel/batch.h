@@ -1,6 +1,6 @@
-// The one loop over rays. A batch of paths of one tile advances in lockstep: their rays are traced together, each end
-// is handed to the integrator, the shadow rays it asks for are traced together, and what it sends on is the next batch.
-// A sample is summed in an accumulator of its own, so neither the size of a batch nor its neighbours change a bit.
+// The scalar kernel's loop over rays. A batch of paths of one tile advances in lockstep: their rays are traced
+// together, the integrator handles each hit, its shadow rays are traced together, and its next rays form the next
+// batch. Each sample has its own accumulator, so that neither batch size nor neighbouring samples change a bit.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace lancer {
 
-// Integrators that send several rays on from a vertex have fewer paths under way at once: a batch of them grows.
+// Batch size. Integrators with several rays per vertex start with fewer paths, as their batches grow.
 template <class Integrator>
 uint32_t batch_of(const KernelSettings& settings)
 {
@@ -25,31 +25,31 @@ uint32_t batch_of(const KernelSettings& settings)
         return settings.batch;
 }
 
-// So many surfaces and random numbers are computed before the first of them is put to use: no one waits for another, so
-// the processor works on several at once.
+// Number of surfaces and random numbers that are computed before the first is used: they are independent, so that the
+// processor overlaps them.
 inline constexpr size_t looked_ahead = 32;
 
-// For emplace(): what f() returns is made in place. A Surface that is copied as a whole right after it was written
-// in parts would wait for all that came before.
+// For emplace(): constructs the result of f() in place. Copying a Surface that was just written in parts would stall on
+// store forwarding.
 template <class F>
 struct Made {
     const F& f;
     operator std::invoke_result_t<F>() const { return f(); }
 };
 
-// Where on the film a sample is. offset: from the middle of its pixel.
+// Film position of a sample in pixels. offset: from the centre of its pixel.
 inline Vec2 on_film(const SampleId& id, Vec2 offset)
 {
     return {static_cast<float>(id.x) + 0.5f + offset.x, static_cast<float>(id.y) + 0.5f + offset.y};
 }
-// The ray of a sample. A bench has views whose cameras know less.
+// The camera ray of a sample. The benchmarks specialise it for other views.
 template <class V>
 Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
 {
     return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens));
 }
 
-// Traces the samples in w.slots to their end and sums their radiance in w.queue.radiance.
+// Traces the samples in w.slots to their end and sums their radiance into w.queue.radiance.
 template <class V, class Integrator, class Listener>
 void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                  const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
@@ -62,8 +62,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
     w.queue.radiance.assign(w.slots.size(), RadianceSum{});
-    // One of each per part of a path is the most today's integrators ask for. Without this a later batch may be the
-    // first to ask for so many, and allocate.
+    // Integrators request at most one ray of each kind per part of a path. Reserving that much avoids allocations in
+    // later batches.
     const size_t most = w.slots.size() * view.plan.split;
     w.queue.next.reserve(most);
     w.queue.shadow_rays.reserve(most);
@@ -98,7 +98,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     std::array<TriangleInteraction, looked_ahead> places;
     const auto look_ahead = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + looked_ahead);
-        SampleRequests<looked_ahead> asked(Dim::light);  // what integrators ask for first
+        SampleRequests<looked_ahead> asked(Dim::light);  // the group that integrators use first
         view.triangle_interactions(std::span(w.hits).subspan(first, end - first), places);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;

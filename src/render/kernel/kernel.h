@@ -1,5 +1,5 @@
-// The samples of a tile: which, in what order, and how they are summed and end. Only the files render/kernel/NAME.cpp
-// include this, each for one integrator, so that they compile side by side; and a bench, with views (V) that know less.
+// The kernel of a tile: which samples are traced, in what order, and how they are summed. Only render/kernel/NAME.cpp
+// include it, each for one integrator, so that they compile in parallel; a benchmark includes it with other views (V).
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lancer {
 
-// What counts of a sample.
+// The radiance that is added to the film for a sample.
 inline Color counted(Color radiance, const KernelSettings& settings)
 {
     if (!settings.clamp) return radiance;
@@ -20,7 +20,7 @@ inline Color counted(Color radiance, const KernelSettings& settings)
     return {clamp(radiance.r), clamp(radiance.g), clamp(radiance.b)};
 }
 
-// What a camera ray brings that meets nothing, in a scene where it is the same for all of them.
+// Radiance of a camera ray that hits nothing, in a scene where it is constant.
 template <class V, class Integrator>
 Color background_only_radiance(const V& view, const Integrator& integrator, Workspace& w)
 {
@@ -32,7 +32,8 @@ Color background_only_radiance(const V& view, const Integrator& integrator, Work
     return w.queue.radiance[0].color();
 }
 
-// Sums samples [begin, end) of every pixel of a tile, as far as the pixel wants them, into w.block.
+// Sums samples [begin, end) of every pixel of a tile into w.block; with adaptive sampling, fewer where a pixel needs
+// fewer.
 template <class V, class Integrator, class Listener>
 void trace_samples(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                    const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
@@ -60,7 +61,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         const uint32_t wanted = film.wanted[film.index(x, y)];
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
-    // What every camera ray sees that meets nothing, where the plan knows such pixels.
+    // Radiance of the pixels that the plan marks as background only.
     const Color sky =
         view.plan.background_only.empty() ? Color{} : counted(background_only_radiance(view, integrator, w), settings);
     const auto count_background_only = [&](uint32_t x, uint32_t y) {
@@ -74,7 +75,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         w.slots.push_back(id);
         if (w.slots.size() == batch) flush();
     };
-    constexpr uint32_t square = 4;  // pixels in small squares: neighbouring lanes of a packet stay close
+    constexpr uint32_t square = 4;  // pixels are visited in small squares, so that the rays of a packet are close
     w.slots.clear();
     w.slots.reserve(batch);
     for (uint32_t y0 = tile.y0; y0 < tile.y1; y0 += square)
@@ -90,7 +91,8 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     flush();
 }
 
-// Finds out what the pixels of a tile want that do not know it yet: all of them, when the first samples are asked for.
+// Adaptive sampling: renders the pilot samples of a tile and computes the number of samples of each pixel. Runs once,
+// with the first samples.
 template <class V, class Integrator>
 void trace_pilots(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                   const Integrator& integrator, Film& film, Tile tile, Workspace& w, Counters& counters)
@@ -101,7 +103,7 @@ void trace_pilots(const V& view, const Accelerator& accel, const Camera& camera,
     Counters own;
     trace_samples(view, accel, camera, settings, integrator, film, tile, {0, samples_per_block}, w, own, NoListener{});
     w.is_pilot = false;
-    // Dropped are samples of the picture.
+    // Only dropped samples of the picture are counted.
     own.dropped = 0;
     own.first_dropped.reset();
     counters += own;
@@ -111,7 +113,7 @@ void trace_pilots(const V& view, const Accelerator& accel, const Camera& camera,
                 samples_for(w.block[size_t{y - tile.y0} * tile.width() + (x - tile.x0)], settings.stop_error);
 }
 
-// As trace_samples(), and after each sample asks of every pixel whether it was the last one.
+// As trace_samples(), and tests after each sample whether the pixel ends.
 template <class V, class Integrator, class Listener>
 void trace_one_by_one(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                       const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
@@ -159,7 +161,7 @@ void render_tile(const V& view, const Accelerator& accel, const Camera& camera, 
     }
 }
 
-// render(listener) with the one that fills what the film has besides light.
+// Calls render(listener) with the listener that fills the film's AOVs, if it has any.
 template <class Render>
 void for_listener(const Scene& scene, Film& film, const Tile& tile, Workspace& w, const Render& render)
 {
@@ -185,7 +187,7 @@ void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, cons
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, NoListener{});
 }
 
-// Passes on what happens to the only sample of a batch.
+// Forwards the events of the only sample of a batch to a PathListener.
 struct ReplayListener {
     const PathListener& listener;
 

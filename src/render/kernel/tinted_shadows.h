@@ -1,4 +1,4 @@
-// Shadow rays that go through what lets light pass, and are tinted by it.
+// Tinted shadow rays: surfaces that transmit light attenuate a shadow ray instead of blocking it.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace lancer {
 
-// An integrator whose shadow rays go through what lets light pass: through() says which part of it, and black ends the
-// ray. So does a light of which so little is left that is_spent(): that little arrives.
+// An integrator with tinted shadows: through() is the transmittance of a surface; black ends the ray. is_spent() ends a
+// ray whose light is almost used up; that light still arrives.
 template <class Integrator>
 concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s, const Color light)
 {
@@ -22,7 +22,7 @@ concept TintsShadows = requires(const Integrator i, const View v, const Ray r, c
         } -> std::same_as<bool>;
 };
 
-// Follows the tinted shadow rays from surface to surface, all of them one surface further in each round.
+// Traces the tinted shadow rays, all of them to the next surface in each round.
 template <class Integrator, class Listener>
 void trace_tinted_shadows(const View& view, const Accelerator& accel, const Integrator& integrator, Workspace& w,
                           Counters& counters, const Listener& listener)
@@ -48,7 +48,8 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                     listener.shadow(s.slot, s.ray, s.radiance, true);
                     continue;
                 }
-                // As far as before: what the new origin is off the surface counts, or the ray might meet its light.
+                // The end point stays the same: the offset of the new origin is subtracted, or the ray could hit its
+                // own light.
                 const Vec3 org = ray_origin(surface, s.ray.dir);
                 s.ray.t_max -= dot(org - s.ray.org, s.ray.dir);
                 s.ray.org = org;

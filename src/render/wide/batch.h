@@ -1,5 +1,5 @@
-// The loop over rays for scenes that are plain enough (scene/wide_scene.h): what trace_batch() does with the path
-// integrator, and the same bits of each sample, eight paths at a time.
+// The wide kernel's loop over rays, for scenes that WideScene supports: trace_batch() with the path integrator for
+// eight paths at a time, with the same bits for each sample.
 #pragma once
 
 #include <algorithm>
@@ -82,12 +82,12 @@ public:
     }
 
 private:
-    // The rays of now_, to where they end and are shaded.
+    // Traces the rays of now_ and shades their hits.
     template <class Listener>
     void advance(Coherence coherence, const Listener& listener)
     {
         if (are_last() && !shines_) return end_at_background();
-        w_.hits.resize(now_.size() + float_lanes);  // who takes eight need not count
+        w_.hits.resize(now_.size() + float_lanes);  // padding, so that eight hits can always be read
         for (size_t first = 0; first < now_.size(); first += at_once) {
             const size_t n = std::min(at_once, now_.size() - first);
             const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
@@ -99,7 +99,8 @@ private:
         }
     }
 
-    // Rays that are traced before the first is shaded: so few that what was looked up for their hits is still near.
+    // Number of rays that are traced before their hits are shaded: few enough that the cache still holds the data of
+    // their hits.
     static constexpr size_t at_once = 128;
     void generate_camera_rays(const Camera& camera, uint32_t width, uint32_t first);
     template <class Listener>
@@ -120,7 +121,7 @@ private:
     void lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v);
     template <class At>
     void lookup_bsdf(uint32_t lanes, Vertices& v, const At& at);
-    // Where a ray starts that leaves on the other side.
+    // Origin of a ray that leaves on the other side of the surface.
     static Vec3 origin_behind(const Vertices& v, uint32_t i)
     {
         const Vec3 n = lane(v.n, i);
@@ -166,13 +167,13 @@ private:
     {
         return static_cast<PathSegment>(path_flags[lane] >> segment_shift);
     }
-    // Whether only emission counts where the rays of this depth end.
+    // Whether only emission counts at the end of the rays of this depth.
     bool are_last() const
     {
         if (depth_ == 0) return false;
         return depth_ == path_.max_depth || (!any && segment() == PathSegment::direct && !path_.parts.indirect);
     }
-    // Lanes of which that is so.
+    // Lanes for which that is true.
     uint32_t last_of(const Lanes& path) const
     {
         if (are_last()) return 255;
@@ -196,17 +197,17 @@ private:
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
     Counters& counters_;
-    // Lights, at each vertex. Where there is nothing but a constant sky to sample, nothing is.
+    // Whether light sampling is done, for all and for Lambertian surfaces.
     bool samples_, samples_on_matt_;
-    bool samples_sky_;    // as one of them
+    bool samples_sky_;    // the environment is one of the lights
     bool keeps_normals_;  // see WideWorkspace
-    bool shines_;         // whether any surface does
+    bool shines_;         // whether any surface emits
     bool prefetches_;     // tables_exceed_caches()
     uint32_t depth_ = 0;
-    // The vertices at work: kept, as to set so much to zero for each eight would take longer than to use some of it. No
-    // function reads what none has written for these eight.
+    // The vertices in work. They are members because clearing them for each group of eight would take longer than using
+    // them; no function reads what was not written for the present group.
     std::array<Vertices, at_once / float_lanes> vertices_;
-    // And what is not matt asks for besides.
+    // Additional working memory for materials that are not Lambertian.
     struct NonLambertWorkspace {
         PlasticQueue plastic;
         std::array<LightQuery, at_once / float_lanes> query;
@@ -254,7 +255,7 @@ inline void WideBatch<shading>::generate_camera_rays(const Camera& camera, uint3
     set_alpha_keys(now_, all, path, 0, Dim::alpha);
 }
 
-// What listeners hear of a sample before it is shaded. Ray i is that of slot i.
+// Reports the camera rays and their hits to the listener. Ray i is that of slot i.
 template <Shading shading>
 template <class Listener>
 inline void WideBatch<shading>::report_camera_hits(const Listener& listener, size_t first,
@@ -270,8 +271,8 @@ inline void WideBatch<shading>::report_camera_hits(const Listener& listener, siz
     }
 }
 
-// The vertices of n rays, at most at_once. Each step is done for all of them before the next: the code of one step
-// stays in the cache of instructions, that of all of them does not.
+// Shades the hits of n rays, at most at_once. Each step is done for all of them before the next one, so that its code
+// stays in the instruction cache.
 template <Shading shading>
 inline void WideBatch<shading>::shade(size_t first, size_t n)
 {
@@ -292,7 +293,7 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
         for (Vertices& v : vertices) scatter(v);
 }
 
-// To those of the lanes that were just sent. See View::set_alpha_key().
+// Sets Ray::key of the rays that were just appended; see View::set_alpha_key().
 template <Shading shading>
 template <class Of>
 inline void WideBatch<shading>::set_alpha_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path,
@@ -305,7 +306,7 @@ inline void WideBatch<shading>::set_alpha_keys(PackedStates<Of>& sent, uint32_t 
     for_each_lane(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, path.sample[i]); });
 }
 
-// See render/kernel/batch.h. The listener hears of what camera rays meet alone.
+// See render/kernel/batch.h. The listener receives camera rays and their hits only.
 template <Shading shading, class Listener>
 inline void trace_batch(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                         const KernelSettings& settings, const WidePath<shading>& integrator, Workspace& w,

@@ -1,4 +1,4 @@
-// The rays that vertices of a WideBatch send on.
+// BSDF sampling of a WideBatch: the rays that continue paths.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace lancer {
 
-// Of paths that split: which sample has the numbers of the first part of each. lanes: those that there are.
+// Sampler index of the first part of paths that split. lanes: the active lanes.
 template <Shading shading>
 inline UInt8 WideBatch<shading>::of_first_part(const Lanes& path, uint32_t lanes) const
 {
@@ -26,7 +26,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     const Float8 zero{};
     Mask8 reflects = (v.cos_o > zero) & ~is_black(v.albedo);
     if ((movemask(reflects) & v.hit) == 0) return;
-    Lanes& next = v.path;  // from here on that of what is sent on
+    Lanes& next = v.path;  // becomes the state of the next ray
     Float8 spread{};
     if constexpr (textured) next.width = v.width, spread = next.spread;
     if (splits) {
@@ -41,7 +41,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     if (!is_certain) next.throughput = next.throughput / q;
     const FrameT<Float8> frame(v.ns);
     const AddressLanes address = numbers(next.key, depth_, Dim::bsdf);
-    std::optional<AddressLanes> roulette;  // mostly not asked for
+    std::optional<AddressLanes> roulette;  // only computed if needed
     if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
     const uint32_t parts = splits ? plan.split : 1;
     for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
@@ -56,8 +56,8 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     }
 }
 
-// splits_at(): of the lanes that send light on those that split. They are told so, and get the numbers of the first
-// part.
+// splits_at() for the lanes in `sends`: returns the lanes whose paths split, sets their flags and the sampler index of
+// their first part.
 template <Shading shading>
 inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const NonLambert& non_lambert, AnyPathLanes& path) const
 {
@@ -72,7 +72,7 @@ inline uint32_t WideBatch<shading>::split_any(uint32_t sends, const NonLambert& 
     return splits;
 }
 
-// What lanes whose BSDFs are asked for a direction need for it.
+// Computes the random numbers of BSDF sampling for the given lanes.
 template <Shading shading>
 inline void WideBatch<shading>::choose_part(const Vertices& v, ScatterState& g, uint32_t lanes)
 {
@@ -89,7 +89,7 @@ inline void WideBatch<shading>::choose_part(const Vertices& v, ScatterState& g, 
         non_lambert_.plastic.put_numbers(v.non_lambert.plastic, g.lobe, g.u, g.cosine);
 }
 
-// A direction for each of `lanes`: those that are neither matt nor plastic are asked one by one.
+// Samples the BSDF of each lane: Lambertian and plastic lanes together, others one by one.
 template <Shading shading>
 inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(const Vertices& v, const ScatterState& g,
                                                                                uint32_t lanes) const
@@ -123,7 +123,7 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
     return s;
 }
 
-// v.path becomes that of the first part that is sent.
+// Prepares scattering; v.path becomes the state of the first part.
 template <Shading shading>
 inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
 {
@@ -134,7 +134,7 @@ inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
     g.splits = split_any(g.sends, non_lambert, next);
     g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
     next.width = v.width;
-    // What PathState says of a ray behind a lobe that spreads light and of one behind a lobe that does not.
+    // The flags of a ray from a non-specular lobe and from a specular one.
     const UInt8 kept = next.path_flags & has_split;
     const Mask8 seen = (next.path_flags >> segment_shift) == static_cast<uint32_t>(PathSegment::view);
     const auto segment = [&](PathSegment from_view) {
@@ -146,8 +146,8 @@ inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
     g.straight = kept | segment(PathSegment::view) | was_specular;
 }
 
-// scatter() where some lanes are not matt. See send_on(). The parts of a path go in their order, and those of all paths
-// of a batch together.
+// scatter() where some lanes are not Lambertian; see send_on(). The parts of a path are processed in order, each for
+// all paths of a batch together.
 template <Shading shading>
 inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
 {
@@ -160,7 +160,7 @@ inline void WideBatch<shading>::scatter_any(std::span<Vertices> vertices)
     for (uint32_t part = 0; part < parts; ++part) send_part(vertices, part);
 }
 
-// Paths that do not split send the first part alone.
+// Only paths that split have more than a first part.
 template <Shading shading>
 inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t part)
 {
@@ -172,7 +172,7 @@ inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t
         if (const ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
 }
 
-// v.path becomes that of the next part.
+// Samples one part and appends its rays; v.path becomes the state of the next part.
 template <Shading shading>
 inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, uint32_t lanes)
 {
@@ -201,7 +201,7 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, 
     next.sample += 1u;
 }
 
-// What `lanes` of v.path are sent on as.
+// Appends the rays of the given lanes with v.path as their state.
 template <Shading shading>
 inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v)
 {
@@ -214,13 +214,14 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
 }
 
-// With what probability roulette lets a ray go on to the next depth: see survives_roulette(). next: of that ray.
+// Survival probability of Russian roulette for the rays of the next depth; see survival_probability in
+// integrators/path/transport.h.
 template <Shading shading>
 inline Float8 WideBatch<shading>::survival(const Lanes& next) const
 {
     const bool is_deep = depth_ + 1 >= path_.roulette_depth;
     const Float8 one = broadcast(1.0f), split = broadcast(static_cast<float>(view_.plan.split));
-    // Of matt surfaces the first one splits all paths, and no ray is seen straight that one of them sent.
+    // On Lambertian surfaces all paths split at the first vertex, and no later ray belongs to the view segment.
     Float8 eta_scale = one, paths = view_.plan.parts > 1 ? split : one;
     Mask8 seen{};
     if constexpr (any) {

@@ -1,4 +1,4 @@
-// What vertices of a WideBatch get from lamps: emission met by their rays, and light that is sampled.
+// Direct light of a WideBatch: emission hit by its rays, and light sampling.
 #pragma once
 
 #include "render/wide/batch.h"
@@ -6,7 +6,7 @@
 
 namespace lancer {
 
-// What the functions for one path want of it where ray i ended.
+// The state of one lane for the scalar functions; i: index of its ray.
 template <Shading shading>
 inline PathState WideBatch<shading>::state_of(size_t i, const Lanes& path, uint32_t in) const
 {
@@ -38,7 +38,7 @@ inline void WideBatch<shading>::add_emission(size_t i, const Lanes& path, uint32
     lancer::add_emission(view_, s, view_.surface_at(s.ray, w_.hits[i], s.cone), path_.direct, path_.parts, actions);
 }
 
-// To lanes whose rays met nothing; `first`: the ray of the first lane.
+// Adds the background to lanes whose rays hit nothing; `first`: index of the first lane's ray.
 template <Shading shading>
 inline void WideBatch<shading>::add_background(uint32_t missed, size_t first, const Lanes& path)
 {
@@ -51,7 +51,7 @@ inline void WideBatch<shading>::add_background(uint32_t missed, size_t first, co
     } else if (!path_.parts.has(segment())) {
         return;
     }
-    uint32_t plain = missed;  // of which nothing needs to be weighed
+    uint32_t plain = missed;  // lanes with MIS weight 1
     if constexpr (textured) {
         if (!view_.scene.has_uniform_background())
             plain = 0;
@@ -72,7 +72,7 @@ inline void WideBatch<shading>::add_background(uint32_t missed, size_t first, co
     });
 }
 
-// Rays of which only emission counts where they end, and no surface shines: what they meet is not asked for.
+// Handles rays for which only emission counts when no surface emits: an occlusion test is enough.
 template <Shading shading>
 inline void WideBatch<shading>::end_at_background()
 {
@@ -88,7 +88,7 @@ inline void WideBatch<shading>::end_at_background()
     }
 }
 
-// A direction to a sky of one colour, for some lanes.
+// Samples a constant environment for the given lanes.
 template <Shading shading>
 inline void WideBatch<shading>::sample_constant_environment(const Vertices& v, const Vec2x8& u, uint32_t lanes,
                                                             LightSampleLanes& s) const
@@ -105,7 +105,8 @@ inline void WideBatch<shading>::sample_constant_environment(const Vertices& v, c
     s.infinite |= here;
 }
 
-// Where lights are few, a part of the first number of the point chooses; else one of their own.
+// Selects a light for each lane. Few lights are selected by remapping the first number of the light sample, many by a
+// number of their own.
 template <Shading shading>
 inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_lights(const Vertices& v, uint32_t active,
                                                                                    const AddressLanes& address,
@@ -131,8 +132,8 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
     return chosen;
 }
 
-// View::sample_light() where lights are of several kinds. Lanes that choose lights of the same kind sample them
-// together; the others go one after the other.
+// View::sample_light() for lights of several kinds. Lanes with lights of one kind are sampled together, the others one
+// by one.
 template <Shading shading>
 inline void WideBatch<shading>::sample_any_light(const Vertices& v, const ChosenLights& chosen, LightQuery& query)
 {
@@ -148,7 +149,7 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
         for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.light_kinds[chosen.ids[i]] == kind} << i;
         return lanes & one_by_one;
     };
-    // What lies behind a surface that lets light through is for the others.
+    // Lights behind a transmissive surface are left to the scalar functions.
     const auto sample_kind = [&](uint32_t lanes, bool is_sphere) {
         if (lanes == 0) return;
         const auto sample = [&](LightSampleLanes& to) {
@@ -209,7 +210,7 @@ inline void WideBatch<shading>::sample_light(const Vertices& v, const AddressLan
     sample_triangles(scene_, chosen.ids, v.origin, chosen.u, chosen.choice(), query.light);
 }
 
-// Lanes in which light is sampled. See samples_light(); where nothing goes back along the path, none is.
+// Lanes for which light is sampled; see samples_light().
 template <Shading shading>
 inline uint32_t WideBatch<shading>::light_sampling_lanes(const Vertices& v) const
 {
@@ -243,7 +244,7 @@ inline void WideBatch<shading>::query_light(const Vertices& v, LightQuery& query
     }
 }
 
-// What lanes whose surfaces are not matt do to the light.
+// Evaluates the BSDFs that are not Lambertian.
 template <Shading shading>
 inline void WideBatch<shading>::eval_non_lambert(const Vertices& v, const LightQuery& query, uint32_t lanes,
                                                  Vec3x8& f_cos, Float8& pdf) const
@@ -283,7 +284,7 @@ inline void WideBatch<shading>::sample_direct(std::span<const Vertices> vertices
     }
 }
 
-// Rays that find out what of the light arrives.
+// Appends the shadow rays.
 template <Shading shading>
 inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery& to)
 {

@@ -1,5 +1,4 @@
-// The pixel loop for scenes of which there is a WideScene. Only the files that compile one way of shading each include
-// this.
+// The wide kernel. Only the files that instantiate one Shading each include it.
 #pragma once
 
 #include "render/kernel/kernel.h"

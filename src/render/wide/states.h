@@ -1,4 +1,4 @@
-// Paths under way in arrays, one for each of their numbers, so that eight of them load into registers at once.
+// States of paths as structure of arrays, so that eight of them load into SIMD registers.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace lancer {
 
-// Rays with numbers that go with them. Lanes: a struct of nothing but registers of eight.
+// Rays with additional data per ray. Lanes: a struct that consists of 8-lane registers only.
 template <class Lanes>
 class PackedStates {
 public:
@@ -20,38 +20,38 @@ public:
     std::span<const Ray> rays() const { return std::span(rays_).first(count_); }
     std::span<Ray> last_rays(size_t n) { return std::span(rays_).subspan(count_ - n, n); }
     void clear() { count_ = 0; }
-    // Room for so many; behind the last there may be written, too.
+    // Reserves memory for `most` rays and padding behind them.
     void reserve(size_t most)
     {
         if (rays_.size() >= most + float_lanes) return;
         rays_.resize(most + float_lanes);
-        // An odd number of lines of memory, so that not all lists begin in the same places of the first cache.
+        // An odd number of cache lines as stride avoids conflicts in the first-level cache.
         stride_ = ((rays_.size() + line - 1) / line | 1) * line;
         numbers_.resize(registers * stride_);
     }
-    // From `first` on; in lanes beyond the last: anything.
+    // Loads eight entries from `first` on; lanes beyond the last entry are undefined.
     void load(size_t first, Lanes& lanes) const
     {
-        // Register by register: a struct of so many that is copied as a whole is copied by a loop.
-        // Not auto, which would forget that these may point to anything.
+        // Copies register by register: the compiler would copy the whole struct in a loop. The pointer type may alias
+        // anything; `auto` would lose that property.
         __m256i* to = reinterpret_cast<__m256i*>(&lanes);
         for (size_t k = 0; k < registers; ++k)
             to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k * stride_ + first]));
     }
-    // Appends the wanted lanes.
+    // Appends the selected lanes.
     void push(uint32_t wanted, const Vec3x8& org, const Vec3x8& dir, Float8 t_max, const Lanes& lanes)
     {
         store(wanted, lanes);
         count_ += store_rays(&rays_[count_], wanted, org, dir, t_max);
     }
-    // Of the lanes that were appended last.
+    // Sets Ray::leaf_hint of the rays that were just appended.
     void set_leaf_hints(uint32_t wanted, UInt8 start)
     {
         store_leaf_hints(last_rays(static_cast<size_t>(std::popcount(wanted))).data(), wanted, start);
     }
 
 private:
-    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8), line = 16;  // numbers in a line of memory
+    static constexpr size_t registers = sizeof(Lanes) / sizeof(UInt8), line = 16;  // numbers in a cache line
 
     void store(uint32_t wanted, const Lanes& lanes)
     {
@@ -63,14 +63,14 @@ private:
 
     size_t count_ = 0, stride_ = 0;
     std::vector<Ray> rays_;
-    std::vector<uint32_t> numbers_;  // list by list, each of stride_
+    std::vector<uint32_t> numbers_;  // one array per register, each of stride_ numbers
 };
 
-// Vectors that go with them.
+// Additional vectors per ray.
 class PackedVectors {
 public:
     void clear() { count_ = 0; }
-    // As of PackedStates.
+    // As in PackedStates.
     void reserve(size_t most)
     {
         for (auto& n : numbers_)
@@ -97,14 +97,14 @@ struct PathLanes {
     UInt8 slot, sample;  // as in PathState
     KeyLanes key;        // of the sampler
 };
-// The same where textures are looked up, and so the cone of each ray is asked for.
+// With the ray cone, for textures.
 struct ConePathLanes : PathLanes {
     Float8 width, spread;  // as in RayCone
 };
-// The same of a path that may come by mirrors and glass.
+// With flags of the path, for specular materials.
 struct AnyPathLanes : ConePathLanes {
     Float8 eta_scale;  // as in PathState
-    UInt8 path_flags;  // bits of it, as below, and PathState::segment above them
+    UInt8 path_flags;  // the flags below; above them PathState::segment
 };
 inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, segment_shift = 3;
 inline UInt8 bits_of(PathSegment segment) { return UInt8{} + (static_cast<uint32_t>(segment) << segment_shift); }
@@ -119,11 +119,11 @@ template <class Lanes>
 struct PathsUnderWay {
     PackedStates<Lanes> now, next;
 };
-// Memory of one thread that traces such scenes.
+// Working memory of a thread for the wide kernel.
 struct WideWorkspace {
     std::tuple<PathsUnderWay<PathLanes>, PathsUnderWay<ConePathLanes>, PathsUnderWay<AnyPathLanes>> paths;
     PackedStates<ShadowLanes> shadows;
-    // Of each state the shading normal where its ray started; where a tree chooses lights, which asks for it.
+    // Shading normal at each ray's origin, if MIS weights need it (environment or light tree).
     PackedVectors normals_now, normals_next;
 };
 

@@ -1,4 +1,4 @@
-// The places that rays of a WideBatch meet, and what they are made of.
+// Surfaces at the hits of a WideBatch, and their materials.
 #pragma once
 
 #include "render/wide/batch.h"
@@ -6,14 +6,14 @@
 
 namespace lancer {
 
-// As from_array().
+// The hit distances, as from_array().
 inline Float8 distances(std::span<const Hit> hits, const std::array<size_t, float_lanes>& which)
 {
     const auto t = [&](size_t i) { return hits[which[i]].t; };
     return Float8{t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7)};
 }
 
-// To the side that rays come to, against wo.
+// Sets normals and ray origin of the vertices, facing wo.
 template <Shading shading>
 inline void WideBatch<shading>::set_surface(const InteractionLanes& at, const Vec3x8& wo, Vertices& v)
 {
@@ -36,7 +36,7 @@ inline void WideBatch<shading>::clear_surfaces(Vertices& v)
     if constexpr (any) v.non_lambert.p = v.non_lambert.p_error = v.origin;
 }
 
-// Of each vertex what is to be looked up.
+// Classifies each vertex by the data that it needs.
 template <Shading shading>
 inline void WideBatch<shading>::classify_surfaces(std::span<const Hit> hits, Vertices& v) const
 {
@@ -60,8 +60,7 @@ inline void WideBatch<shading>::classify_surfaces(std::span<const Hit> hits, Ver
     prefetch_uv_corners(view_.scene, hits, found.drawn & ~found.fixed);
 }
 
-// surface_at() of triangles that are drawn as they are, before anything is looked up. Other lanes do as the first that
-// is such a one.
+// surface_at() for non-instanced triangles, without textures. Other lanes repeat the first such lane.
 template <Shading shading>
 inline void WideBatch<shading>::set_triangle_surfaces(uint32_t drawn, std::span<const Hit> hits, const Vec3x8& wo,
                                                       Vertices& v)
@@ -78,7 +77,7 @@ inline void WideBatch<shading>::set_triangle_surfaces(uint32_t drawn, std::span<
     v.width = v.path.width + v.path.spread * distances(hits, which);
 }
 
-// Where vertices are, and what is known of them without looking anything up.
+// Computes the surfaces without reading textures.
 template <Shading shading>
 inline void WideBatch<shading>::find_surfaces(Vertices& v)
 {
@@ -94,8 +93,7 @@ inline void WideBatch<shading>::find_surfaces(Vertices& v)
     if constexpr (any) keep_reflections_outside(found.straight & found.mirroring, wo, v);
 }
 
-// What vertices are made of. Textures are asked one after the other, and so is where on other things than triangles
-// that are drawn as they are a place is, and what maps that tilt it make of it.
+// Evaluates materials. Textures, instances, other shapes and normal maps are handled lane by lane.
 template <Shading shading>
 inline void WideBatch<shading>::lookup_materials(Vertices& v)
 {
@@ -126,7 +124,7 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     }
 }
 
-// What lanes whose materials mirror want of the shading normal; few of them change it.
+// keep_reflection_outside() for lanes whose material is specular; few of them change.
 template <Shading shading>
 inline void WideBatch<shading>::keep_reflections_outside(uint32_t lanes, const Vec3x8& wo, Vertices& v)
 {
@@ -137,7 +135,8 @@ inline void WideBatch<shading>::keep_reflections_outside(uint32_t lanes, const V
     });
 }
 
-// The first that are taken. Of which kind each is cannot be foretold: what all have in common is done for all eight.
+// BSDFs that are the same everywhere: read from the table. The kind of each lane is unpredictable, so common data is
+// set for all eight.
 template <Shading shading>
 inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vertices& v)
 {
@@ -160,7 +159,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     });
 }
 
-// One that is not Lambert's.
+// Stores a BSDF that is not Lambertian.
 template <Shading shading>
 template <class B>
 inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v)
@@ -179,7 +178,8 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
     }
 }
 
-// The materials of places: at(i, number, take) gives that of lane i to take(bsdf); number() chooses of a mix.
+// Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the
+// material of a mix.
 template <Shading shading>
 template <class At>
 inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, Vertices& v, const At& at)
@@ -201,7 +201,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, Vertices& v, const A
     });
 }
 
-// Of each vertex the material, one by one. Lanes without a hit do as the first that has one.
+// Finds the material of each vertex. Lanes without a hit repeat the first lane that has one.
 template <Shading shading>
 inline HitIndices WideBatch<shading>::find_materials(Vertices& v) const
 {
@@ -221,8 +221,7 @@ inline HitIndices WideBatch<shading>::find_materials(Vertices& v) const
     return which;
 }
 
-// What n rays, at most eight, meet. False where no path goes on. Of what stands behind the last of them nothing is
-// taken.
+// Processes the hits of n <= 8 rays. Returns false if no path continues.
 template <Shading shading>
 inline bool WideBatch<shading>::find_vertices(size_t first, size_t n, Vertices& v)
 {

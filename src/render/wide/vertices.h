@@ -1,4 +1,4 @@
-// What a WideBatch knows of eight vertices, step by step.
+// The data of eight vertices of a WideBatch.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@
 
 namespace lancer::wide {
 
-// What of them is not matt, and what that wants to know.
+// The lanes whose material is not Lambertian.
 struct NonLambert {
-    uint32_t lanes;                                // that are not
-    std::array<const AnyBsdf*, float_lanes> bsdf;  // of these, but for plastic that was looked up
+    uint32_t lanes;                                // lanes that are not Lambertian
+    std::array<const AnyBsdf*, float_lanes> bsdf;  // their BSDFs; plastic is in the queue below
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
     PlasticQueue::Eight plastic;
-    std::array<AnyBsdf, float_lanes> own;  // those that were looked up for them
+    std::array<AnyBsdf, float_lanes> own;  // storage of BSDFs that depend on the point
 };
 struct Empty {};
-// What is looked up of them.
+// Which data the surfaces need.
 struct SurfaceQuery {
-    // Lanes of triangles that are drawn as they are; of these, those that are not tilted; and of these, those of
-    // which nothing is to be looked up, and those that want to mirror away from the surface.
+    // drawn: lanes with non-instanced triangles; of these, straight: without normal or bump maps; of these, fixed: the
+    // BSDF is the same everywhere, mirroring: specular.
     uint32_t drawn, straight, fixed, mirroring;
     Vec3x8 wo;                // world
-    uint32_t front;           // lanes of triangles whose rays come to the front
-    InteractionLanes places;  // of triangles that are drawn as they are
+    uint32_t front;           // lanes hit from the front
+    InteractionLanes places;  // of non-instanced triangles
 };
 // Eight vertices.
 template <Shading shading>
@@ -40,51 +40,51 @@ struct Vertices {
     static constexpr bool textured = shading != Shading::plain, any = shading == Shading::any;
     using Lanes = std::conditional_t<any, AnyPathLanes, std::conditional_t<textured, ConePathLanes, PathLanes>>;
 
-    size_t first, count;  // of the rays that ended there
-    uint32_t hit;         // lanes that there are
-    uint32_t shining;     // those of these whose material does
+    size_t first, count;  // of their rays
+    uint32_t hit;         // active lanes
+    uint32_t shining;     // active lanes with an emissive material
     Lanes path;
     Vec3x8 albedo;
     Vec3x8 n, ns, origin;  // as in Surface
-    Float8 cos_o;          // between the shading normal and the way back
+    Float8 cos_o;          // between the shading normal and wo
     Float8 width;          // of the cone, where textures are looked up
     UInt8 material;
-    UInt8 leaf_hint;  // of rays that leave them, as in Ray
+    UInt8 leaf_hint;  // Ray::leaf_hint of rays that start there
     [[no_unique_address]] std::conditional_t<textured, SurfaceQuery, Empty> found;
     [[no_unique_address]] std::conditional_t<any, NonLambert, Empty> non_lambert;
 };
 
-// Which lights lanes sample.
+// The lights selected by the lanes.
 struct ChosenLights {
     UInt8 ids{};
-    Vec2x8 u;                             // for a point on them
-    std::optional<Float8> probability{};  // of the choice, if not that by power
+    Vec2x8 u;                             // random numbers for the point on the light
+    std::optional<Float8> probability{};  // of the selection, if not by power
     const Float8* choice() const { return probability ? &*probability : nullptr; }
 };
-// What eight vertices see of the light that was sampled.
+// A light sample of eight vertices.
 struct LightQuery {
-    uint32_t active = 0;  // lanes in which it was
+    uint32_t active = 0;  // lanes that sample a light
     LightSampleLanes light;
-    Vec3x8 wi;  // to it, local; of what is not matt
+    Vec3x8 wi;  // direction to the light, local; of lanes that are not Lambertian
 };
-// Eight vertices that send rays on.
+// BSDF sampling of eight vertices, part by part.
 struct ScatterState {
     uint32_t sends, splits;  // lanes
-    // What all parts of the paths share, before BSDFs have been asked.
+    // Shared by all parts of a path.
     Vec3x8 throughput;
     Float8 eta_scale, spread;
-    UInt8 spreading, straight;  // so_far behind a lobe that spreads light, and behind one that does not
-    // Of the part that is sent.
+    UInt8 spreading, straight;  // path_flags of rays from non-specular and from specular lobes
+    // Random numbers of the present part.
     Float8 lobe;
     Vec2x8 u;
     Vec3x8 cosine;
 };
-// Directions that BSDFs chose.
+// Sampled directions.
 struct BsdfSamples {
-    Vec3x8 wi, weight;  // as in BsdfSample, and so what follows
+    Vec3x8 wi, weight;  // as in BsdfSample, like the following
     Float8 pdf{}, eta;
     uint32_t delta = 0;
-    uint32_t lanes = 0;  // that there are
+    uint32_t lanes = 0;  // valid lanes
 };
 
 }  // namespace lancer::wide

@@ -1,23 +1,22 @@
-// What is known of a group of lights without looking at each: where they lie, which way they shine, how much.
-// Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018; Physically Based
-// Rendering, 4th ed., section 12.6.3.
+// Bounds of a group of lights: position, emission directions, power. Conty Estevez and Kulla, "Importance Sampling of
+// Many Lights with Adaptive Tree Splitting", 2018; Physically Based Rendering, 4th ed., section 12.6.3.
 #pragma once
 
 #include "core/bounds.h"
 
 namespace lancer {
 
-// Directions around an axis; empty at first.
+// A cone of directions; empty by default.
 struct Cone {
     Vec3d axis{0, 0, 1};  // unit
     double angle = -1;    // radians, pi for all directions; negative: none
 
     bool empty() const { return angle < 0; }
-    // The smallest cone around both, about.
+    // Extends the cone to (approximately) the smallest one around both.
     void include(const Cone& other);
 };
 
-// Each light sends out light within 90 degrees of a direction of the cone.
+// Each light emits within 90 degrees of a direction of the cone.
 struct LightBounds {
     Bounds box;
     Cone normals;
@@ -31,8 +30,8 @@ struct LightBounds {
         both_sides = both_sides || other.both_sides;
         power += other.power;
     }
-    // By which to tell good groups from bad ones: power times the area of the box times the directions lit, with the
-    // box's longest side over that along `axis`, against long thin groups.
+    // Cost of a group for building the tree: power times the area of the box times the solid angle, times the box's
+    // longest side over that along `axis` to penalise long thin groups.
     double cost(int axis) const;
 };
 

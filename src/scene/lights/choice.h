@@ -1,4 +1,4 @@
-// Which light is sampled from a place: by power, or by a tree over those that are somewhere.
+// Light selection: by power, or by a tree over lights with a position.
 #pragma once
 
 #include <array>
@@ -8,17 +8,16 @@
 
 namespace lancer {
 
-// For a place and the shading normal there. u in [0, 1). Probability 0: none that sends light there. Not where there
-// are no lights.
+// Selects a light for a point and its shading normal; u in [0, 1). Probability 0: no light reaches the point. The table
+// must not be empty.
 LightTree::Choice choose_light(const LightTable& table, Vec3 point, Vec3 normal, double u);
 
-// The same, where there is a tree, for those of eight places whose bits are set in `lanes`; of the others probability
-// 0.
+// The same for the lanes in `lanes` of eight points, if there is a tree; other lanes get probability 0.
 std::array<LightTree::Choice, float_lanes> choose_by_tree(const LightTable& table, const Vec3x8& points,
                                                           const Vec3x8& normals,
                                                           const std::array<double, float_lanes>& u, uint32_t lanes);
 
-// With which choose_light() would have chosen light `id` from there.
+// Probability with which choose_light() selects light `id` for that point.
 float probability_of(const LightTable& table, uint32_t id, Vec3 point, Vec3 normal);
 
 }  // namespace lancer

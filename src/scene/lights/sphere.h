@@ -1,6 +1,6 @@
-// A sphere of light seen from outside: uniform in the cone under which it is seen (Pharr, Jakob, Humphreys, "Physically
-// Based Rendering", 4th ed., section 6.2.4), in double and with 1 - cos free of cancellation, so that it holds for any
-// distance. Once for one place and once for several, with the same bits.
+// Sampling of a sphere light from outside: uniform in the cone that it subtends (Pharr, Jakob, Humphreys, "Physically
+// Based Rendering", 4th ed., section 6.2.4), in double and with 1 - cos computed without cancellation, so that it holds
+// for any distance. For one point and for several with the same bits.
 #pragma once
 
 #include "core/frame.h"
@@ -11,13 +11,13 @@ namespace lancer {
 // T: float or several of them.
 template <class T>
 struct PointOnSphere {
-    Vec3T<T> wi;        // unit, to it
+    Vec3T<T> wi;        // unit, towards the light
     Vec3T<T> point, n;  // n: unit, outwards
     T pdf;              // per solid angle
 };
 
-// to_center: from the place, longer than the radius. u: in [0, 1); phi: sin_cos_2pi() of another such number. D:
-// doubles, as many as T is floats.
+// to_center: from the point, longer than the radius. u: in [0, 1); phi: sin_cos_2pi() of another such number. D: the
+// type of doubles for T.
 template <class T, class D>
 inline PointOnSphere<T> sphere_seen_from_outside(const Vec3T<D>& center, D radius, const Vec3T<D>& to_center, T u,
                                                  const SinCosT<T>& phi)

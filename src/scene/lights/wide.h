@@ -1,4 +1,4 @@
-// Light sampling of eight places at once, with the bits of sample_light().
+// Light sampling for eight points at once, with the bits of sample_light().
 #pragma once
 
 #include "core/warp.h"
@@ -10,11 +10,11 @@
 namespace lancer {
 
 struct LightSampleLanes {
-    Mask8 found;  // it sends light there
+    Mask8 found;  // the light illuminates the point
     Vec3x8 wi;    // unit
     Vec3x8 point, p_error, n;
     Vec3x8 radiance;
-    Float8 pdf;             // per solid angle, choice of the light included
+    Float8 pdf;             // per solid angle, including the selection
     Mask8 infinite, delta;  // as in LightSample
 };
 inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const LightSampleLanes& no)
@@ -27,8 +27,8 @@ inline LightSampleLanes select(Mask8 m, const LightSampleLanes& yes, const Light
             chosen(yes.delta, no.delta)};
 }
 
-// A point on a triangle as seen from `origin`. ids: of the lights that were chosen. choice: with what probability; null
-// if by power alone. s: becomes the samples.
+// Samples points on triangle lights as seen from `origin`. ids: the selected lights. choice: their probabilities; null:
+// by power.
 inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u,
                              const Float8* choice, LightSampleLanes& s)
 {
@@ -51,7 +51,7 @@ inline void sample_triangles(const WideScene& scene, UInt8 ids, const Vec3x8& or
     s.infinite = s.delta = Mask8{};
 }
 
-// A point on a sphere as seen from `origin`; found where that is outside of it. choice: likewise.
+// Samples points on sphere lights as seen from `origin`; found where the origin is outside. choice: likewise.
 inline void sample_sphere_lights(const WideScene& scene, UInt8 ids, const Vec3x8& origin, const Vec2x8& u,
                                  const Float8* choice, LightSampleLanes& s)
 {
