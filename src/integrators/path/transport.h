@@ -227,31 +227,32 @@ bool scatter(const V& view, const PathState& s, PathState& n, const Surface& sur
     return send_on(view, s, n, surface, frame, b, sampler);
 }
 
-// Constants of survival_probability. The cap ends lossless loops after about a thousand bounces.
+// The survival probability of Russian roulette is capped, which ends lossless loops after about a thousand bounces.
 inline constexpr float roulette_rays = 3.5f, least_survival = 0.02f, roulette_cap = 0.999f;
 
-// Adjoint-driven Russian roulette: Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light Transport
-// Simulation", 2016. If the importance map is known, the survival probability follows from the expected contribution
-// relative to the pixel's radiance, so that dark pixels keep rays; roulette by the throughput alone ends the same paths
-// everywhere. The constants were fitted on four scenes; a factor of 1.5 changes the error at equal time by a few per
-// cent. Rays on specular paths from the camera survive. Without a map the throughput decides, but not at the first
-// vertices, where ending paths costs several times the samples in bright scenes. Returns the probability. by_pixel: use
-// the importance map if it is known. paths: number of rays into which the path has split. T: float or Float8.
+// Russian roulette by the energy that the path carries. At the first vertices paths survive (is_deep is false): ending
+// them there costs several times the samples in bright scenes. T: float or Float8.
 template <class T>
 T survival_by_throughput(const Vec3T<T>& t, T eta_scale, bool is_deep)
 {
     if (!is_deep) return broadcast_to<T>(1);
     return smaller(broadcast_to<T>(roulette_cap), larger(t.x, larger(t.y, t.z)) * eta_scale);
 }
+// Adjoint-driven Russian roulette, by the expected contribution relative to the pixel's radiance, so that dark pixels
+// keep rays that bright ones can do without: Herholz et al., "Adjoint-Driven Russian Roulette and Splitting in Light
+// Transport Simulation", 2016. The constants were fitted on four scenes; a factor of 1.5 changes the error at equal
+// time by a few per cent. importance: see SamplingPlan; paths: number of rays into which the path has split.
 template <class T>
 T survival_by_pixel(const Vec3T<T>& t, const Vec3T<T>& importance, T paths, T eta_scale, bool is_deep)
 {
     const Vec3T<T> part{t.x * importance.x, t.y * importance.y, t.z * importance.z};
-    const T samples_per_path = sqrt(part.x * part.x + part.y * part.y + part.z * part.z) * paths;
+    const T contribution = sqrt(part.x * part.x + part.y * part.y + part.z * part.z) * paths;
     return smaller(broadcast_to<T>(is_deep ? roulette_cap : 1.0f),
-                   larger(broadcast_to<T>(least_survival), roulette_rays * samples_per_path * eta_scale));
+                   larger(broadcast_to<T>(least_survival), roulette_rays * contribution * eta_scale));
 }
 inline Vec3 as_vector(Color c) { return {c.r, c.g, c.b}; }
+// Ends a path by chance and weighs the surviving ones. Rays of the view segment use the throughput alone: what they see
+// is what the pixel shows. Unbiased. split: SamplingPlan::split.
 inline bool survives_roulette(PathState& s, const Sampler& sampler, uint32_t first_depth, uint32_t split)
 {
     const bool is_deep = s.depth >= first_depth;

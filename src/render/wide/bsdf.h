@@ -214,7 +214,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
 }
 
-// Survival probability of Russian roulette for the rays of the next depth; see survival_probability in
+// Survival probability of Russian roulette for the rays of the next depth; see survival_by_pixel in
 // integrators/path/transport.h.
 template <Shading shading>
 inline Float8 WideBatch<shading>::survival(const Lanes& next) const
