@@ -35,12 +35,12 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 # first_ray NAME SCENE: a line of NAME, milliseconds until the program says how it draws, which it does before its first
-# ray, its peak memory in MB, and whether it did without the module for pictures.
+# ray, its peak memory in MB, and whether it loaded the OpenImageIO module.
 first_ray() {
     local line start=${EPOCHREALTIME/[.,]/} end='' module=opened
     while IFS= read -r line; do
-        [[ $line != *'left out; drawn by'* ]] || end=${EPOCHREALTIME/[.,]/}
-        [[ $line != *'module for pictures, which is not opened'* ]] || module='not opened'
+        [[ $line != *'unused features:'* ]] || end=${EPOCHREALTIME/[.,]/}
+        [[ $line != *'OpenImageIO module, not loaded'* ]] || module='not loaded'
     done < <("$lancer" render "$2" --size 16x9 -s 1 -t 2 -v -o "$folder/x.exr" --stats "$folder/x.json" 2>&1 >/dev/null)
     [[ $end ]] || { echo "startup.sh: error: $lancer cannot draw $2" >&2; exit 1; }
     awk -v name="$1" -v us=$((end - start)) -v module="$module" -v OFS='\t' -F'[:, ]+' '
@@ -78,7 +78,7 @@ untextured=(cornell spheres shell still_life seed-a/start)
 turns=()
 for scene in "${untextured[@]}"; do turns+=("$scene" "scenes/$scene.toml"); done
 take_turns "${turns[@]}"
-echo "scene            least   median  peak MB  module for pictures"
+echo "scene            least   median  peak MB  OpenImageIO"
 for scene in "${untextured[@]}"; do
     printf '%-14s%s' "$scene" "$(least_and_median "$scene")"
     awk -F'\t' -v name="$scene" '$1 == name { line = sprintf(" %8.1f  %s", $3, $4) } END { print line }' "$folder/times"

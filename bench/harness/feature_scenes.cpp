@@ -119,7 +119,7 @@ std::vector<Feature> features()
         {"point lights", light(LightType::point)},
         {"directional lights", light(LightType::directional)},
         {"sphere lights", light(LightType::sphere)},
-        {"sky of one colour", light(LightType::environment)},
+        {"constant environment", light(LightType::environment)},
         {"thin lens",
          scene([](SceneDescription& d) { d.camera->type = CameraType::thin_lens, d.camera->aperture = 1e-9; })},
         {"wide filter", [](SceneDescription&, PictureOptions& p, Film&) { p.filter = "blackman-harris"; }},

@@ -86,8 +86,8 @@ constexpr std::array plain_families{
           "once, which is what the machine allows; crowd: many more threads than CPUs."},
     Plain{"render", "Whole pictures", "The same picture with each accelerator."},
     Plain{"features", "Unused features",
-          "unseen: the feature is added where no ray meets it, against the kernel for all scenes without it. saved: "
-          "that kernel against the one that the scene gets. unused: the kernel for all scenes without the feature's "
+          "unseen: the feature is added where no ray meets it, against the general kernel without it. saved: "
+          "that kernel against the one that the scene gets. unused: the general kernel without the feature's "
           "code, on a scene that does not use it. Speeds above 1 are what leaving out gains."},
     Plain{"agreement", "Agreement", "Answers against a reference in double precision."},
     Plain{"watertight", "Watertightness", "Rays from inside closed meshes that escape: each one is a miss."},

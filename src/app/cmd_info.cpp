@@ -241,7 +241,7 @@ int print_scene(const InfoOptions& options)
         const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         say("kernel", std::string(name_of(renderer.profile())));
-        say("left out", "");
+        say("unused", "");
         for (const UnusedFeature& l : unused_features_of(renderer, renderer.profile()))
             print_result("  " + to_string(l));
     });

@@ -114,7 +114,7 @@ int run_pixel(int argc, char** argv)
         const Color radiance =
             renderer.replay(camera, s.width, s.height, {options->x, options->y, options->sample}, report.listener());
         print_result("radiance " + to_text(radiance) +
-                     (is_finite(radiance) ? "" : ": not finite, left out of pictures"));
+                     (is_finite(radiance) ? "" : ": not finite, dropped from pictures"));
     });
     return exit_done;
 }

@@ -272,7 +272,7 @@ void Run::print_settings() const
 
 void Run::print_specialisation() const
 {
-    print_note("left out; drawn by the kernel '" + stats_.settings.kernel + "':");
+    print_note("kernel '" + stats_.settings.kernel + "'; unused features:");
     for (const UnusedFeature& l : stats_.scene.unused_features) print_note("  " + to_string(l));
 }
 
@@ -280,13 +280,12 @@ void Run::print_sampling_plan(const Renderer& renderer, const SamplingPlan& plan
 {
     const auto open = static_cast<size_t>(std::count(plan.background_only.begin(), plan.background_only.end(), 1));
     if (open)
-        print_note(format_text("left out: camera rays of %zu of %zu squares of %u pixels, which see only sky", open,
+        print_note(format_text("background only: %zu of %zu cells of %u pixels; their camera rays are not traced", open,
                                plan.background_only.size(), plan.background_cell));
     if (!std::holds_alternative<Path>(renderer.integrator())) return;
-    print_note(format_text("plan: %u rays on from the first surface that spreads light", plan.split) +
-               "; roulette by " +
+    print_note(format_text("sampling plan: paths split into %u", plan.split) + "; Russian roulette by " +
                (plan.importance.empty() ? std::string("the throughput")
-                                        : format_text("what squares of %u pixels show", plan.cell)));
+                                        : format_text("an importance map, cells of %u pixels", plan.cell)));
 }
 
 void Run::print_dropped_samples() const

@@ -78,7 +78,7 @@ int dispatch(int argc, char** argv)
 // TBB and Embree throw where nobody can catch it, above all if the system grants no more threads.
 [[noreturn]] void end_with_message()
 {
-    std::string reason = "a library gave up";
+    std::string reason = "a library failed";
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::exception& e) {

@@ -33,10 +33,9 @@ std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile 
         if (has.has(static_cast<Feature>(i))) continue;
         kinds += (absent++ == 0 ? "" : ", ") + std::string(feature_names[i]);
     }
-    list.add("things that scenes may have: " + kinds, absent);
-    if (kernel != Profile::all) list.add("kernel for all scenes", 1, 0, time_of_kernel);
-    if (!is_mapped("lancer_oiio.so"))
-        list.add("module for pictures, which is not opened", 1, bytes_of_module, time_of_module);
+    list.add("scene features: " + kinds, absent);
+    if (kernel != Profile::all) list.add("general kernel", 1, 0, time_of_kernel);
+    if (!is_mapped("lancer_oiio.so")) list.add("OpenImageIO module, not loaded", 1, bytes_of_module, time_of_module);
     return list.all();
 }
 

@@ -71,7 +71,7 @@ inline constexpr std::array<std::string_view, static_cast<size_t>(Feature::count
     "sphere lights",
     "triangle lights",
     "smooth or instanced triangle lights",
-    "sky of one colour",
+    "constant environment",
     "sky map",
     "background",
     "textured lights",

@@ -10,7 +10,7 @@
 namespace lancer {
 
 struct UnusedFeature {
-    std::string what;    // a plural that follows the count: "textures of one value"
+    std::string what;    // a plural that follows the count: "constant textures"
     uint64_t count = 0;  // number of them, >= 1
     uint64_t bytes = 0;  // memory that is saved; 0: almost none, or unknown
     std::string time{};  // time that is saved, as benchmarked: "250 ms"; empty: none, or unknown

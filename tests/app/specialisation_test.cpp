@@ -16,7 +16,7 @@ protected:
     {
         Program program(folder_,
                         {"render", scene, "--size", "64x64", "-s", "1000000", "-o", "x.exr", "--verbose", "-t", "1"});
-        EXPECT_TRUE(program.wait_for_message("left out; drawn by")) << program.err();
+        EXPECT_TRUE(program.wait_for_message("unused features:")) << program.err();
         return read_bytes("/proc/" + std::to_string(program.pid()) + "/maps");
     }
 };
@@ -66,7 +66,7 @@ TEST_F(Specialisation, IsInTheStatistics)
     const Said said =
         run({"render", "some.toml", "--size", "16x16", "-s", "1", "-o", "x.exr", "--verbose", "--stats", "x.json"});
     EXPECT_EQ(said.code, 0) << said.err;
-    expect_words(said.err, "left out; drawn by the kernel 'wide':\nlancer:   1 lights without power");
+    expect_words(said.err, "kernel 'wide'; unused features:\nlancer:   1 lights without power");
     const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
     EXPECT_EQ(stats["settings"]["kernel"], "wide");
     EXPECT_EQ(stats["samples"]["background_only"], 0) << "there is a plane";
@@ -80,15 +80,15 @@ TEST_F(Specialisation, IsInTheStatistics)
         EXPECT_EQ(l["time"].get<std::string>().empty(), !has_time) << l;
     }
     expect_words(all, "lights without power\n");
-    expect_words(all, "materials that nothing uses\n");
-    expect_words(all, "kernel for all scenes\n");
-    expect_words(all, "module for pictures, which is not opened\n");
+    expect_words(all, "unused materials\n");
+    expect_words(all, "general kernel\n");
+    expect_words(all, "OpenImageIO module, not loaded\n");
     write("amber.toml", std::string(small_scene) +
                             "[[sphere]]\ncenter = [0, 3, 0]\nradius = 1\nmaterial = \"amber\"\n"
                             "[material.amber]\ntype = \"glass\"\nabsorption = [0.1, 0.3, 0.8]\n");
     const Said amber = run({"render", "amber.toml", "--size", "16x16", "-s", "1", "-o", "m.exr", "--verbose"});
     expect_words(amber.err, "drawn by the kernel 'all'");
-    EXPECT_EQ(amber.err.find("kernel for all scenes"), std::string::npos);
+    EXPECT_EQ(amber.err.find("general kernel"), std::string::npos);
 }
 
 // Whatever AOVs are wanted, the kernel is the same, and the open sky is left out.
@@ -111,9 +111,9 @@ file = "quad.obj"
         const auto stats = nlohmann::json::parse(read_bytes(file("x.json")));
         const auto kernel = stats["settings"]["kernel"].get<std::string>();
         expect_words(said.err, "drawn by the kernel '" + kernel + "'");
-        EXPECT_EQ(said.err.find("1 kernel for all scenes; saves ") != std::string::npos, kernel != "all") << said.err;
+        EXPECT_EQ(said.err.find("1 general kernel; saves ") != std::string::npos, kernel != "all") << said.err;
         const bool leaves_out = stats["samples"]["background_only"] > 0;
-        EXPECT_EQ(said.err.find("which see only sky") != std::string::npos, leaves_out) << said.err;
+        EXPECT_EQ(said.err.find("background only: ") != std::string::npos, leaves_out) << said.err;
         return kernel + (leaves_out ? " without sky" : "");
     };
     EXPECT_EQ(render({}), "wide without sky");

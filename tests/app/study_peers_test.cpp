@@ -217,7 +217,7 @@ TEST_F(StudyPeers, WhatCannotBeHadIsLeftOutAndSaid)
     expect("scene.toml: fake cannot render balls");
     peer_is(script(about));
     replace("--filter box", "--filter box --max-depth 4");
-    expect("another program cannot be told of '--max-depth'");
+    expect("another program has no equivalent of '--max-depth'");
     replace("--filter box --max-depth 4", "");
     expect("another program draws with a box filter");
     std::filesystem::remove(file("peers/run"));
@@ -238,7 +238,7 @@ TEST_F(StudyPeers, WhatGoesWrongIsAFailedRun)
         EXPECT_NO_THROW(read_xml(page()));
     };
     expect(script("exit 3"), "ended with 3");
-    expect(script("echo '{\"version\": 7}'"), "fake said what is not the JSON of a peer: {\"version\": 7}");
+    expect(script("echo '{\"version\": 7}'"), "fake printed invalid peer JSON: {\"version\": 7}");
     expect(script(about, "echo out of luck >&2; exit 1"), "out of luck");
     expect(script(about, "kill -SEGV $$"), "ended with 139");
     expect(script(about, "echo '{{{'"), "is not the JSON of a peer: {{{");

@@ -62,11 +62,11 @@ TEST(StudyPeer, RecordsAreReadAndAnythingElseIsRefused)
     EXPECT_EQ(records[1].render_cpu_s, 3.5);
     EXPECT_EQ(what_of(two, {1}), "error: fake told of 2 pictures and was asked for 1");
     EXPECT_EQ(what_of(two, {1, 5}), "error: fake told of 4 samples and was asked for 5");
-    const std::string no_json = "error: fake said what is not the JSON of a peer: ";
+    const std::string no_json = "error: fake printed invalid peer JSON: ";
     EXPECT_EQ(what_of("[1]\n", {1}), no_json + "[1]");
     EXPECT_EQ(what_of("Traceback\n", {1}), no_json + "Traceback");
     const std::string negative = R"({"spp":1,"render_wall_s":-1,"render_cpu_s":null,"biases":[]})";
-    EXPECT_EQ(what_of(negative, {1}), "error: fake told of seconds that are no time");
+    EXPECT_EQ(what_of(negative, {1}), "error: fake reported invalid seconds");
     EXPECT_THROW(read_peer_about("fake", "{\"version\":\"1\"}"), Error);
     EXPECT_TRUE(read_peer_about("fake", R"({"version":"1","seeds":true,"squares":false})").seeds);
 }

@@ -53,7 +53,7 @@ TEST(Specialisation, PicturesOfOneValueBecomeFactors)
     EXPECT_FALSE(one.traits[id].has_holes()) << "the picture has no alpha";
     EXPECT_FALSE(one.traits[id].reads_uv);
     EXPECT_TRUE(one.shading[0].uvs.empty() && one.shading[0].uv_triangles.empty());
-    EXPECT_EQ(count_of(one, "textures of one value"), 3u);
+    EXPECT_EQ(count_of(one, "constant textures"), 3u);
     EXPECT_EQ(count_of(one, "texture coordinates"), 2u);
     EXPECT_FALSE(features_of(one).has(Feature::textures));
     // Another texel, and all of it is needed but the alpha that is not there.
@@ -62,7 +62,7 @@ TEST(Specialisation, PicturesOfOneValueBecomeFactors)
     EXPECT_NE(two.traits[other].bump, no_texture);
     EXPECT_TRUE(two.traits[other].reads_uv);
     EXPECT_FALSE(two.shading[0].uvs.empty());
-    EXPECT_EQ(count_of(two, "textures of one value"), 1u);
+    EXPECT_EQ(count_of(two, "constant textures"), 1u);
 }
 
 TEST(Specialisation, TheSamePictureUnderTwoNamesIsKeptOnce)
@@ -177,7 +177,7 @@ TEST(Specialisation, LightsAndMaterialsAreCounted)
     d.lights = {sky_of({}), light_of(LightType::point, {}, {0, 2, 0}), sky_of({1, 1, 1})};
     const Scene s = build_scene(d);
     EXPECT_EQ(count_of(s, "lights without power"), 2u);
-    EXPECT_EQ(count_of(s, "materials that nothing uses"), 1u);
+    EXPECT_EQ(count_of(s, "unused materials"), 1u);
 }
 
 // What grows with a scene's triangles, vertices, shapes and lights but for what every triangle has: elements of each

@@ -38,7 +38,7 @@ std::string first_error(const std::string& err)
         if (first.empty()) first = line;
         if (const size_t at = line.find("error: "); at != std::string::npos) return line.substr(at + 7);
     }
-    return first.empty() ? "it said nothing" : first;
+    return first.empty() ? "no output" : first;
 }
 
 std::string why_failed(const ChildResult& result, double timeout)
@@ -58,7 +58,8 @@ std::string size_of(const std::vector<std::string>& options, std::string& left_o
         else if (options[i] == "--filter" && has_value)
             ++i;  // which one is seen from the reference
         else if (left_out.empty())
-            left_out = "another program cannot be told of " + in_quotes(options[i]) + " among the options of the scene";
+            left_out =
+                "another program has no equivalent of " + in_quotes(options[i]) + " among the options of the scene";
     }
     return size;
 }

@@ -23,7 +23,7 @@ ImageSource::~ImageSource()
     wake_.notify_all();
     for (Job& job : left) {
         job.promise.set_exception(
-            std::make_exception_ptr(Error(ErrorKind::failed, {job.file}, "not read: nobody waited for it")));
+            std::make_exception_ptr(Error(ErrorKind::failed, {job.file}, "not read: the request was dropped")));
     }
     for (std::thread& t : threads_) t.join();
 }

@@ -19,7 +19,7 @@ auto read_json(const std::string& name, const std::string& text, const Function&
     try {
         return of_json(Json::parse(text));
     } catch (const Json::exception&) {
-        throw Error(ErrorKind::failed, {}, name + " said what is not the JSON of a peer: " + text.substr(0, 200));
+        throw Error(ErrorKind::failed, {}, name + " printed invalid peer JSON: " + text.substr(0, 200));
     }
 }
 
@@ -68,7 +68,7 @@ std::vector<PeerRecord> read_peer_records(const std::string& name, const std::st
                 ErrorKind::failed, {},
                 name + " told of " + std::to_string(r.spp) + " samples and was asked for " + std::to_string(spps[i]));
         if (!(r.render_wall_s >= 0) || std::isinf(r.render_wall_s) || r.render_cpu_s < 0)
-            throw Error(ErrorKind::failed, {}, name + " told of seconds that are no time");
+            throw Error(ErrorKind::failed, {}, name + " reported invalid seconds");
     }
     return records;
 }

@@ -82,7 +82,7 @@ void share_texels(Scene& scene)
         if (twin == alike.end())
             alike.push_back(image);
         else
-            scene.unused_features.add("textures with the texels of another", 1, image->bytes());
+            scene.unused_features.add("duplicate textures with the same texels", 1, image->bytes());
     }
 }
 
@@ -113,7 +113,7 @@ void fold_constants(Scene& scene)
         scene.mix_of[id] = Scene::none;
         ++plain;
     }
-    scene.unused_features.add("mixes that are always one of their parts", plain);
+    scene.unused_features.add("constant mixes", plain);
     if (!any && plain == 0) return;
     mark_texture_readers(scene);
     // A normal map tilts even where it is the same everywhere.
@@ -123,7 +123,7 @@ void fold_constants(Scene& scene)
     for (size_t i = 0; i < values.size(); ++i) {
         if (!values[i] || is_read[i]) continue;
         const auto* image = std::get_if<ImageTexture>(&scene.textures[i]);
-        scene.unused_features.add("textures of one value", 1, image ? image->bytes() : 0);
+        scene.unused_features.add("constant textures", 1, image ? image->bytes() : 0);
         scene.textures[i] = Checker{.even = *values[i], .odd = *values[i]};
     }
 }

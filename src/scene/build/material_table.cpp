@@ -75,7 +75,7 @@ uint32_t MaterialTable::texture(const TextureUse& use)
 {
     if (!use) return no_texture;
     if (const auto it = std::find(textures_.begin(), textures_.end(), *use); it != textures_.end()) {
-        scene_.unused_features.add("textures that are there already", 1);
+        scene_.unused_features.add("duplicate textures", 1);
         return static_cast<uint32_t>(it - textures_.begin());
     }
     const auto id = static_cast<uint32_t>(textures_.size());
@@ -132,7 +132,7 @@ uint32_t MaterialTable::add(const MaterialDescription& m)
     // A material file that several meshes name brings the same ones again and again.
     for (const auto& [known, id] : added_[m.name]) {
         if (!(known == m)) continue;
-        scene_.unused_features.add("materials that are there already", 1,
+        scene_.unused_features.add("duplicate materials", 1,
                                    sizeof(Material) + sizeof(Emission) + sizeof(MaterialTraits));
         return id;
     }
@@ -237,7 +237,7 @@ void MaterialTable::finish()
     finish_media(scene_);
     for (size_t i = 0; i < d_.materials.size(); ++i)
         if (!used_[i]) {
-            scene_.unused_features.add("materials that nothing uses", 1);
+            scene_.unused_features.add("unused materials", 1);
             diagnostics_.warning(d_.materials[i].where, "material '" + d_.materials[i].name + "' is not used");
         }
     for (size_t i = 0; i < d_.overrides.size(); ++i)

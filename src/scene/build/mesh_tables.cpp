@@ -94,7 +94,7 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
 {
     const Renumbering numbers(data.normal_triangles, data.normals.size());
     const uint64_t unused = data.normals.size() - numbers.kept;
-    unused_features.add("vertex normals of no triangle", unused,
+    unused_features.add("unused vertex normals", unused,
                         unused * sizeof(Vec3) + (numbers.kept ? 0 : bytes_of(data.normal_triangles)));
     if (numbers.kept == 0) return;
     const auto moved = [&](const Vec3& n) { return to_float(normalize(back.normal_by_inverse(to_double(n)))); };
@@ -113,12 +113,11 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
             return n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]);
         });
         normals.are_of_vertices = true;
-        unused_features.add("numbers of vertex normals, which are those of the vertices", faces,
-                            faces * sizeof(Corners));
+        unused_features.add("redundant vertex normal indices", faces, faces * sizeof(Corners));
     }
 }
 
-constexpr const char* no_uvs = "triangles without texture coordinates, which no material of theirs reads";
+constexpr const char* no_uvs = "triangles with unused texture coordinates";
 
 }  // namespace
 
@@ -141,8 +140,7 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     mesh.positions.emplace_back();
     shading.colors = positions.kept_of(colors, same);
     const uint64_t unused = data.positions.size() - positions.kept;
-    unused_features.add("vertices of no triangle", unused,
-                        unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
+    unused_features.add("unused vertices", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
 
     fill_normals(data, inverse(place), mesh, shading, unused_features);
     if (data.uvs.empty()) return;
