@@ -1,8 +1,7 @@
-// The part of the light that single reflection off GGX facets loses: what facets shadow and what leaves below the
-// surface. By cosine and alpha, once for facets that reflect all and once for each index of a dielectric. Metal makes
-// up for it (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 courses); plastic
-// learns from it what is left for its base.
-// Computed by a fixed quadrature: always the same bits.
+// Table of the light that single scattering from GGX facets loses by shadowing and masking, by cosine and alpha, for
+// perfect reflectors and for each index of a dielectric. Metal compensates for it (Kulla and Conty, "Revisiting
+// Physically Based Shading at Imageworks", SIGGRAPH 2017 courses); plastic uses it to scale its base. Computed by a
+// fixed quadrature, so that the bits are always the same.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +14,19 @@
 namespace lancer {
 
 class AlbedoTable {
-    // Nodes are numbers of few leading bits, four to each power of two: the scale on which losses change is that of
-    // cos / alpha, near grazing, and that of cos elsewhere. Below the first node its values hold.
+    // Nodes have few leading bits, four per power of two, as losses vary with cos / alpha near grazing and with cos
+    // elsewhere. Below the first node its values are used.
     static constexpr uint32_t bits_below_node = 21;
     static constexpr float least_cos = 0x1p-12f, least_row = 0x1p-14f;
     static constexpr uint32_t cosines = 49, rows = 57;
 
 public:
-    // Of a perfect reflector; built on first use, for everyone.
+    // For a perfect reflector; built on first use and shared.
     static const AlbedoTable& white();
-    // Of a dielectric; eta: index beyond the surface over index before it, finite, > 0. Takes some milliseconds.
+    // For a dielectric; eta: index beyond the surface over index before it, finite, > 0. Takes some milliseconds.
     explicit AlbedoTable(float eta);
 
-    // What it says of one alpha; of none where it is not taken from a table. The table must live as long.
+    // The row of one alpha; default-constructed: no loss. The table must outlive it.
     class Row {
     public:
         Row() = default;
@@ -41,7 +40,7 @@ public:
             const float low = at(losses_ + c.index), high = at(losses_ + cosines + c.index);
             return low + part_ * (high - low);
         }
-        // Of four rows, each at its own cosine.
+        // Four rows, each at its own cosine.
         static Float4 losses(const std::array<Row, 4>& rows, Float4 cos)
         {
             const Float4 x = max(min(cos, _mm_set1_ps(1)), _mm_set1_ps(least_cos));
@@ -69,8 +68,8 @@ public:
 
         static constexpr std::array<float, 2 * cosines> none{};
 
-        const float* losses_ = none.data();  // of two alphas, the second's behind the first's
-        float part_ = 0;                     // how far alpha is on the way from the first to the second
+        const float* losses_ = none.data();  // of two alphas, one behind the other
+        float part_ = 0;                     // interpolation weight of the second
     };
     // alpha: in (0, 1].
     Row row(float alpha) const
@@ -79,7 +78,7 @@ public:
         return {&loss_[a.index * cosines], a.part};
     }
     float loss(float cos, float alpha) const { return row(alpha).loss(cos); }
-    // 1 - the albedo under even light (its mean weighted by the cosine), exactly that of what loss() interpolates.
+    // 1 - the hemispherical albedo (the cosine-weighted mean), exactly that of the interpolated loss().
     float mean_missing(float alpha) const
     {
         const Cell a = cell(alpha, least_row, rows);
@@ -112,10 +111,10 @@ private:
     std::array<float, rows> mean_missing_{};
 };
 
-// 1 - the albedo of a smooth dielectric under even light. eta as above.
+// 1 - the hemispherical albedo of a smooth dielectric. eta as above.
 float mean_transmittance(float eta);
 
-// Integral over [a, b] by the five points of Gauss and Legendre.
+// Integral over [a, b] by five-point Gauss-Legendre quadrature.
 template <class F>
 double integrate(double a, double b, const F& f)
 {
@@ -127,8 +126,8 @@ double integrate(double a, double b, const F& f)
     return half * sum;
 }
 
-// Mean of f(cos) over the hemisphere, weighted by the cosine. f: may change on any scale as cos tends to 0. The pieces
-// are those between the nodes of the table.
+// Cosine-weighted mean of f(cos) over the hemisphere. f may vary on any scale as cos tends to 0. The pieces are the
+// intervals between the nodes of the table.
 template <class F>
 double cosine_mean(const F& f)
 {

@@ -1,5 +1,5 @@
-// Reflectance of the boundary between two dielectrics, and of metals. Pharr, Jakob, Humphreys, "Physically Based
-// Rendering", 4th ed., sections 9.3.5 and 9.3.6, rearranged so that nothing cancels as the index tends to 1.
+// Fresnel reflectance of dielectrics and metals. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
+// sections 9.3.5 and 9.3.6, rearranged so that nothing cancels as the index tends to 1.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,9 @@ struct FresnelT {
 };
 using Fresnel = FresnelT<float>;
 
-// cos_i and sin2_i, cosine and squared sine of one angle, each with its own full precision; eta: index beyond the
-// boundary over index before it, > 0. In double: for an index far from 1 the angles that are not reflected totally are
-// so few that float cannot tell g^2 from 0.
-// D: double or several of them.
+// cos_i and sin2_i: cosine and squared sine of the same angle, both at full precision; eta: index beyond the boundary
+// over index before it, > 0. In double: for an index far from 1 so few angles are refracted that float cannot
+// distinguish g^2 from 0. D: double or a vector of them.
 template <class D>
 inline FresnelT<D> fresnel_dielectric_double(D cos_i, std::type_identity_t<D> sin2_i, std::type_identity_t<D> eta)
 {
@@ -57,11 +56,11 @@ inline Fresnel fresnel_dielectric(Vec3 wo, double eta)
     return fresnel_dielectric(std::min(1.0, static_cast<double>(wo.z)), x * x + y * y, eta);
 }
 
-// A boundary that only refracts, for teaching; under total internal reflection it still reflects.
+// A boundary without Fresnel reflection, for teaching; total internal reflection remains.
 inline Fresnel only_refracting(Fresnel f) { return {f.cos_t > 0 ? 0.0f : 1.0f, f.cos_t}; }
 
-// Reflectance of a metal of complex index eta + i k over that of the outside, for unpolarised light. eta, k >= 0; cos_i
-// in [0, 1].
+// Reflectance of a metal with complex index eta + i k relative to the outside, for unpolarised light. eta, k >= 0;
+// cos_i in [0, 1].
 inline double fresnel_conductor(double cos_i, double eta, double k)
 {
     const double cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
@@ -69,12 +68,12 @@ inline double fresnel_conductor(double cos_i, double eta, double k)
     const double real = sin2 < 0.5 ? (eta - k) * (eta + k) - sin2 : cos2 + (eta - 1) * (eta + 1) - k * k;
     const double imaginary = 2 * eta * k;
     const double sum = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
-    // Of the two forms of a^2 = (sum + real) / 2 the one that does not cancel.
+    // The form of a^2 = (sum + real) / 2 that does not cancel.
     const double a2 = real >= 0 ? 0.5 * (sum + real) : 0.5 * imaginary * imaginary / (sum - real);
     const double a = std::sqrt(a2);
     const double across = 2 * a * cos_i, s = sum + cos2;
     const double along = across * sin2, p = cos2 * sum + sin2 * sin2;
-    if (!(s + across > 0) || !(p + along > 0)) return 1;  // grazing along what is hardly there
+    if (!(s + across > 0) || !(p + along > 0)) return 1;  // limit at grazing incidence
     const double rs = (s - across) / (s + across), rp = (p - along) / (p + along);
     return std::clamp(0.5 * rs * (1 + rp), 0.0, 1.0);
 }
@@ -86,7 +85,7 @@ inline Color fresnel_schlick(Color f0, double cos_i)
     const float m2 = m * m, w = m2 * m2 * m;
     return f0 * (1 - w) + Color{w, w, w};
 }
-// Its mean over the hemisphere, weighted by the cosine.
+// Its cosine-weighted mean over the hemisphere.
 inline Color mean_schlick(Color f0) { return f0 * (20.0f / 21) + Color{1, 1, 1} * (1.0f / 21); }
 
 }  // namespace lancer

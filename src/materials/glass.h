@@ -1,6 +1,6 @@
-// The boundary of a dielectric: reflects and refracts by the exact Fresnel equations, with total internal reflection.
-// Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets that do the same, Walter et al.,
-// "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; what facets pass on to each other is lost.
+// Dielectric boundary: reflection and refraction by the exact Fresnel equations, with total internal reflection.
+// Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets, Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost.
 #pragma once
 
 #include "materials/fresnel.h"
@@ -12,11 +12,11 @@ namespace lancer {
 
 struct GlassBsdf {
     Color tint;
-    // Index beyond the surface over index on wo's side. In double: rounded to float it is not the inverse of the one
-    // seen from the other side, and where a facet is met near the critical angle light differs by the root of that.
+    // Index beyond the surface over index on wo's side. In double: rounded to float it would not be the inverse of the
+    // index from the other side, and near the critical angle light differs by the square root of that error.
     double eta;
     float alpha = 0;      // 0: smooth
-    bool fresnel = true;  // else a smooth boundary only refracts
+    bool fresnel = true;  // false: a smooth boundary only refracts
 
     bool only_delta() const { return alpha == 0; }
     bool transmits() const { return alpha != 0; }
@@ -66,13 +66,13 @@ private:
             const double reflected = facet_fresnel(facets.cos_h).reflectance;
             return value(reflected * facets.f_cos, reflected * facets.pdf);
         }
-        // The facet that refracts wo to wi: its normal is along wo + eta wi, on wo's side of the surface.
+        // Normal of the facet that refracts wo to wi: along wo + eta wi, on wo's side of the surface.
         const double n = eta;
         const Vec3d sum = wo + n * wi;
         const double length2 = dot(sum, sum), scale = std::copysign(1 / std::sqrt(length2), sum.z);
         const double cos_o = scale * dot(wo, sum), cos_i = scale * dot(wi, sum);
         if (!(cos_o > 0 && cos_i < 0)) return {};
-        // Solid angle of normals over that of wi. The squared sum of Walter et al. is length2.
+        // Jacobian: solid angle of normals over that of wi. length2 is the squared sum in Walter et al.
         const double jacobian = -cos_i * n * n / length2;
         const double through =
             (1 - facet_fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
@@ -101,12 +101,12 @@ struct Glass {
     ColorParam tint;
     float ior;                 // inside (behind the geometric normal) over outside
     FloatParam roughness = 0;  // perceptual
-    bool fresnel = true;       // else it only refracts where it is smooth
+    bool fresnel = true;       // false: it only refracts where it is smooth
 
     GlassBsdf at(const ShadingPoint& p) const
     {
-        // Facets turn what goes through by about alpha times the index's distance from 1. Where float cannot tell that
-        // from nothing the boundary is smooth: one of index 1 is not there, however rough.
+        // Facets deflect transmitted light by about alpha times (index - 1). Where float cannot distinguish that from 0
+        // the boundary is treated as smooth.
         const float alpha = alpha_of_roughness(p.eval(roughness)), n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
         return {p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, fresnel};

@@ -1,7 +1,7 @@
-// A surface after the classic illumination model, made to conserve energy: diffuse reflection, Phong's highlight in the
-// normalised and reciprocal form of Lafortune and Willems ("Using the Modified Phong Reflectance Model for Physically
-// Based Rendering", 1994), a mirror, and where it refracts a smooth boundary that splits light by the exact Fresnel
-// equations. All four are scaled by one factor if together they would send back more than they get.
+// An energy-conserving form of the classic illumination model: diffuse reflection, Phong's highlight in the normalised
+// and reciprocal form of Lafortune and Willems ("Using the Modified Phong Reflectance Model for Physically Based
+// Rendering", 1994), a mirror, and a smooth refracting boundary with the exact Fresnel equations. All four are scaled
+// by one factor if together they would reflect more than they receive.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ namespace lancer {
 
 class InterfaceBsdf {
 public:
-    // front: the path arrives from the side of the geometric normal; without fresnel what refracts reflects only what
-    // is reflected totally.
+    // front: the path arrives on the side of the geometric normal. Without fresnel a refracting surface reflects only
+    // by total reflection.
     InterfaceBsdf(const Phong& p, bool front, bool fresnel = true)
         : diffuse_(part_of(p.diffuse, p.diffusion)),
           gloss_(part_of(p.specular, p.diffusion)),
@@ -64,13 +64,12 @@ public:
         if (wi.z <= 0) return {};
         const BsdfValue value = eval_smooth(wo, wi, p);
         if (!(value.pdf > 0)) return {};
-        // Without a highlight the cosine cancels: what is only diffuse has the bits of a Lambert surface.
+        // Without a highlight the cosine cancels: a purely diffuse interface has the bits of Lambert.
         const Color weight = p.gloss > 0 ? value.f_cos / value.pdf : diffuse_ * (sum / p.diffuse);
         return BsdfSample{.wi = wi, .weight = weight, .pdf = value.pdf};
     }
 
-    // Each of the two directions that light goes without spreading, as a sample that was chosen for certain; nothing
-    // where there is none. wo: z > 0.
+    // The two specular directions as samples with probability 1; nothing if the lobe is absent. wo: z > 0.
     std::optional<BsdfSample> reflection(Vec3 wo) const
     {
         const BsdfSample s = reflected(wo, boundary(wo));
@@ -84,16 +83,16 @@ public:
     }
 
 private:
-    // Of a narrower highlight float directions know nothing.
+    // Narrower highlights exceed the precision of float directions.
     static constexpr float most_shininess = 2 / (least_alpha * least_alpha);
 
-    // Textures may bring what is negative.
+    // Textures may be negative.
     static Color part_of(Color c, float part)
     {
         return {std::max(0.0f, c.r * part), std::max(0.0f, c.g * part), std::max(0.0f, c.b * part)};
     }
 
-    // By how much light each lobe sends, about.
+    // Selection weights of the lobes: their approximate albedo.
     struct Parts {
         float mirror, diffuse, gloss, through;
         float sum() const { return mirror + diffuse + gloss + through; }
@@ -103,7 +102,7 @@ private:
         return {max_component(mirror_) * f.reflectance, max_component(diffuse_), max_component(gloss_),
                 max_component(through_) * (1 - f.reflectance)};
     }
-    // What does not refract reflects all that its mirror gets.
+    // Without refraction the mirror reflects its whole part.
     Fresnel boundary(Vec3 wo) const
     {
         if (!refracts_) return {1, 0};
@@ -115,7 +114,7 @@ private:
     {
         return {.wi = {-wo.x, -wo.y, wo.z}, .weight = mirror_ * f.reflectance, .pdf = 1, .delta = true};
     }
-    // f: not of total reflection.
+    // f: not for total reflection.
     BsdfSample refracted(Vec3 wo, const Fresnel& f) const
     {
         const float scale = 1 / eta_;
@@ -132,8 +131,8 @@ private:
         return s;
     }
 
-    // The highlight lies around the mirror image of wo, with density (n + 1) / (2 pi) cos^n. In double, as facets are,
-    // and with 1 - cos itself: of a narrow lobe the cosine in float tells nothing.
+    // The highlight around the mirror direction of wo, with density (n + 1) / (2 pi) cos^n. In double with 1 - cos: for
+    // a narrow lobe the float cosine has no precision left.
     Vec3 sample_gloss(Vec3 wo, Vec2 v) const
     {
         const double away = -std::expm1(std::log1p(-static_cast<double>(v.x)) / (static_cast<double>(shininess_) + 1));
@@ -168,8 +167,8 @@ static_assert(Bsdf<InterfaceBsdf>);
 
 struct Interface {
     static constexpr const char* name = "interface";
-    ColorParam base;  // the diffuse colour
-    Phong rest{};     // all else
+    ColorParam base;  // diffuse colour
+    Phong rest{};     // all other parameters
     bool fresnel = true;
 
     InterfaceBsdf at(const ShadingPoint& p) const { return {phong(p), p.front, fresnel}; }

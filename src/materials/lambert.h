@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// Value and density of a direction above the surface; cos_i: its cosine with the shading normal, > 0.
+// Value and density for a direction above the surface; cos_i: its cosine with the shading normal, > 0.
 template <class Spectrum, class T>
 BsdfValueT<Spectrum, T> lambert_value(const Spectrum& albedo, T cos_i)
 {

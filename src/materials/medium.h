@@ -1,6 +1,6 @@
-// What fills transparent bodies, and which of them a ray is in. Bodies may overlap: where they do, the one of the
-// highest priority is there and the surfaces of the others are not. Schmidt and Budge, "Simple Nested Dielectrics in
-// Ray Traced Images", Journal of Graphics Tools 7(2), 2002.
+// Media inside transparent objects and the stack of media around a ray (nested dielectrics). Where objects overlap, the
+// one with the highest priority is present, and the surfaces of the others are ignored. Schmidt and Budge, "Simple
+// Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,22 @@ namespace lancer {
 
 struct Medium {
     Color absorption{};                 // sigma_a per scene unit, >= 0
-    float ior = 1;                      // without a priority: over that of whatever is around
-    std::optional<int32_t> priority{};  // without: its surface is always there, as if nothing overlapped
+    float ior = 1;                      // without a priority: relative to the surroundings
+    std::optional<int32_t> priority{};  // none: its surface is never ignored
 };
 
 inline constexpr uint16_t no_medium = UINT16_MAX;
 
-// Beer and Lambert's law, over a distance in scene units; of what does not absorb, 1 over any.
+// Beer-Lambert transmittance over a distance in scene units; 1 without absorption.
 inline Color transmittance(const Medium& medium, float distance)
 {
     const auto part = [distance](float sigma) { return sigma > 0 ? std::exp(-sigma * distance) : 1; };
     return {part(medium.absorption.r), part(medium.absorption.g), part(medium.absorption.b)};
 }
 
-// The bodies that a ray has entered and not left, as ids of their media. It forgets the oldest of more than it holds;
-// what is left without having been entered counts as entered before all others, so that forgotten ones come back.
+// The stack of objects that a ray has entered and not left, as medium ids. It drops the oldest entry on overflow.
+// Leaving an object that is not on the stack is ignored as if it had been entered first, so that dropped entries
+// reappear.
 class MediumStack {
 public:
     static constexpr size_t capacity = 4;
@@ -40,7 +41,7 @@ public:
         std::copy_backward(ids_.begin(), ids_.end() - 1, ids_.end());
         ids_[0] = id;
     }
-    // Whether it had been entered.
+    // Removes a medium; returns whether it was on the stack.
     bool leave(uint16_t id)
     {
         const auto at = std::find(ids_.begin(), ids_.end(), id);
@@ -49,7 +50,7 @@ public:
         ids_.back() = no_medium;
         return true;
     }
-    // As if it had been entered before all others.
+    // Inserts a medium as the oldest entry.
     void enter_first(uint16_t id)
     {
         const auto end = std::find(ids_.begin(), ids_.end(), no_medium);
@@ -58,10 +59,10 @@ public:
 
     struct Current {
         uint16_t id = no_medium;
-        float ior = 1;  // over that of empty space
+        float ior = 1;  // relative to vacuum
     };
-    // What is really there. Of equal priority, what was entered first; what has none is there from where it is entered
-    // to where something else is.
+    // The present medium. Of equal priority the one entered first; a medium without priority is present from its
+    // surface until another surface.
     Current current(std::span<const Medium> media) const
     {
         Current c;
@@ -83,16 +84,16 @@ public:
     friend bool operator==(const MediumStack&, const MediumStack&) = default;
 
 private:
-    std::array<uint16_t, capacity> ids_{no_medium, no_medium, no_medium, no_medium};  // the latest first
+    std::array<uint16_t, capacity> ids_{no_medium, no_medium, no_medium, no_medium};  // most recent first
 };
 
-// A surface that bounds a body, met from within `here`.
+// The crossing of a surface from within `here`.
 struct Boundary {
     MediumStack here, beyond;
-    float eta = 0;        // index beyond over index here; 0: what the material says
-    bool absent = false;  // the same medium is on both sides: there is no surface
+    float eta = 0;        // relative index; 0: that of the material
+    bool absent = false;  // the same medium on both sides: the surface is ignored
 };
-// id: of the medium behind the surface, or none; front: the ray would enter it.
+// id: medium behind the surface, or none; front: the ray would enter it.
 inline Boundary cross(std::span<const Medium> media, const MediumStack& in, uint16_t id, bool front)
 {
     Boundary c{in, in};

@@ -1,6 +1,6 @@
-// What the classic integrators see of a material: Phong's illumination and the parts of light that a surface diffuses,
-// reflects and refracts, as in Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980. Every
-// material has a member phong(); an interface (interface.h) is nothing else.
+// Phong parameters of a material for the classic integrators: ambient, diffuse and specular colour and the parts of
+// diffuse, reflected and refracted light, as in Whitted, "An Improved Illumination Model for Shaded Display", CACM
+// 23(6), 1980. Every material has a member phong().
 #pragma once
 
 #include "core/color.h"
@@ -8,17 +8,17 @@
 namespace lancer {
 
 struct Phong {
-    Color ambient{};      // radiance that stands for light from all around; only the classic integrators add it
-    Color diffuse{};      // of diffuse reflection, and the tint of what is refracted; in [0, 1]
-    Color specular{};     // of the highlight, and the tint of what is reflected; in [0, 1]
-    float shininess = 0;  // exponent of the highlight, >= 0
-    float diffusion = 1, reflexion = 0, refraction = 0;  // parts, >= 0; their sum may exceed 1
+    Color ambient{};                                     // ambient radiance; only the classic integrators add it
+    Color diffuse{};                                     // diffuse reflectance and tint of refraction; in [0, 1]
+    Color specular{};                                    // highlight and tint of reflection; in [0, 1]
+    float shininess = 0;                                 // exponent of the highlight, >= 0
+    float diffusion = 1, reflexion = 0, refraction = 0;  // weights, >= 0; their sum may exceed 1
     float inside_ior = 1, outside_ior = 1;               // behind the geometric normal and in front of it
 
     friend bool operator==(const Phong&, const Phong&) = default;
 };
 
-// From a (t = 0) to b (t = 1), field by field.
+// Linear interpolation from a (t = 0) to b (t = 1).
 inline Phong mix(float t, const Phong& a, const Phong& b)
 {
     const auto lerp = [t](const auto& x, const auto& y) { return x * (1 - t) + y * t; };

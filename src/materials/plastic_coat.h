@@ -1,5 +1,5 @@
-// The two lobes of plastic (materials/plastic.h) but for their colours, once for one place and once for several, with
-// the same bits.
+// The two lobes of plastic (materials/plastic.h) without their colours, for one point and for several with the same
+// bits.
 #pragma once
 
 #include "materials/albedo_table.h"
@@ -8,24 +8,24 @@
 
 namespace lancer {
 
-// What facets lose, in each lane.
+// Facet losses of each lane.
 inline float loss_of(const AlbedoTable::Row& row, float cos) { return row.loss(cos); }
 inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
 {
     return AlbedoTable::Row::losses(rows, cos);
 }
 
-// T: float or several of them. Facets: of the coat, AlbedoTable::Row or as many of them, none where alpha is 0.
+// T: float or a vector of them. Facets: AlbedoTable::Row of the coat, one per lane; unused where alpha is 0.
 template <class T, class Facets>
 struct PlasticCoat {
     using D = decltype(to_double(T{}));
-    T eta, alpha, mean_through;  // mean_through: 1 - the albedo under even light
+    T eta, alpha, mean_through;  // mean_through: 1 - hemispherical albedo
     Facets facets;
 
-    // What does not depend on where the light comes from.
+    // Data that depends on wo only.
     struct Seen {
-        T through;    // part of the light that crosses the coat
-        T choice;     // probability of sampling what the coat reflects
+        T through;    // transmittance of the coat
+        T choice;     // probability of sampling the coat
         Vec3T<D> wo;  // unit
     };
     // Factors of the two colours in f cos, and the density.
@@ -40,15 +40,14 @@ struct PlasticCoat {
         const T smooth = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
         return 1.0f - smooth + smooth * loss_of(facets, cos);
     }
-    // wo: z > 0. specular, base: largest components of the colours. The lobes are chosen by the light that they send
-    // back.
+    // wo: z > 0. specular, base: largest components of the colours. Lobes are selected by the light that they reflect.
     Seen seen(const Vec3T<T>& wo, T specular, T base) const
     {
         const T through_o = through(wo.z);
         const T by_coat = specular * (1.0f - through_o), by_base = base * through_o * mean_through;
         return {through_o, select(by_coat > 0.0f, by_coat / (by_coat + by_base), T{}), unit_in_double(wo)};
     }
-    // Of both lobes but a mirror's. wi: z > 0.
+    // Value and density without a delta lobe. wi: z > 0.
     Value eval(const Seen& o, const Vec3T<T>& wi) const
     {
         const T pdf_base = pdf_cosine_hemisphere(wi.z);

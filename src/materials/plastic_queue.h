@@ -1,5 +1,5 @@
-// Plastic at many places at once, with the bits of PlasticBsdf at each. Of eight places that are shaded together few
-// are of plastic, and of doubles four are computed together: the places of many eights stand side by side.
+// Batched evaluation of plastic with the bits of PlasticBsdf. Few of eight lanes are plastic, and doubles are processed
+// by four, so the plastic points of many groups of eight lanes are queued contiguously.
 #pragma once
 
 #include <cassert>
@@ -10,29 +10,29 @@
 namespace lancer {
 
 using BsdfValueLanes = BsdfValueT<Vec3x8, Float8>;
-// As in BsdfSample, in the lanes that `found` names; eta is 1.
+// As in BsdfSample, for the lanes in `found`; eta is 1.
 struct BsdfSampleLanes {
     Vec3x8 wi, weight;
     Float8 pdf;
     uint32_t found, delta;
 };
 
-// Each question takes three steps: what is asked is put down for eight lanes after eight, in the order in which these
-// were added; all is computed; what came out is taken for eight lanes. What goes in and out is by lane; in lanes that
-// are not plastic it is anything. Directions are local and unit.
+// Each operation has three steps: inputs are written for one group of eight lanes after another, in the order in which
+// they were added; everything is computed; results are read per group. Inputs and outputs are by lane; lanes that are
+// not plastic are undefined. Directions are local and unit.
 class PlasticQueue {
 public:
-    static constexpr size_t most = 128;  // places
+    static constexpr size_t most = 128;  // points
 
-    // The places of eight lanes, one behind the other.
+    // The contiguous points of a group of eight lanes.
     struct Eight {
         uint32_t first = 0, count = 0;
-        uint32_t lanes = 0;  // that are plastic
-        UInt8 from{}, to{};  // lane of each place, place of each lane
+        uint32_t lanes = 0;  // plastic lanes
+        UInt8 from{}, to{};  // lane of each point, point of each lane
     };
     void clear() { count_ = 0; }
     Eight begin_eight() const { return {.first = count_}; }
-    // of: the last that was begun, as its places stand one behind the other.
+    // of: the last group that was begun, as points are contiguous.
     void add(Eight& of, uint32_t lane, const PlasticBsdf& bsdf)
     {
         assert(of.first + of.count == count_);
@@ -45,7 +45,7 @@ public:
         facets_[k / 4][k % 4] = coat.facets;
     }
 
-    // Before anything else is asked.
+    // Must be called before the other operations.
     void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
     void see()
     {
@@ -69,7 +69,7 @@ public:
     }
     BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
 
-    // u chooses the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
+    // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
     void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
     {
         u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y), wi_.put(of, cosine);
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    // A number of each place. put() writes all eight: those of the next lanes are put over what is behind its own.
+    // A number per point. put() writes eight; the next group overwrites those beyond its own.
     template <class Lanes>
     struct alignas(sizeof(Lanes)) Numbers : std::array<float, most + float_lanes> {
         Float4 four(size_t k) const { return _mm_load_ps(&(*this)[k]); }
@@ -127,8 +127,7 @@ private:
     using Facets = std::array<AlbedoTable::Row, 4>;
     using Coat = PlasticCoat<Float4, Facets>;
 
-    // f(fours before k, from k on or from k + 4 on, takes four of eight), for those of the eight from k on that are
-    // there.
+    // Calls f for the groups of four that contain points of the eight from k on.
     template <class F>
     void for_fours(size_t k, const F& f) const
     {
@@ -143,7 +142,7 @@ private:
         return {base_.eight(k) * concat(of[0].base, of[1].base) + specular_.eight(k) * concat(of[0].coat, of[1].coat),
                 concat(of[0].pdf, of[1].pdf)};
     }
-    // Directions that facets send the light to; some lie below the surface.
+    // Directions sampled from facets; some lie below the surface.
     Vec3x8 reflected(size_t k) const
     {
         const SinCosT<Float8> phi = sin_cos_2pi(v_x_.eight(k));
@@ -159,7 +158,7 @@ private:
     }
 
     uint32_t count_ = 0;
-    Vectors base_{}, specular_{};  // the base as it is under the coat
+    Vectors base_{}, specular_{};  // base colour under the coat
     Numbers<Float8> eta_{}, alpha_{}, mean_through_{};
     std::array<Facets, most / 4> facets_{};
     Vectors wo_{}, wi_{};

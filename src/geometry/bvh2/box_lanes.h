@@ -1,4 +1,4 @@
-// A box in two registers of four floats, of which the first three count: what building a tree of boxes computes with.
+// A box in two SSE registers, for building BVHs; the fourth lanes are unused.
 #pragma once
 
 #include <immintrin.h>
@@ -25,7 +25,7 @@ struct BoxLanes {
         lower = _mm_min_ps(lower, b.lower);
         upper = _mm_max_ps(upper, b.upper);
     }
-    // Half the surface; of the empty box nothing sensible.
+    // Half the surface area; undefined for the empty box.
     float half_area() const
     {
         const __m128 d = upper - lower;
@@ -34,7 +34,7 @@ struct BoxLanes {
     FloatBox box() const { return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}}; }
 };
 
-// A primitive as the builders see it. Its number is kept in the lane of `lower` that does not count.
+// A primitive of a builder; its number is stored in the unused lane of `lower`.
 struct BoxedPrimitive {
     BoxLanes box;
 
@@ -45,7 +45,7 @@ struct BoxedPrimitive {
     {
     }
     uint32_t number() const { return static_cast<uint32_t>(_mm_extract_epi32(_mm_castps_si128(box.lower), 3)); }
-    // Finite even where the box is not.
+    // The centre; finite even if the box is not.
     __m128 center() const
     {
         const __m128 most = _mm_set1_ps(std::numeric_limits<float>::max()), half = _mm_set1_ps(0.5f);

@@ -1,4 +1,4 @@
-// A binary tree of triangles built by the surface area heuristic.
+// A binary BVH of triangles, built by the surface area heuristic.
 #pragma once
 
 #include "geometry/bvh2/triangles.h"

@@ -1,4 +1,4 @@
-// The first tree that one writes: the longest axis, cut in the middle, until fewer than five triangles are left.
+// A binary BVH of triangles, built by median splits of the longest axis down to leaves of fewer than five triangles.
 #pragma once
 
 #include "geometry/bvh2/triangles.h"

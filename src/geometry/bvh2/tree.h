@@ -1,6 +1,6 @@
-// A binary tree of boxes over primitives of any kind, and how a ray goes through it: near child first, nodes on a
-// stack. The two children of a node lie side by side and are tested together, as in Aila and Laine, "Understanding the
-// Efficiency of Ray Traversal on GPUs", HPG 2009. bvh2/builder.h makes such trees.
+// A binary BVH over primitives of any kind, and its traversal: near child first, with a stack. The two children of a
+// node are adjacent and tested together, as in Aila and Laine, "Understanding the Efficiency of Ray Traversal on GPUs",
+// HPG 2009. bvh2/builder.h builds it.
 #pragma once
 
 #include <immintrin.h>
@@ -15,14 +15,13 @@ namespace lancer {
 
 class BinaryTree {
 public:
-    // Edges from the root to the deepest leaf, at most. Builders keep to it, and so a ray's stack never overflows.
+    // Maximal number of edges from the root to a leaf. Builders respect it, so that the stack never overflows.
     static constexpr uint32_t max_depth = 64;
 
     struct Child {
-        uint32_t first, count;  // of a leaf what its owner says and how many primitives; of a node its number and 0
+        uint32_t first, count;  // leaf: the owner's value and the number of primitives; node: its index and 0
     };
-    // Two children of one node, 32 bytes each: of each axis the lower sides of both, then the upper ones. The larger
-    // one comes first.
+    // The two children of a node: per axis the lower sides of both, then the upper sides. The larger child is first.
     struct alignas(64) Pair {
         float sides[3][4];
         Child child[2];
@@ -39,11 +38,11 @@ public:
     Child root() const { return root_; }
     std::span<const Pair> pairs() const { return pairs_; }
     uint64_t bytes() const { return pairs_.size() * sizeof(Pair); }
-    // Edges from the root to the deepest leaf.
+    // Number of edges from the root to the deepest leaf.
     uint32_t depth() const;
-    // Expected cost of a random line that meets the tree's box: a node 1, a primitive 1.
+    // SAH cost of a random line that hits the root box: 1 per node and per primitive.
     double sah_cost() const;
-    // first = f(first, count) of every leaf, neighbours after each other.
+    // Sets first = f(first, count) of every leaf, in order.
     template <class F>
     void relabel_leaves(F&& f)
     {
@@ -53,15 +52,16 @@ public:
                 if (c.count != 0) c.first = f(c.first, c.count);
     }
 
-    // leaf(first, count, t_max), which returns the new t_max, of every leaf that the ray meets in [ray.t_min, t_max].
+    // Calls leaf(first, count, t_max), which returns the new t_max, for every leaf that the ray hits in [ray.t_min,
+    // t_max].
     template <class Leaf>
     void closest(const Ray& ray, float t_max, const Leaf& leaf) const;
-    // Whether leaf(first, count) was true of any leaf that the ray meets in [ray.t_min, ray.t_max].
+    // Whether leaf(first, count) is true for any leaf that the ray hits in [ray.t_min, ray.t_max].
     template <class Leaf>
     bool any(const Ray& ray, const Leaf& leaf) const;
 
 private:
-    // meets() of slab.h for two boxes: lanes near, near, -far, -far, so that one maximum serves both sides.
+    // meets() of slab.h for two boxes: lanes near, near, -far, -far, so that one maximum handles both sides.
     class PairRay {
     public:
         explicit PairRay(const SlabRay& r) : t_min_(r.t_min)
@@ -73,8 +73,8 @@ private:
                     _mm_xor_si128(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(std::signbit(r.inverse[k]) ? 2 : 0));
             }
         }
-        // Bit k: child k is met; near: where each is entered. As in meets(), NaN decides nothing: the maximum keeps its
-        // second argument.
+        // Bit k: child k is hit; near: entry distances. As in meets(), NaN makes the test more conservative: the
+        // maximum returns its second argument.
         uint32_t meets(const Pair& p, float t_max, __m128& near) const
         {
             near = _mm_setr_ps(t_min_, t_min_, -t_max, -t_max);
@@ -91,8 +91,8 @@ private:
         __m128i order_[3];
         float t_min_;
     };
-    // What is found at t may be nearer than the box around it by the rounding of both: gamma(10) is what slab.h gives
-    // the quotients, and finding the distance takes about as many operations.
+    // A hit may be nearer than its box by the rounding of both: gamma(10) is the bound of slab.h for the quotients, and
+    // a hit distance takes about as many operations.
     static float reach(float t_max) { return t_max * (1 + gamma(20)); }
 
     FloatBox box_;
@@ -138,7 +138,7 @@ void BinaryTree::closest(const Ray& ray, float t_max, const Leaf& leaf) const
     }
 }
 
-// The larger child first: the likelier to hold what stops the ray.
+// The larger child first: it is more likely to contain an occluder.
 template <class Leaf>
 bool BinaryTree::any(const Ray& ray, const Leaf& leaf) const
 {

@@ -1,5 +1,5 @@
-// Four triangles side by side, as a leaf holds them, and a ray against all four at once: the operations of
-// triangle_float.h in the same order, and so its bits.
+// A block of four triangles and its ray test: the operations of triangle_float.h in the same order, and therefore with
+// its bits.
 #pragma once
 
 #include <immintrin.h>
@@ -19,7 +19,7 @@ struct alignas(32) TriangleBlock {
     float corner[3][3][size];  // corner, axis, triangle
     uint32_t number[size];
 
-    // Unused places are NaN, which no ray meets.
+    // Unused lanes are NaN, which no ray hits.
     TriangleBlock()
     {
         for (auto& c : corner)
@@ -35,7 +35,7 @@ struct alignas(32) TriangleBlock {
     Vec3 at(uint32_t k, uint32_t i) const { return {corner[k][0][i], corner[k][1][i], corner[k][2][i]}; }
 };
 
-// What of a ray all its blocks share; axes in the order kx, ky, kz of the sheared ray.
+// Precomputed data of a ray; axes in the order kx, ky, kz of the sheared ray.
 struct BlockRay {
     ShearedRay sheared;
     int axis[3];
@@ -47,12 +47,12 @@ struct BlockRay {
     }
 };
 
-// Which triangles the ray meets in [t_min, t_max], a bit each, and at which t.
+// Mask of the triangles that the ray hits in [t_min, t_max], and their t.
 inline uint32_t meets(const TriangleBlock& b, const BlockRay& r, float t_min, float t_max, float (&t)[4])
 {
     const __m128 sx = _mm_set1_ps(r.sheared.sx), sy = _mm_set1_ps(r.sheared.sy), zero = _mm_setzero_ps();
     const __m128 ox = _mm_set1_ps(r.org[0]), oy = _mm_set1_ps(r.org[1]), oz = _mm_set1_ps(r.org[2]);
-    __m128 x[3], y[3], z[3];  // of the corners as seen from the ray, before the shear
+    __m128 x[3], y[3], z[3];  // corners relative to the ray's origin, before the shear
     for (int k = 0; k < 3; ++k) {
         x[k] = _mm_load_ps(b.corner[k][r.axis[0]]) - ox;
         y[k] = _mm_load_ps(b.corner[k][r.axis[1]]) - oy;

@@ -1,5 +1,5 @@
-// What `median` and `bvh2` share: a binary tree whose leaves are blocks of up to four triangles, corners and all, so
-// that a ray follows no number into the meshes. What tells the two apart is who builds the tree.
+// The tree of `median` and `bvh2`: a binary BVH whose leaves are blocks of up to four triangles with their corners, so
+// that no index into the meshes is followed. The two differ in the builder only.
 #pragma once
 
 #include <bit>
@@ -48,11 +48,11 @@ protected:
     BinaryTriangles(const TriangleSet& triangles, BuiltTree built);
 
 private:
-    BinaryTree tree_;  // `first` of a leaf: its block
+    BinaryTree tree_;  // `first` of a leaf is its block
     std::vector<TriangleBlock> blocks_;
 };
 
-// The boxes of those that are finite.
+// The boxes of the finite triangles.
 std::vector<BoxedPrimitive> boxes_of(const TriangleSet& triangles);
 
 }  // namespace lancer

@@ -1,5 +1,5 @@
-// In which order to try what a ray meets where any hit will do: first what most likely stops the ray for the work that
-// looking there costs. Ize, Hansen, "RTSAH Traversal Order for Occlusion Rays", Computer Graphics Forum 30(2), 2011.
+// Traversal order for occlusion rays: children are visited by the expected saving, that is the probability of a hit per
+// unit of work. Ize, Hansen, "RTSAH Traversal Order for Occlusion Rays", Computer Graphics Forum 30(2), 2011.
 #pragma once
 
 #include <algorithm>
@@ -8,27 +8,26 @@
 
 namespace lancer {
 
-// Of a ray that meets a box, from any side: what to expect of looking for a hit in it.
+// Expectation for a random ray that hits a box: probability of an occluder inside, and traversal work.
 struct AnyHit {
-    float chance;  // that there is one, 0 .. 1
+    float chance;  // probability of a hit, 0 .. 1
     float work;    // > 0, in the unit of the tree's builder
 
-    // What is larger comes first. Finite.
+    // Sort key: larger first. Finite.
     float merit() const { return chance / work; }
 };
 
-// Of a box around a triangle or a part of one. The mean shadow of a convex body is a quarter of its surface: half the
-// triangle's area, as it has two sides, and half of box_half_area.
+// For the box of a triangle or a part of it. The mean projected area of a convex body is a quarter of its surface: half
+// of the area of a two-sided triangle, and half of box_half_area.
 inline AnyHit any_hit_of(const Corners& triangle, float box_half_area, float work)
 {
     const float area = 0.5f * length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-    // What is too large or too small for float to tell becomes 1.
+    // Ratios outside the range of float become 1.
     return {std::min(1.0f, area / box_half_area), work};
 }
 
-// Of a box around two, which take these shares of its half area. Rays that meet both, as the shares are more than the
-// whole, try the better one first, and where it stops them the work of the other is saved: the larger of the two
-// savings.
+// For the box around two nodes that take these shares of its half area. Rays that hit both (the shares add up to more
+// than 1) visit the better one first, which saves the work of the other: the larger of the two savings.
 inline AnyHit any_hit_of(const AnyHit& a, float share_a, const AnyHit& b, float share_b, float own_work)
 {
     const float both = std::max(0.0f, share_a + share_b - 1);

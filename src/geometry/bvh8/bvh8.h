@@ -1,6 +1,6 @@
-// A tree of nodes with eight children and leaves of eight triangles, watertight: the fastest of ours. Boxes as in Wald,
-// Benthin, Boulos, "Getting Rid of Packets", RT 2008; triangles as in Woop, Benthin, Wald, JCGT 2(1), 2013. Built by
-// split_builder.h and collapse.h.
+// A BVH with eight children per node and eight triangles per leaf, watertight; the fastest of the hand-written
+// accelerators. Boxes as in Wald, Benthin, Boulos, "Getting Rid of Packets", RT 2008; triangles as in Woop, Benthin,
+// Wald, JCGT 2(1), 2013. Built by split_builder.h and collapse.h.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace lancer {
 
-// A TriangleTree. Of what a ray meets at one distance in one block of a leaf, the lowest number is asked about first.
+// A TriangleTree. Of several hits at the same distance in one block of a leaf, the lowest number is reported first.
 class Bvh8 {
 public:
-    // Throws Error (failed) where there are too many triangles for one tree.
+    // Throws Error (failed) for too many triangles.
     explicit Bvh8(const TriangleSet& triangles);
 
-    // Says where the last triangle was found that counts: a Bvh8Slot. found(number, t) is asked about what is nearer
-    // than all that counted before; t errs by most_error. t_max: no longer than its distance in the end.
+    // Returns the slot of the last triangle that counted. found(number, t) is called for triangles nearer than all that
+    // counted before; t errs by at most most_error. t_max must not be less than the final distance.
     template <class Found>
     Bvh8Slot closest(const Ray& ray, float t_max, const Found& found) const
     {
@@ -82,19 +82,19 @@ public:
 
     uint64_t bytes() const { return tree_.bytes + tree_.slot_of_leaf.size() * sizeof(Bvh8Slot); }
     double sah_cost() const { return tree_.sah_cost; }
-    // Nodes from the root to the deepest one; at most max_split_depth + 1.
+    // Number of nodes from the root to the deepest one; at most max_split_depth + 1.
     int depth() const { return tree_.depth; }
 
 private:
     friend class Bvh8Interleaved;
     friend class Bvh8Packets;
 
-    // A box begins a few roundings nearer or farther than what is in it.
+    // A box may begin a few roundings nearer or farther than its content.
     static constexpr float beyond = 1 + gamma(10);
 
-    // Where a search begins: at the root, or in the leaf where the ray starts; then all nodes that this hangs on, of
-    // which each leaves what else of it is met, are passed from the root on. They can be known before the first is
-    // looked at, so that none waits for another. pass(node, lanes but that of the next one)
+    // The first node of a traversal: the root, or the leaf at Ray::leaf_hint. In the latter case the other children of
+    // all ancestors are visited from the root downwards; the ancestors are known in advance, so that their cache misses
+    // overlap. pass(node, lanes without that of the next ancestor)
     template <class Pass>
     [[gnu::always_inline]] Bvh8Child begin(const Ray& ray, const Pass& pass) const
     {
@@ -113,7 +113,7 @@ private:
     {
         pass(node(p.node()), ~(1u << p.child()));
     }
-    // The same of all that a place hangs on.
+    // The same for all ancestors of a slot.
     template <class Pass>
     [[gnu::noinline]] void pass_above(Bvh8Slot slot, const Pass& pass) const
     {
@@ -122,7 +122,7 @@ private:
         if (length == on.way.size()) pass_above(on.way.back(), pass);
         for (size_t i = length; i-- > 0;) pass_one(on.way[i], pass);
     }
-    // Of a leaf; none of the root.
+    // The slot of a leaf; none for the root.
     Bvh8Slot slot_of(Bvh8Child c) const
     {
         return c.is_leaf() ? tree_.slot_of_leaf[c.leaf_offset() / Bvh8Layout::grain] : Bvh8Slot::none();
@@ -137,14 +137,15 @@ private:
     }
 
     void prefetch_slot_of(Bvh8Child c) const { prefetch(&tree_.slot_of_leaf[c.leaf_offset() / Bvh8Layout::grain]); }
-    // What is visited next but one is asked for early.
+    // Prefetches the node after the next one.
     void fetch(Bvh8Child c) const
     {
         const auto* at = tree_.memory.get() + (c.is_leaf() ? c.leaf_offset() : c.node_offset()) * Bvh8Child::unit;
         constexpr size_t line = 64;
         for (size_t i = 0; i < sizeof(Bvh8Leaf); i += line) prefetch(reinterpret_cast<const char*>(at) + i);
     }
-    // Whether a nearer triangle was found. Of equally far ones that of the lowest number is the nearest.
+    // Tests a leaf and returns whether a nearer triangle was found. Of equal distances the lowest number is the
+    // nearest.
     template <class Found>
     static bool closest_in(std::span<const Bvh8Leaf> leaf, const LeafRay& ray, Bvh8Nearest& nearest, const Found& found)
     {
@@ -155,7 +156,7 @@ private:
             if (!met) continue;
             if (met & (met - 1)) [[unlikely]]
                 ray.measure(block, met, at);
-            // Once found() says true, no other lane is nearer.
+            // After found() returns true no other lane is nearer.
             for (bool is_found = false; met && !is_found;) {
                 auto lane = static_cast<uint32_t>(std::countr_zero(met));
                 for (uint32_t rest = met & (met - 1); rest; rest &= rest - 1) {
@@ -168,7 +169,7 @@ private:
                 if (t + error >= nearest.low && number > nearest.number) continue;
                 is_found = found(number, t);
                 if (!is_found) continue;
-                // One by one: a struct that is put together and then copied as a whole is waited for.
+                // Member by member: copying a struct that was just assembled would stall on store forwarding.
                 nearest.low = t - error, nearest.high = t + error;
                 nearest.number = number, nearest.block = &block, nearest.lane = lane;
                 is_nearer = true;

@@ -1,7 +1,7 @@
-// Rays that go through a Bvh8 in turns, a step of each at a time: what the next step of one reads is asked for while
-// the others have theirs, so that memory is not waited for, and which step comes next is no branch. Each ray goes as it
-// does alone. After Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", SIGGRAPH 2014, but that each ray
-// keeps an order of its own.
+// Interleaved traversal of a Bvh8: many rays advance by one step in turn, and the data of each ray's next step is
+// prefetched meanwhile, so that memory latency is hidden and the kind of the next step is no branch. Each ray has the
+// result of a single traversal. After Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", SIGGRAPH 2014,
+// except that each ray keeps its own order.
 #pragma once
 
 #include <utility>
@@ -16,8 +16,8 @@ public:
 
     explicit Bvh8Interleaved(const Bvh8& tree) : tree_(tree) {}
 
-    // Bvh8::closest() of each of at most `most` rays; those with a t_max below 0 are left out. found(i, number, t).
-    // leaf_hints[i]: what it says. At first: none.
+    // Bvh8::closest() for at most `most` rays; rays with t_max below 0 are skipped. found(i, number, t). leaf_hints[i]:
+    // its result; initially none.
     template <class Found>
     void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
                  const Found& found)
@@ -60,9 +60,9 @@ private:
         Bvh8NearStack stack;
         float reach;
         Bvh8Nearest nearest;
-        Bvh8Child next, last;  // last: the leaf of the nearest triangle yet; or the root
+        Bvh8Child next, last;  // last: leaf of the nearest triangle so far, or the root
     };
-    // Which rays have their next step where.
+    // The rays whose next step is of this kind.
     struct List {
         std::array<uint32_t, most> rays;
         size_t count = 0;
@@ -76,7 +76,7 @@ private:
         void clear() { nodes.count = leaves.count = 0; }
     };
 
-    // is_crowded: its stack has not room enough.
+    // is_crowded: becomes true if the stack is too small.
     Bvh8Child begin(uint32_t i, const Ray& ray, float t_max, bool& is_crowded)
     {
         Search& s = searches_[i];
@@ -101,7 +101,7 @@ private:
         const uint32_t met = s.node_ray.meets(n, broadcast(s.reach), near);
         return met ? s.stack.push(n, met, near) : s.stack.pop(s.reach);
     }
-    // In both lists, but only counted where it belongs.
+    // Written to both lists, but counted only in the right one, to avoid a branch.
     void put(uint32_t i, Bvh8Child next, Lists& lists)
     {
         searches_[i].next = next;
@@ -117,8 +117,8 @@ private:
 
     const Bvh8& tree_;
     std::array<Search, most> searches_;
-    // Of their stacks, for as much as nearly all rays need; the others go on alone. Not a power of two, or all stacks
-    // would share a few lines of the cache.
+    // The stacks, with room for almost all rays; the others are traversed alone. The size is not a power of two, which
+    // would cause cache conflicts.
     std::array<std::array<Bvh8Entry, 72>, most> entries_;
 };
 

@@ -1,4 +1,4 @@
-// Eight triangles and a ray's test of them all at once: distance_to() of triangle_float.h in eight lanes.
+// A block of eight triangles and its ray test: distance_to() of triangle_float.h in eight lanes.
 #pragma once
 
 #include <array>
@@ -10,28 +10,27 @@
 
 namespace lancer {
 
-// Numbers ascend. Corners that are NaN stand for triangles that there are not.
+// Numbers are ascending. Unused lanes have NaN corners.
 struct alignas(32) Bvh8Leaf {
-    std::array<std::array<std::array<float, 8>, 3>, 3> corners;  // of a corner x, then y, then z
+    std::array<std::array<std::array<float, 8>, 3>, 3> corners;  // per corner: x, y, z
     std::array<uint32_t, 8> numbers;
 };
 
-// What a search has found yet, and how far that is: between two bounds, in which float cannot tell, or known. At first
-// the end of the ray.
+// The nearest hit so far: a distance between two bounds of its float error, or exact. Initially the end of the ray.
 struct Bvh8Nearest {
-    static constexpr float most_error = 0x1p-17f;  // of a distance, as a part of it
+    static constexpr float most_error = 0x1p-17f;  // relative error of a distance
     float low, high;
-    uint32_t number = UINT32_MAX;  // of the triangle; none: more than any
+    uint32_t number = UINT32_MAX;  // of the triangle; larger than any if there is none
     const Bvh8Leaf* block = nullptr;
-    uint32_t lane = 0;  // of the block
+    uint32_t lane = 0;  // lane in the block
 };
 
-// What of a leaf a ray meets.
+// The hits of a block.
 struct Bvh8Met {
-    std::array<float, 8> t, error;  // of a triangle's distance; no error: known
+    std::array<float, 8> t, error;  // distances and their errors; error 0: exact
 };
 
-// What of a ray all leaves share.
+// Precomputed data of a ray for leaf tests.
 class LeafRay {
 public:
     LeafRay() = default;
@@ -44,8 +43,9 @@ public:
         _mm_store_ps(slope_.data(), dir * sz_);
     }
 
-    // Bit i: triangle i is met, not before t_min nor behind the nearest one yet, which itself may be left out. What
-    // float cannot tell apart is compared in double, so that the nearest one in the end does not hang on the order.
+    // Bit i: triangle i is hit, not before t_min and not behind the nearest hit, which itself may be missing in the
+    // mask. Distances that float cannot order are compared in double, so that the final result does not depend on the
+    // order.
     [[gnu::always_inline]] uint32_t meets(const Bvh8Leaf& leaf, Bvh8Nearest& nearest, Bvh8Met& met) const
     {
         const auto corner = [&](size_t k) {
@@ -57,8 +57,8 @@ public:
         const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
         const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
         const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
-        // Not fused: so the edge between two triangles is the same number with the other sign, and its sign is right
-        // or it is 0.
+        // Without FMA: the edge function of a shared edge has the same magnitude for both triangles, and its sign is
+        // correct or it is 0.
         const Float8 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
         const Float8 least = min(u, min(v, w)), most = max(u, max(v, w)), zero{};
         uint32_t inside = movemask_le(zero, least) | movemask_le(most, zero);
@@ -67,7 +67,7 @@ public:
             inside &= ~on_edge | contain_origin(on_edge, {ax, ay, bx, by, cx, cy});
         return within(leaf, a, inside, nearest, met);
     }
-    // Makes the distances of these known.
+    // Computes the exact distances of these lanes.
     void measure(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Met& met) const
     {
         for_each_lane(lanes, [&](uint32_t i) { met.t[i] = distance(leaf, i), met.error[i] = 0; });
@@ -77,9 +77,9 @@ private:
     struct Point {
         Float8 x, y, z;  // along the sheared axes
     };
-    // Of the lanes those that meet their planes there. In float by differences of the corners, which are almost exact;
-    // where its own bound of the error is too wide for that, or the place too close to where the ray starts (the plane
-    // of a needle errs by more than rays start off it), in double.
+    // Lanes whose distance lies in the interval. Distances are computed in float from corner differences, which are
+    // almost exact; in double where the float error bound is too large or the hit is too close to the ray's origin (the
+    // plane of a sliver errs by more than the origin's offset).
     [[gnu::always_inline]] uint32_t within(const Bvh8Leaf& leaf, const Point& a, uint32_t lanes, Bvh8Nearest& nearest,
                                            Bvh8Met& met) const
     {
@@ -104,14 +104,15 @@ private:
         uint32_t sure = lanes & movemask((error < distance * Bvh8Nearest::most_error) & (low > broadcast(ray_->t_min)) &
                                          (high < broadcast(nearest.low)));
         if (uint32_t unsure = lanes & ~sure) {
-            unsure &= ~movemask_eq(leaf.numbers, nearest.number);  // of a triangle with parts in several leaves
+            unsure &=
+                ~movemask_eq(leaf.numbers, nearest.number);  // a triangle in several leaves is not compared with itself
             if (unsure) sure |= decide(leaf, unsure, nearest, met);
         }
         return sure;
     }
-    // Those of the lanes that meet their planes there in double. Of the nearest one yet the distance is known then.
+    // The same in double; the distance of the nearest hit becomes exact.
     uint32_t decide(const Bvh8Leaf& leaf, uint32_t lanes, Bvh8Nearest& nearest, Bvh8Met& met) const;
-    // Of a triangle's plane.
+    // Distance of a triangle's plane.
     float distance(const Bvh8Leaf& leaf, uint32_t lane) const;
 
     Float8 coordinate(const Bvh8Leaf& leaf, size_t corner, size_t axis) const
@@ -120,8 +121,8 @@ private:
     }
 
     const AxisOrder* order_;
-    alignas(16) std::array<float, 4> org_, dir_, slope_;  // along those; slope: dir as dir along the third is 1
-    float sz_;                                            // 1 / dir along the third
+    alignas(16) std::array<float, 4> org_, dir_, slope_;  // in the order of the axes; slope: dir / dir.z
+    float sz_;                                            // 1 / dir.z
     const Ray* ray_;
 };
 

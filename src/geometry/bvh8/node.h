@@ -1,5 +1,5 @@
-// A node of eight boxes and a ray's test of them all at once. Like meets() of slab.h, it never says no where the exact
-// answer is yes; the same remarks on rays within the plane of a side hold.
+// A node with eight boxes and its ray test. Like meets() in slab.h it is conservative; the remarks there on rays within
+// the plane of a side also apply.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace lancer {
 
-// Where a child lies in the memory of the tree: in units of 32 bytes.
+// Reference to a child: its offset in the tree's memory in units of 32 bytes, and its kind.
 class Bvh8Child {
 public:
-    static constexpr uint64_t unit = 32, max_offset = uint64_t{1} << 29;  // of units
+    static constexpr uint64_t unit = 32, max_offset = uint64_t{1} << 29;  // in units
     static constexpr uint32_t max_blocks = 4;
 
     Bvh8Child() = default;
@@ -24,7 +24,7 @@ public:
         return Bvh8Child(leaf_bit | static_cast<uint32_t>(offset << 2) | (blocks - 1));
     }
 
-    // Where nothing is left to visit.
+    // No child: the traversal ends.
     static Bvh8Child none() { return Bvh8Child(~leaf_bit); }
 
     bool is_leaf() const { return (bits_ & leaf_bit) != 0; }
@@ -39,7 +39,7 @@ private:
     uint32_t bits_ = 0;
 };
 
-// One of the eight of a node.
+// A child slot of a node.
 class Bvh8Slot {
 public:
     Bvh8Slot() = default;
@@ -53,15 +53,15 @@ public:
     uint32_t bits() const { return bits_; }
 
 private:
-    uint32_t bits_ = UINT32_MAX;  // offsets are less than 2^29, and no node is the last that there could be
+    uint32_t bits_ = UINT32_MAX;  // offsets are below 2^29, so this is no valid slot
 };
 
-// The children come in the order of any_hit_order.h; those that there are not, last, have empty boxes.
+// Children are in the order of any_hit_order.h; unused ones come last and have empty boxes.
 struct alignas(32) Bvh8Node {
-    std::array<std::array<float, 8>, 6> planes;  // lower and upper x, then y, then z
-    std::array<uint32_t, 8> children;            // bits of Bvh8Child
-    // Where it hangs, then where that hangs, and so on; then none. Of a deeper node only the first ones, and the last
-    // of them tells the rest.
+    std::array<std::array<float, 8>, 6> planes;  // lower and upper x, y, z
+    std::array<uint32_t, 8> children;            // Bvh8Child::bits()
+    // The slots of the node's ancestors, from its parent upwards, then none. A deep node has only the first ones; the
+    // last of these has the rest.
     using Way = std::array<Bvh8Slot, 8>;
     Way way;
 
@@ -73,7 +73,7 @@ struct alignas(32) Bvh8Node {
     }
 };
 
-// Bit i: child i is met in [t_min, t_max]; near: where it begins, at least +0. Ray: one of those below.
+// Bit i: child i is hit in [t_min, t_max]; near: entry distances, at least +0. Ray: one of the types below.
 template <class Ray>
 [[gnu::always_inline]] inline uint32_t meets_children(const Ray& ray, const Bvh8Node& node, Float8 t_max, Float8& near)
 {
@@ -87,7 +87,7 @@ template <class Ray>
     return movemask_le(near, min(min(x1, y1), min(z1, t_max)));
 }
 
-// What of a ray all nodes share, in registers.
+// Precomputed data of a ray for node tests, in registers.
 class NodeRay {
 public:
     explicit NodeRay(const Ray& ray)
@@ -101,7 +101,7 @@ public:
             far_inverse_[k] = broadcast(far_inverse[k]);
             near_[k] = 2 * k + (back >> k & 1);
         }
-        t_min_ = broadcast(ray.t_min + 0.0f);  // -0 would be the largest of all, taken as bits
+        t_min_ = broadcast(ray.t_min + 0.0f);  // avoids -0, whose bits would compare as the largest
     }
 
     Float8 org(size_t k) const { return org_[k]; }
@@ -116,11 +116,11 @@ public:
 
 private:
     std::array<Float8, 3> org_, inverse_, far_inverse_;
-    std::array<size_t, 3> near_;  // which planes are the near ones
+    std::array<size_t, 3> near_;  // index of the near plane per axis
     Float8 t_min_;
 };
 
-// The same in one line of memory.
+// The same in one cache line.
 class alignas(64) NodeRayInMemory {
 public:
     NodeRayInMemory() = default;

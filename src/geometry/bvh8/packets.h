@@ -1,7 +1,6 @@
-// Rays that go much the same way through a Bvh8 together, by eights: which children of a node any of them may meet is
-// asked once for all, by bounds of what they compute, and then of each of these children for all eight rays at once.
-// After Wald, Boulos, Shirley, "Ray Tracing Deformable Scenes Using Dynamic Bounding Volume Hierarchies", ACM TOG
-// 26(1), 2007. Each ray computes what it does alone, so it finds the same.
+// Packet traversal of a Bvh8 with eight rays: an interval test first finds the children that any ray may hit, then all
+// rays are tested against each of these. After Wald, Boulos, Shirley, "Ray Tracing Deformable Scenes Using Dynamic
+// Bounding Volume Hierarchies", ACM TOG 26(1), 2007. Each ray has the result of a single traversal.
 #pragma once
 
 #include "geometry/bvh8/bvh8.h"
@@ -13,7 +12,7 @@ class Bvh8Packets {
 public:
     explicit Bvh8Packets(const Bvh8& tree) : tree_(tree) {}
 
-    // As that of Bvh8Interleaved, of any number of rays.
+    // As Bvh8Interleaved::closest(), for any number of rays.
     template <class Found>
     void closest(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
                  const Found& found) const
@@ -33,8 +32,8 @@ private:
     }
     static float most(Float8 x) { return -least(-x); }
 
-    // Along one axis: where the rays start and the inverse of how they go, of each and the bounds of these. near: of
-    // the bounds of the starts that from which a node's near plane is the nearest; far: its far plane the farthest.
+    // Origins and inverse directions of the rays along one axis, and their bounds. near: the bound of the origins from
+    // which a node's near plane is nearest; far: from which its far plane is farthest.
     struct Axis {
         Float8 org, inverse, far_inverse;
         Float8 near, far, least_inverse, most_inverse, least_far_inverse, most_far_inverse;
@@ -44,12 +43,12 @@ private:
         std::array<Axis, 3> axes;
         Float8 t_min, least_t_min;
         uint32_t lanes;
-        bool goes_together = true;  // all rays are to be traced and have the same octant, and none lies within a plane
+        bool goes_together = true;  // all rays are active, in the same octant and not parallel to a plane
 
         Packet(std::span<const Ray> rays, std::span<const float> t_max) : lanes((1u << rays.size()) - 1)
         {
             const RayPacket r(rays);
-            t_min = r.t_min, least_t_min = broadcast(least(t_min) + 0.0f);  // not -0
+            t_min = r.t_min, least_t_min = broadcast(least(t_min) + 0.0f);  // avoids -0
             for (const float t : t_max) goes_together &= !(t < 0);
             const std::array org{r.org.x, r.org.y, r.org.z}, dir{r.dir.x, r.dir.y, r.dir.z};
             for (size_t k = 0; k < 3; ++k) {
@@ -66,7 +65,7 @@ private:
                 a.near_plane = 2 * k + (back != 0);
             }
         }
-        // The children that any ray may meet; near: none does so before.
+        // Children that any ray may hit; near: lower bounds of the entry distances.
         uint32_t may_meet(const Bvh8Node& node, Float8 t_max, Float8& near) const
         {
             near = least_t_min;
@@ -79,7 +78,7 @@ private:
             }
             return movemask_le(near, far);
         }
-        // The rays that meet a child: meets_children() for one box and eight rays.
+        // Rays that hit a child: meets_children() for one box and eight rays.
         uint32_t meets(const Bvh8Node& node, size_t child, Float8 t_max) const
         {
             Float8 near = t_min, far = t_max;
@@ -91,7 +90,7 @@ private:
         }
     };
 
-    // Of at most eight rays.
+    // Traverses with at most eight rays.
     template <class Found>
     void go(std::span<const Ray> rays, std::span<const float> t_max, std::span<uint32_t> leaf_hints,
             const Found& found) const
@@ -108,14 +107,14 @@ private:
         std::array<LeafRay, float_lanes> leaf_rays;
         std::array<Bvh8Nearest, float_lanes> nearest;
         std::array<Bvh8Child, float_lanes> last{};  // as in Bvh8Interleaved
-        Float8 reach = broadcast(-1.0f);            // of each ray
+        Float8 reach = broadcast(-1.0f);            // per ray
         for (uint32_t i = 0; i < rays.size(); ++i) {
             leaf_rays[i] = LeafRay(rays[i]);
             nearest[i] = {t_max[i], t_max[i]};
             reach[i] = t_max[i] * Bvh8::beyond;
         }
         float farthest = most(reach);
-        // What is still to be visited, and by which rays.
+        // The stack: nodes and the rays that visit them.
         std::array<Bvh8Entry, bvh8_stack_size> stack;
         std::array<uint32_t, bvh8_stack_size> lanes_of;
         size_t top = 0;
@@ -146,7 +145,7 @@ private:
                 if (lanes == 0) return;
                 const Bvh8Entry next =
                     Bvh8Entry{std::bit_cast<uint32_t>(distances[child])} << 32 | node.children[child];
-                // The nearest on top.
+                // Sorted, the nearest on top.
                 size_t to = top++;
                 for (; to > bottom && stack[to - 1] < next; --to)
                     stack[to] = stack[to - 1], lanes_of[to] = lanes_of[to - 1];

@@ -1,7 +1,6 @@
-// How a builder finds where to divide a set of references: by the surface area heuristic over bins, of the centres of
-// boxes (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007) or of space itself, where a
-// reference that crosses the plane goes to both sides (Stich, Friedrich, Dietrich, "Spatial Splits in Bounding Volume
-// Hierarchies", HPG 2009).
+// Binning for the surface area heuristic, over box centres (Wald, "On fast Construction of SAH-based Bounding Volume
+// Hierarchies", 2007) and over space, where a reference that crosses the plane goes to both sides (Stich, Friedrich,
+// Dietrich, "Spatial Splits in Bounding Volume Hierarchies", HPG 2009).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,8 @@ namespace lancer {
 
 inline constexpr int max_bins = 16;
 
-// Cost: number of references times area of their box, of both sides. Sides are the bins before and from `bin` on.
+// A division into the bins before `bin` and from it on. Cost: number of references times area of their box, summed over
+// both sides.
 struct Division {
     float cost = FloatBox::inf;
     int axis = -1, bin = 0;
@@ -24,7 +24,7 @@ struct Division {
     explicit operator bool() const { return axis >= 0; }
 };
 
-// The box of references and that of their centres, in doubled coordinates.
+// The box of references and of their centres, in doubled coordinates.
 struct Spread {
     Box4 box, centers;
 
@@ -40,10 +40,10 @@ struct Spread {
     }
 };
 
-// Bins of centres, of all axes at once. Those of parts of a set can be added up, in any order.
+// Bins of centres along all axes. Bins of parts of a set can be added in any order.
 class ObjectBins {
 public:
-    // count: of references that there will be; few need few bins.
+    // count: expected number of references; few need few bins.
     ObjectBins(const Spread& spread, size_t count);
 
     void add(const Reference& r)
@@ -55,7 +55,7 @@ public:
         }
     }
     void add(const ObjectBins& b);
-    // None where all centres are one.
+    // None if all centres are equal.
     Division best() const;
     bool is_below(const Division& d, const Reference& r) const
     {
@@ -74,30 +74,30 @@ private:
     }
 
     int bins_;
-    Float4 origin_, scale_;  // scale: 0 of axes along which all centres are one
+    Float4 origin_, scale_;  // scale: 0 for axes along which all centres are equal
     std::array<std::array<Box4, max_bins>, 3> boxes_;
     std::array<std::array<uint32_t, max_bins>, 3> counts_{};
 };
 
-// Bins of space along each axis.
+// Bins of space along all axes.
 class SpaceBins {
 public:
     explicit SpaceBins(const Box4& box);
 
     void add(const TriangleSet& triangles, const Reference& r);
     void add(const SpaceBins& b);
-    // Of the divisions that cost less, that leave fewer than all `count` references on either side, and no more than
-    // `room` besides these on both. The counts are upper bounds.
+    // The best division with a lower cost that leaves fewer than all `count` references on each side and adds at most
+    // `room` references. The counts are upper bounds.
     Division best(float cost, size_t count, size_t room) const;
 
-    // Which sides of a division a reference goes to, and the plane.
+    // The sides to which a reference belongs, and the plane.
     bool ends_below(const Division& d, const Reference& r) const { return bins_of(r.box.upper)[at(d)] < d.bin; }
     bool starts_above(const Division& d, const Reference& r) const { return bins_of(r.box.lower)[at(d)] >= d.bin; }
     float plane(const Division& d) const { return plane(at(d), d.bin); }
 
 private:
     static size_t at(const Division& d) { return static_cast<size_t>(d.axis); }
-    // Nothing certain of axes that are not usable.
+    // Undefined for axes that are not usable.
     std::array<int, 4> bins_of(Float4 p) const
     {
         const Float4 last{max_bins - 1, max_bins - 1, max_bins - 1, max_bins - 1};
@@ -110,9 +110,10 @@ private:
     void add_parts(size_t axis, const Corners& triangle, const Reference& r, int first, int last);
 
     Float4 origin_, width_, scale_;
-    std::array<bool, 3> usable_;  // whether the bins are wider than what float can tell apart
+    std::array<bool, 3> usable_;  // whether the bins are wider than the resolution of float
     std::array<std::array<Box4, max_bins>, 3> boxes_;
-    std::array<std::array<uint32_t, max_bins>, 3> enter_{}, leave_{};  // how many begin and end in each bin
+    std::array<std::array<uint32_t, max_bins>, 3> enter_{},
+        leave_{};  // number of references that begin and end in each bin
 };
 
 }  // namespace lancer

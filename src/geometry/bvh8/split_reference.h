@@ -1,5 +1,5 @@
-// What the builder with spatial splits shuffles: references to triangles, or to the parts of them that lie within a
-// box. A triangle that crosses a plane of division has a reference on either side of it.
+// References of the builder with spatial splits: to triangles or to their parts within a box. A triangle that crosses a
+// splitting plane has a reference on either side.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace lancer {
 
 using Corners = std::array<Vec3, 3>;
 
-// A FloatBox in two registers; builders grow boxes by the million. The fourth lanes mean nothing. Starts empty.
+// A FloatBox in two registers, for builders. The fourth lanes are unused. Starts empty.
 struct Box4 {
     static constexpr float inf = FloatBox::inf;
     Float4 lower{inf, inf, inf, inf}, upper{-inf, -inf, -inf, -inf};
@@ -21,7 +21,7 @@ struct Box4 {
     void grow(Float4 point) { lower = min(lower, point), upper = max(upper, point); }
     void grow(const Box4& b) { lower = min(lower, b.lower), upper = max(upper, b.upper); }
     bool empty() const { return (_mm_movemask_ps(_mm_cmpgt_ps(lower, upper)) & 7) != 0; }
-    // Half the surface; 0 of an empty box.
+    // Half the surface area; 0 for an empty box.
     float half_area() const
     {
         const Float4 d = max(upper - lower, Float4{});
@@ -31,7 +31,7 @@ struct Box4 {
 
 inline Box4 overlap(const Box4& a, const Box4& b) { return {max(a.lower, b.lower), min(a.upper, b.upper)}; }
 
-// The number of the triangle is the fourth lane of the lower corner.
+// The triangle's number is stored in the fourth lane of the lower corner.
 struct Reference {
     Box4 box;
 
@@ -52,9 +52,9 @@ inline FloatBox to_box(const Box4& b)
     return {{b.lower[0], b.lower[1], b.lower[2]}, {b.upper[0], b.upper[1], b.upper[2]}};
 }
 
-// The parts of a triangle on either side of the plane where coordinate `axis` is `at`, no larger than the reference;
-// empty where there is none. Each holds all that the test of triangles in float may find there (widened() in slab.h),
-// so both reach beyond the plane.
+// Clips a reference at the plane where coordinate `axis` is `at`: its parts on either side, within the reference; empty
+// if there is none. Each part contains everything that the float triangle test may hit (widened() in slab.h), so both
+// extend beyond the plane.
 struct Clipped {
     Box4 below, above;
 };

@@ -1,5 +1,5 @@
-// What a traversal of eight-wide nodes has still to visit. The ways to put children in order were measured against
-// others: most nodes are left with one or two, and what costs is a branch that is predicted wrongly.
+// The traversal stacks of eight-wide nodes. The sorting methods were chosen by benchmarks: most nodes have one or two
+// hits, and branch mispredictions dominate.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,22 @@
 
 namespace lancer {
 
-// Each level of the tree leaves seven children at most, a node pushes eight, in two registers of which all is written,
-// and one entry lies at the bottom.
+// Per level at most seven children stay on the stack; a push writes two full registers of eight entries; one sentinel
+// lies at the bottom.
 inline constexpr size_t bvh8_node_entries = 8;
 inline constexpr size_t bvh8_stack_size = 7 * (max_split_depth + 1) + 2 * bvh8_node_entries;
 
-// Children with the distance where the ray enters their boxes: distance above, child below. Of floats that are not
-// negative the bits are in the order of the numbers.
+// An entry: entry distance above, child below. The bits of non-negative floats are ordered as the numbers.
 using Bvh8Entry = uint64_t;
 
-// For the nearest hit. In memory of someone else, at whose bottom lies an entry of no child, at no distance.
+// The stack for closest hits, in external memory, with a sentinel at distance 0 at the bottom.
 class Bvh8NearStack {
 public:
     Bvh8NearStack() = default;
-    // memory: at least bvh8_stack_size entries, or the caller asks for room before each push.
+    // memory: at least bvh8_stack_size entries, or the caller checks room() before each push.
     explicit Bvh8NearStack(Bvh8Entry* memory) : top_(memory) { *top_++ = Bvh8Child::none().bits(); }
 
-    // The nearest of the children in `met`, of which there is at least one; the others stay, nearer ones on top.
+    // Returns the nearest child in `met`, which is not 0, and pushes the others, nearer ones on top.
     [[gnu::always_inline]] Bvh8Child push(const Bvh8Node& node, uint32_t met, Float8 near)
     {
         uint32_t rest = met & (met - 1);
@@ -37,7 +36,7 @@ public:
             const size_t i = first(lanes);
             return Bvh8Entry{from[i]} << 32 | node.children[i];
         };
-        // Up to four, the nearest last, by a network without branches; 0, which is none, goes behind.
+        // Sorts up to four entries by a branch-free network, the nearest last; empty entries (0) go to the end.
         const auto next = [&] {
             const Bvh8Entry e = entry(rest) & -Bvh8Entry{rest != 0};
             rest &= rest - 1;
@@ -60,7 +59,7 @@ public:
         top_ += std::popcount(met) - 1;
         return Bvh8Child(static_cast<uint32_t>(*top_));
     }
-    // The children in `met`, of which there may be none, in the order in which the node has them.
+    // Pushes the children in `met`, which may be 0, in the node's order.
     void push_all(const Bvh8Node& node, uint32_t met, Float8 near)
     {
         const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(by_turns[met].data()));
@@ -72,16 +71,16 @@ public:
         _mm256_storeu_si256(to + 1, _mm256_unpackhi_epi32(child, distance));
         top_ += std::popcount(met);
     }
-    // The one on top, of which there is at least one.
+    // The top entry; the stack must not be empty.
     Bvh8Child following() const { return Bvh8Child(static_cast<uint32_t>(top_[-1])); }
-    // The next child that begins within t_max, which is not negative; or none.
+    // The next child with an entry distance of at most t_max >= 0; or none.
     Bvh8Child pop(float t_max)
     {
         const Bvh8Entry limit = std::bit_cast<uint32_t>(t_max);
         while (top_[-1] >> 32 > limit) --top_;
         return Bvh8Child(static_cast<uint32_t>(*--top_));
     }
-    // Entries to the end of what belongs to the stack.
+    // Number of free entries.
     size_t room(const Bvh8Entry* end) const { return static_cast<size_t>(end - top_); }
 
 private:
@@ -93,8 +92,8 @@ private:
     }
     static size_t first(uint32_t lanes) { return static_cast<size_t>(std::countr_zero(lanes)) & 7; }
 
-    // Of each set of lanes their numbers in order, such that unpacking two registers that are put in this order has
-    // those of the wanted lanes side by side.
+    // For each set of lanes their indices, ordered so that unpacking two permuted registers places the selected lanes
+    // side by side.
     struct alignas(32) Order : std::array<uint32_t, 8> {};
     static constexpr std::array<Order, 256> by_turns = [] {
         constexpr std::array<uint32_t, 8> to{0, 1, 4, 5, 2, 3, 6, 7};
@@ -108,12 +107,12 @@ private:
     Bvh8Entry* top_;
 };
 
-// For any hit: the children in the order in which the node has them.
+// The stack for occlusion tests: children in the node's order.
 class Bvh8AnyStack {
 public:
     Bvh8AnyStack() { *top_++ = Bvh8Child::none().bits(); }
 
-    // The first of the children in `met`, of which there is at least one; the others stay, the first of them on top.
+    // Returns the first child in `met`, which is not 0, and pushes the others, the first of them on top.
     Bvh8Child push(const Bvh8Node& node, uint32_t met)
     {
         const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(backwards[met & (met - 1)])));
@@ -127,7 +126,7 @@ public:
     Bvh8Child pop() { return Bvh8Child(*--top_); }
 
 private:
-    // Of each set of lanes their numbers, a byte each, the highest first.
+    // For each set of lanes their indices, one byte each, the highest first.
     static constexpr std::array<uint64_t, 256> backwards = [] {
         std::array<uint64_t, 256> table{};
         for (uint32_t set = 0; set < 256; ++set)

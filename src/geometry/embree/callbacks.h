@@ -1,5 +1,5 @@
-// What Embree calls back: spheres and planes, which it does not know, and the holes of meshes. Only embree*.{h,cpp}
-// include this.
+// Embree's callbacks: spheres and planes as user geometry, and the alpha test as filter. Only files of embree/ include
+// it.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace lancer::embree {
 
-// Numbers of Embree's geometries: meshes have their own; behind them come the spheres, the planes and the instances.
+// Geometry ids: meshes have their own index; then follow the spheres, the planes and the instances.
 inline uint32_t sphere_id(const Geometry& g) { return static_cast<uint32_t>(g.meshes.size()); }
 inline uint32_t plane_id(const Geometry& g) { return sphere_id(g) + 1; }
 inline uint32_t first_instance_id(const Geometry& g) { return sphere_id(g) + 2; }
@@ -18,7 +18,7 @@ inline uint32_t first_instance_id(const Geometry& g) { return sphere_id(g) + 2; 
 // The user data of every geometry.
 struct UserData {
     const Geometry& geometry;
-    LargeShapes wide;  // Embree is not told of them
+    LargeShapes wide;  // not in Embree's scene
 };
 inline const UserData& user_data(const void* pointer) { return *static_cast<const UserData*>(pointer); }
 
@@ -42,14 +42,14 @@ const std::vector<uint32_t>& numbers_of(const LargeShapes& wide)
     return kind == Kind::sphere ? wide.spheres : wide.planes;
 }
 
-// Embree leaves out what has an empty one.
+// Embree ignores primitives with an empty box.
 inline RTCBounds outwards(const Bounds& b)
 {
     const FloatBox f = rounded_outwards(b.lower, b.upper);
     return {f.lower.x, f.lower.y, f.lower.z, 0, f.upper.x, f.upper.y, f.upper.z, 0};
 }
 
-// As far as it still goes. Spheres and planes are in no instance, so this is the original but for t_max.
+// The ray with its present t_max. Spheres and planes are not in instances, so it is the original ray otherwise.
 inline Ray lane_ray(const BaseContext* context, RTCRayN* r, unsigned n, unsigned i)
 {
     return {{RTCRayN_org_x(r, n, i), RTCRayN_org_y(r, n, i), RTCRayN_org_z(r, n, i)},
@@ -81,7 +81,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* a)
         a->valid[i] = hit ? -1 : 0;
 #endif
         if (!hit) continue;
-        // Ties go to the lowest (instance, geometry, primitive), in whatever order Embree comes by.
+        // Ties go to the lowest (instance, geometry, primitive), whatever Embree's order.
         const unsigned geometry = RTCHitN_geomID(hits, a->N, i);
         if (geometry != RTC_INVALID_GEOMETRY_ID && hit.t == RTCRayN_tfar(rays, a->N, i) &&
             (RTCHitN_instID(hits, a->N, i, 0) != RTC_INVALID_GEOMETRY_ID || geometry < a->geomID ||
@@ -113,7 +113,8 @@ void occluded_callback(const RTCOccludedFunctionNArguments* a)
     }
 }
 
-// At each candidate of a mesh with holes, in no order, and for a triangle that the tree holds in parts more than once.
+// Called for each candidate hit of a mesh with an alpha test, in any order, and repeatedly for triangles that are
+// split.
 inline void filter_callback(const RTCFilterFunctionNArguments* a)
 {
     const Geometry& g = user_data(a->geometryUserPtr).geometry;

@@ -1,5 +1,5 @@
-// The shapes that Embree is not told of, tried before it searches: it then has only what is nearer to look for, and
-// takes what was found for a hit of its own. Only embree*.{h,cpp} include this.
+// Large shapes outside Embree's scene. They are tested before Embree's traversal, which then only searches nearer hits.
+// Only files of embree/ include it.
 #pragma once
 
 #include <bit>
@@ -9,12 +9,12 @@
 
 namespace lancer::embree {
 
-// The nearest wide shapes of four rays.
+// The nearest large shapes of four rays.
 struct NearestLargeShape {
     Double4 t;
-    Mask4 found{}, exit{}, id{};  // id: embree geometry << 32 | number
+    Mask4 found{}, exit{}, id{};  // id: Embree geometry << 32 | index
 
-    // Of equals the lowest id wins.
+    // Of equal distances the lowest id wins.
     void take(Mask4 candidate, const StopLanes& s)
     {
         const Mask4 nearer = s.ok & ((s.t < t) | ((s.t == t) & (~found | (candidate < id))));
@@ -30,7 +30,7 @@ inline Mask4 large_shape_id(uint32_t geometry, uint32_t a, uint32_t b, uint32_t 
     return Mask4{id(a), id(b), id(c), id(d)};
 }
 
-// Shortens the rays to the nearest wide shape and enters it as hit.
+// Sets the rays' tfar and hits to their nearest large shape.
 inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, RTCRayHit8& r)
 {
     const bool any_sphere = !wide.spheres.empty();
@@ -63,7 +63,7 @@ inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, RTCR
     }
 }
 
-// Bit i: lane i meets one.
+// Bit i: lane i hits a large shape.
 inline uint32_t any_large_shape(const Geometry& g, const LargeShapes& wide, const RTCRay8& r)
 {
     uint32_t occluded = 0;

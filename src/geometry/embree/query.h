@@ -1,5 +1,5 @@
-// One query of Embree: its rays, its flags, and what callbacks can see of it. All differences between Embree 3 and 4
-// are here and in what callbacks answer. Only embree*.{h,cpp} include this.
+// A query of Embree: its rays, flags and the context for callbacks. All differences between Embree 3 and 4 are here and
+// in the results of callbacks. Only files of embree/ include it.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -18,7 +18,7 @@ static_assert(RTC_VERSION >= 31300, "Embree 3.13 or newer is required");
 
 namespace lancer::embree {
 
-inline constexpr uint32_t packet = 8;  // lanes of one call; 16 are native only with AVX-512
+inline constexpr uint32_t packet = 8;  // rays per call; 16 would be native only with AVX-512
 
 #if RTC_VERSION_MAJOR >= 4
 using BaseContext = RTCRayQueryContext;
@@ -26,8 +26,8 @@ using BaseContext = RTCRayQueryContext;
 using BaseContext = RTCIntersectContext;
 #endif
 
-// Embree hands the base to every callback. Inside an instance its rays are those of the mesh's space; here are the ones
-// that were asked for, at RTCRay::id.
+// Embree passes the base class to every callback. Inside an instance Embree's rays are in the mesh's space; here are
+// the original rays, indexed by RTCRay::id.
 struct Context : BaseContext {
     const Ray* rays = nullptr;
 };
@@ -57,7 +57,7 @@ public:
     Query(const Query&) = delete;  // arguments point to the context
     Query& operator=(const Query&) = delete;
 
-    // Up to `packet` rays, of any kind, for one of the two below.
+    // Up to `packet` rays of any kind for one of the two functions below.
     void load(std::span<const Ray> rays, RTCRayHit8& r)
     {
         load(rays, r.ray);
@@ -78,7 +78,7 @@ public:
         rtcIntersect8(valid_.data(), scene, &context_, &r);
 #endif
     }
-    // Bit i of the answer: lane i is occluded. known: of which lanes this is known before.
+    // Bit i of the result: lane i is occluded. known: lanes for which this is known before.
     uint32_t any(RTCScene scene, RTCRay8& r, uint32_t known)
     {
         const Mask8 bit{1, 2, 4, 8, 16, 32, 64, 128};
@@ -97,8 +97,8 @@ public:
     }
 
 private:
-    // Debian's Embree has its assertions on: one NaN lane would end the process, so such lanes are masked out.
-    // In whole registers, as Embree reads it.
+    // Debian's Embree has assertions enabled: a NaN lane would end the process, so such lanes are masked. Written in
+    // whole registers, as Embree reads them.
     void fill(RTCRay8& r, std::span<const Ray> rays)
     {
         const RayPacket l(rays);
@@ -106,7 +106,7 @@ private:
         const Mask8 ok = is_traceable(l) & first_lanes(rays.size());
         const Float8 zero{}, one = broadcast(1.0f);
         const auto put = [&](float* to, Float8 x, Float8 idle) { store8(to, select(ok, x, idle)); };
-        // Idle lanes meet nothing whoever looks.
+        // Inactive lanes hit nothing.
         put(r.org_x, l.org.x, zero), put(r.org_y, l.org.y, zero), put(r.org_z, l.org.z, zero);
         put(r.dir_x, l.dir.x, zero), put(r.dir_y, l.dir.y, zero), put(r.dir_z, l.dir.z, one);
         put(r.tnear, l.t_min, one), put(r.tfar, l.t_max, zero);

@@ -1,5 +1,4 @@
-// One box around all triangles and nothing in it: what the first remedy against a list of triangles brings, the foot of
-// the ladder of accelerators.
+// A list of triangles with one bounding box: the simplest TriangleTree.
 #pragma once
 
 #include "geometry/slab.h"

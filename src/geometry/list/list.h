@@ -1,4 +1,4 @@
-// The loop over every primitive, in double: what every other accelerator is tested against.
+// The loop over all primitives, in double: the reference for every other accelerator.
 #pragma once
 
 #include "geometry/accel.h"
@@ -19,7 +19,8 @@ public:
     AccelStats stats() const override { return {}; }
 
 private:
-    // In order of instance, mesh and primitive, so that the first of equals wins; with `first_will_do` any hit ends it.
+    // In order of instance, mesh and primitive, so that the first of equal hits wins; with first_will_do any hit ends
+    // the loop.
     template <bool first_will_do>
     Hit nearest(const Ray& ray) const
     {

@@ -1,6 +1,6 @@
-// The list of all triangles, each against eight rays at once: of a few dozen faster than any tree, as there are no
-// boxes and no branches that nobody can predict. Watertight, by the test of bvh8/leaf.h with rays and triangles in each
-// other's place.
+// A list of triangles, each tested against eight rays at once: for a few dozen triangles faster than any tree, as it
+// has no boxes and no unpredictable branches. Watertight, by the test of bvh8/leaf.h with the roles of rays and
+// triangles exchanged.
 #pragma once
 
 #include "geometry/edge_lanes.h"
@@ -8,10 +8,10 @@
 
 namespace lancer {
 
-// An PacketTree.
+// A PacketTree.
 class List8 {
 public:
-    // So many triangles at a time; each corner that several have is sheared once.
+    // Number of triangles per part; shared corners of a part are sheared once.
     static constexpr size_t part_size = 64;
 
     explicit List8(const TriangleSet& triangles);
@@ -65,15 +65,15 @@ public:
 private:
     struct Triangle {
         struct Along {
-            float a, normal, size;  // the first corner; the cross product of two sides, and the same of their lengths
+            float a, normal, size;  // first corner; cross product of two sides, and of their absolute values
         };
-        std::array<Along, 3> along;  // each axis
+        std::array<Along, 3> along;  // per axis
         std::array<uint32_t, 3> corners;
         uint32_t number;
         std::array<Vec3, 3> places;  // of the corners
     };
     struct Part {
-        std::array<std::vector<float>, 3> corners;  // along each axis
+        std::array<std::vector<float>, 3> corners;  // per axis
         std::vector<Triangle> triangles;
 
         uint32_t add_corner(Vec3 p);
@@ -83,7 +83,7 @@ private:
     };
     using Points = std::array<Point, 3 * part_size>;
     struct Edges {
-        Float8 least, most;  // of the three edge functions
+        Float8 least, most;  // of the edge functions
 
         Edges(const Triangle& t, const Points& points)
         {
@@ -95,8 +95,8 @@ private:
         Mask8 touch() const { return (least == Float8{}) | (most == Float8{}); }
     };
 
-    // f(triangle, lanes) for the triangles, in order, that the lines of some rays go through: of those lanes. Until f
-    // says false. First which they are, of many, then what is to be done with them: so no branch waits for arithmetic.
+    // Calls f(triangle, lanes), in order, for triangles that the lines of some rays hit, until f returns false.
+    // Candidates are collected first, so that branches do not wait for arithmetic.
     template <class F>
     void for_candidates(const ShearedPacket& r, const F& f) const
     {
@@ -132,8 +132,8 @@ private:
     }
     static Mask8 confirmed(const Triangle& t, const Points& points, Mask8 inside);
 
-    // Those of the lanes inside that meet the triangle in [t_min, best.t], or before it where best.t is of another one:
-    // see LeafRay.
+    // The lanes that hit the triangle in [t_min, best.t], or before it if best.t belongs to another triangle; see
+    // LeafRay.
     Mask8 reached(const Triangle& triangle, const ShearedPacket& r, Mask8 lanes, PacketHits& best, Float8& t) const
     {
         const Triangle::Along &x = triangle.along[r.axes[0]], &y = triangle.along[r.axes[1]],
@@ -152,7 +152,7 @@ private:
         if (unsure == 0) return lanes;
         return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, t));
     }
-    // The same of what float cannot tell.
+    // The same for lanes that float cannot decide.
     uint32_t decide(const Triangle& triangle, const ShearedPacket& r, uint32_t lanes, PacketHits& best,
                     Float8& t) const;
     const Triangle& numbered(uint32_t number) const;

@@ -1,6 +1,6 @@
-// What the classic integrators (whitted.h, random_decision.h) share: their settings, and a vertex of the illumination
-// model of Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980: lit by the lights, with a
-// reflected and a refracted ray. Here with a BSDF that keeps energy; legacy/classic.h has the one of the past.
+// Common parts of the classic integrators (whitted.h, random_decision.h): their settings, and a vertex of the
+// illumination model of Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980: direct light, a
+// reflected and a refracted ray. This vertex has an energy-conserving BSDF; legacy/classic.h has the original formulas.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace lancer {
 
-// A vertex: the Phong parameters of the place as a BSDF, so that the same light is found that direct.h finds.
+// A vertex with the Phong parameters of the point as a BSDF, so that its direct light is that of direct.h.
 template <class V>
 class ClassicVertex {
 public:
@@ -28,7 +28,7 @@ public:
     {
     }
 
-    // The rays that go on by mirror and refraction, if there are any.
+    // The reflected and the refracted ray, if any.
     std::optional<PathState> reflection() const { return sent(reflected()); }
     std::optional<PathState> refraction() const { return sent(refracted()); }
 
@@ -41,8 +41,7 @@ public:
         return {is_lit ? phong_.diffusion : 0, part(reflected()), part(refracted())};
     }
 
-    // Adds what the lights give, times factor: each point and direction of light for itself, without any choice, and
-    // one of the others by chance.
+    // Adds direct light times factor: each point and directional light, and one randomly selected light of the others.
     void illuminate(float factor, PathActions& actions) const
     {
         const Color throughput = s_.throughput * factor;
@@ -81,8 +80,8 @@ private:
         const float weight = light->infinite && !light->delta ? power_heuristic(light->pdf, f.pdf) : 1;
         actions.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
     }
-    // The environment once more, in a direction that the surface chooses: a narrow highlight hardly meets a direction
-    // that the sky chose. Other lights are small, and left to their own samples.
+    // Samples the environment by the BSDF: a narrow highlight is rarely found by light sampling. Other lights are small
+    // and left to light sampling.
     void add_environment_seen(Color throughput, uint32_t key, PathActions& actions) const
     {
         if (view_.scene.environment_light == Scene::none) return;
@@ -109,9 +108,9 @@ private:
     Vec3 wo_;
 };
 
-// What a shadow ray keeps that goes straight through a surface: what the boundary refracts at that angle, seen from its
-// thinner side. From within glass the straight ray would often be reflected totally, while the bent one that it stands
-// for had entered, so it leaves as it came in.
+// Transmittance of a shadow ray that crosses a surface without being bent: that of the boundary at this angle, seen
+// from its optically thinner side. From inside glass the straight ray would often be totally reflected, whereas the
+// refracted ray that it represents would have entered.
 inline Color straight_through(const Phong& p, Vec3 wo)
 {
     const InterfaceBsdf bsdf(p, p.inside_ior >= p.outside_ior);
@@ -119,13 +118,13 @@ inline Color straight_through(const Phong& p, Vec3 wo)
     return b ? b->weight * (b->eta * b->eta) : Color{};
 }
 
-// The settings of both integrators, and what does not depend on how they follow the rays.
+// Settings of both integrators, and the parts that do not depend on how they follow rays.
 struct Classic {
-    // What their pictures lack of what a path tracer finds, see docs/architecture.md.
+    // Biases compared with a path tracer; see docs/architecture.md.
     static constexpr std::array<const char*, 2> biases{"no_diffuse_bounces", "straight_shadows"};
 
     uint32_t max_depth = 7;  // surface vertices, >= 1
-    bool legacy = false;     // the course's formulas
+    bool legacy = false;     // with the formulas of legacy/classic.h
 
     void take(const IntegratorSettings& settings)
     {
@@ -133,7 +132,7 @@ struct Classic {
         legacy = settings.switches[Switch::legacy];
     }
 
-    // f(vertex) with what the mode says of the place.
+    // Calls f with the vertex of the present mode.
     template <class V, class F>
     void with_vertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, F&& f) const
     {
@@ -142,10 +141,10 @@ struct Classic {
         else
             f(ClassicVertex<V>(view, s, surface, sampler));
     }
-    // In the mode of the past nothing is traced from the last vertex; else what emits is still seen from there.
+    // In legacy mode nothing is traced from the last vertex; else emission is still seen from it.
     bool is_last(const PathState& next) const { return next.depth >= max_depth; }
 
-    // The part of a shadow ray's light that a surface on its way lets pass.
+    // Transmittance of a surface for shadow rays.
     template <class V>
     Color through(const V& view, const Ray& ray, const Surface& surface) const
     {

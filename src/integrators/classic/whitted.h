@@ -1,5 +1,5 @@
-// Recursive ray tracing: at each vertex the light of every lamp, and both rays of what mirrors and refracts.
-// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
+// Recursive ray tracing: at each vertex the direct light of every light, the reflected and the refracted ray. Whitted,
+// "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
 #pragma once
 
 #include "integrators/classic/classic.h"
@@ -25,7 +25,7 @@ struct Whitted : Classic {
     }
 
 private:
-    // child: 0 or 1. Branches of equal depth are told apart by the ways they went.
+    // child: 0 or 1. The branch number identifies the path of reflections and refractions.
     void follow(std::optional<PathState> n, uint32_t child, float u, PathActions& actions) const
     {
         if (!n || !stays(*n, u)) return;
@@ -34,7 +34,7 @@ private:
         n->last = is_last(*n);
         actions.next(*n);
     }
-    // Whether a branch is worth following: by roulette, so that the mean stays.
+    // Whether a branch is followed, by Russian roulette.
     bool stays(PathState& n, float u) const
     {
         const float part = max_component(n.throughput) * n.eta_scale;

@@ -1,6 +1,6 @@
-// A vertex as the course's ray tracer had it: Phong's formula with the coefficients as they are, so that energy may be
-// gained; no Fresnel equations; lights that do not fade with distance, and shadow rays that do not end at them. The
-// shading normal alone decides what is inside; where light would be reflected totally it slides along the surface.
+// The vertex of the ray tracer that --legacy reproduces: Phong's formula with unnormalised coefficients, which may
+// create energy; no Fresnel equations; lights without distance falloff, and shadow rays that do not end at them. The
+// shading normal alone decides what is inside; instead of total reflection the ray continues along the surface.
 #pragma once
 
 #include "integrators/path_actions.h"
@@ -8,10 +8,10 @@
 
 namespace lancer {
 
-// Below this part of what the camera gets a branch is given up, and where no more is left of a light its shadow ray.
+// A branch with a smaller part of the camera's radiance ends, as does a shadow ray with less light.
 inline constexpr float least_part = 0.003f;
 
-// By how much each of the ways that light goes on from a vertex counts, about.
+// Approximate weights of the ways in which light continues from a vertex.
 struct ClassicParts {
     float diffusion, reflection, refraction;
     float sum() const { return diffusion + reflection + refraction; }
@@ -20,7 +20,7 @@ struct ClassicParts {
 template <class V>
 class LegacyVertex {
 public:
-    // last: no ray goes on from here, and the illumination stands for all.
+    // last: no ray is continued, and the illumination replaces the others.
     LegacyVertex(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, bool last)
         : view_(view),
           s_(s),
@@ -45,7 +45,7 @@ public:
         const Vec3 v = s_.ray.dir, n = inside_ ? -outwards_ : outwards_;
         const float r = inside_ ? phong_.inside_ior / phong_.outside_ior : phong_.outside_ior / phong_.inside_ior;
         const float c = -dot(n, v), root = std::sqrt(std::max(0.0f, 1 - r * r * (1 - c * c)));
-        // What slides along the surface has no side of its own: beyond it, where it came to.
+        // A ray along the surface starts on the side from which it came.
         const Vec3 org = offset_origin(surface_.p, surface_.p_error, surface_.n, -surface_.n);
         return sent(normalize(v * r + n * (r * c - root)), phong_.diffuse * phong_.refraction, org);
     }
@@ -56,8 +56,8 @@ public:
         return {phong_.diffusion, phong_.reflexion, phong_.refraction};
     }
 
-    // Adds what points and directions of light give, times factor. The highlight also shows where the light is below
-    // the horizon, as far as no shadow is there.
+    // Adds point and directional lights times factor. Highlights also appear for lights below the horizon if there is
+    // no shadow.
     void illuminate(float factor, PathActions& actions) const
     {
         const Color throughput = s_.throughput * (factor * (last_ ? 1 : phong_.diffusion));
@@ -65,7 +65,7 @@ public:
         actions.add(throughput * phong_.ambient);
         const uint32_t key = view_.alpha_key(sampler_, s_.depth, Dim::shadow_alpha);
         uint32_t i = 0;
-        // Positions and intensities are in units of the scene; the colours of lights are those of the file.
+        // Positions and intensities are in scene units; the lights' colours are those of the file.
         const auto scale = static_cast<float>(view_.scene.normalisation.scale);
         for (const PointLight& light : view_.scene.point_lights)
             add_light(normalize(light.position - surface_.p), light.intensity / (scale * scale), throughput, key + i++,

@@ -1,8 +1,8 @@
-// The student's path tracer, one of the two programs that lancer grew from, with its faults: light sampling alone, so
-// that light that comes through glass or off a mirror onto something diffuse is lost; five vertices at most; a light
-// that is seen has its intensity in place of its radiance; shadow rays that stop a little early; glass by Schlick's
-// approximation with the cosine of the side that the ray comes from; rays that start a fixed length along the shading
-// normal, which is never turned towards the ray. Takes the place of Path where legacy is switched on.
+// The path tracer that --legacy reproduces, with its faults: light sampling alone, so that light through glass or
+// mirrors onto diffuse surfaces is missing; at most five vertices; visible lights show their intensity instead of their
+// radiance; shadow rays end slightly early; glass by Schlick's approximation with the cosine on the incident side; rays
+// start at a fixed distance along the shading normal, which does not face the ray. It replaces Path where legacy is
+// switched on.
 #pragma once
 
 #include <cmath>
@@ -18,10 +18,10 @@ struct LegacyPath {
     static constexpr const char* name = "path";
     static constexpr bool is_legacy = true;
     static constexpr uint32_t usual_depth = 5;
-    static constexpr double offset = 0.01;      // units of the file, of every ray from its surface
-    static constexpr float shadow_end = 0.99f;  // part of the way to a light, or of its square, that is looked at
+    static constexpr double offset = 0.01;      // of ray origins from their surface, units of the file
+    static constexpr float shadow_end = 0.99f;  // tested part of the distance to a light, or of its square
 
-    uint32_t max_depth = usual_depth;  // surface vertices, mirrors and glass included
+    uint32_t max_depth = usual_depth;  // surface vertices, specular ones included
     bool indirect = true, emitters = true, fresnel = true, soft_shadows = true;
 
     void take(const IntegratorSettings& settings)
@@ -33,14 +33,13 @@ struct LegacyPath {
         soft_shadows = settings.switches[Switch::soft_shadows];
     }
 
-    // A shadow ray to a sphere of light.
+    // A shadow ray to a sphere light.
     struct ToSphere {
         Vec3 wi, from_center{};
-        float reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: nothing arrives
+        float reach{}, geometry{};  // geometry: cosines over distance squared, pi and density; 0: no light arrives
     };
 
-    // PathState::specular says here that the ray came from the camera by way of mirrors alone: only such a ray sees
-    // lights.
+    // PathState::specular means here that the ray came from the camera by mirrors alone: only such rays see lights.
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
              PathActions& actions) const
@@ -51,11 +50,10 @@ struct LegacyPath {
         }
         const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
         if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, actions);
-        // Most surfaces are diffuse and nothing else: of these Phong says no more than the colour.
+        // Purely diffuse surfaces need only the colour.
         if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
             return diffuse(view, v, matt->albedo.value * surface.vertex_color, actions);
-        // The program had one kind of reflection for each object: here the largest part. Its textures were not
-        // filtered.
+        // The original had one kind of reflection per object: here the largest part. Its textures were not filtered.
         ShadingPoint point = view.scene.shading_point(surface);
         point.uv_width = 0;
         const Phong p = view.scene.phong(surface.material, point);
@@ -91,7 +89,7 @@ private:
         if (!scene.mix_of.empty() && scene.mix_of[material] != Scene::none) return nullptr;
         return std::get_if<Lambert>(&scene.materials[material]);
     }
-    // Of a sphere the intensity that would light as it does, in units of the file: 4 pi^2 R^2 times too much.
+    // Intensity of a sphere light in units of the file: 4 pi^2 R^2 times too large.
     static Color seen(const Scene& scene, const Surface& surface)
     {
         const Color e = scene.emission[surface.material].towards(surface.front, scene.shading_point(surface));
@@ -152,8 +150,8 @@ private:
         send(view, v, v.origin(1), wi, albedo, false, actions);
     }
 
-    // It knew one light, and that a sphere. Of several one is drawn by its power; those that are no spheres light as
-    // they do without legacy.
+    // The original had one light, a sphere. Of several, one is selected by power; lights that are no spheres work as
+    // without legacy.
     template <class V>
     void light(const V& view, const Vertex& v, const Color& albedo, PathActions& actions) const
     {
@@ -187,7 +185,7 @@ private:
         send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, actions,
                     [&](Ray& ray) { ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach; });
     }
-    // aim(ray) says where it goes.
+    // aim(ray) sets its direction.
     template <class V, class Aim>
     static void send_shadow(const V& view, const Vertex& v, const Color& albedo, const Color& arriving,
                             PathActions& actions, const Aim& aim)
@@ -201,7 +199,7 @@ private:
             },
             radiance);
     }
-    // To a point of the half that faces the surface, drawn by the cosine from the middle of that half. p, n: the place
+    // To a point of the half that faces the surface, cosine-weighted around the middle of that half. p, n: the point
     // and its normal.
     static ToSphere to_its_half(const Sphere& sphere, Vec3 p, Vec3 n, Vec2 u)
     {
@@ -216,14 +214,14 @@ private:
         return {wi, from_center, std::sqrt(shadow_end * d2),
                 arrives ? cos * cos_light * radius * radius / (d2 * h.z) : 0};
     }
-    // As from a point at the center, of the intensity that lights places far away as the sphere would.
+    // As from a point at the centre, with the intensity that illuminates distant points as the sphere would.
     static ToSphere to_its_center(const Sphere& sphere, Vec3 p, Vec3 n)
     {
         const Vec3 d = to_float(sphere.center) - p;
         const auto radius = static_cast<float>(sphere.radius);
         const float d2 = dot(d, d), distance = std::sqrt(d2);
         const Vec3 wi = d / distance;
-        // Up to the sphere, which a place on the sphere itself need not be in front of.
+        // Up to the sphere; a point on the sphere itself need not be in front of it.
         const float reach = std::max(0.0f, shadow_end * (distance - radius));
         return {wi, -wi, reach, reach > 0 ? std::max(0.0f, dot(n, wi)) * radius * radius / d2 : 0};
     }

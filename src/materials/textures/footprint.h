@@ -1,4 +1,4 @@
-// What of a surface a ray stands for, in texture coordinates: what textures are averaged over.
+// The footprint of a ray cone in texture coordinates, over which textures are filtered.
 #pragma once
 
 #include "core/vec.h"
@@ -6,8 +6,8 @@
 namespace lancer {
 
 struct Footprint {
-    float width;  // side of a square; 0 for a point
-    Vec2 along;   // seen at a slant it is longer: in direction d (unit) its extent is sqrt(width^2 + (d . along)^2)
+    float width;  // side of a square; 0: a point
+    Vec2 along;   // elongation at grazing angles: its extent in direction d (unit) is sqrt(width^2 + (d . along)^2)
 
     constexpr Footprint(float w = 0, Vec2 a = {}) : width(w), along(a) {}
 };

@@ -1,7 +1,6 @@
-// The texels of a picture at every size down to 1 x 1, as textures look them up. Each level is the box filter, in
-// linear light, of the one before: every texel counts alike, so all levels have the same mean. Sizes need not be powers
-// of two; where one is odd, three texels share in two (Guthe and Heckbert, "Non-Power-of-Two Mipmapping", NVIDIA,
-// 2005).
+// Mip-map pyramids. Each level is the box filter of the previous one in linear light, so that all levels have the same
+// mean. Sizes need not be powers of two; for an odd size three texels contribute to two (Guthe and Heckbert, "Non-
+// Power-of-Two Mipmapping", NVIDIA, 2005).
 #pragma once
 
 #include <cstdint>
@@ -13,27 +12,27 @@
 
 namespace lancer {
 
-// Which channel a texture of one number is taken from. automatic: alpha if the picture has one that is not 1
-// everywhere, else the first; for opacity only. alpha is never decoded, and 1 where a picture has none.
+// Channel of a scalar texture. automatic, for opacity only: alpha if the picture has one that is not 1 everywhere, else
+// the first channel. alpha is never decoded, and 1 if the picture has none.
 enum class Channel : uint8_t { color, red, green, blue, alpha, luminance, automatic };
 
 struct MipLevel {
     uint32_t width = 0, height = 0;
-    size_t first = 0;  // where its values begin
+    size_t first = 0;  // index of its first value
     friend bool operator==(const MipLevel&, const MipLevel&) = default;
 };
 
 struct MipPyramid {
     uint32_t channels = 1;         // 1 or 3
     std::vector<MipLevel> levels;  // finest first; rows from the top
-    // Bytes stand for the numbers of `decode`; halves only where the finest level loses nothing by it.
+    // Bytes are decoded by `decode`; halves are used only if the finest level loses no precision.
     std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<float>> values;
     const float* decode = nullptr;  // 256 numbers, for bytes
     Color mean{};                   // of the finest level; all three alike for 1 channel
-    uint64_t not_finite = 0;        // numbers of the picture that were not, and count as 0
+    uint64_t not_finite = 0;        // number of values that were not finite; they count as 0
 
     uint64_t bytes() const;
-    // Whether all texels of all levels are alike.
+    // Whether all texels of all levels are equal.
     bool is_constant() const;
     friend bool operator==(const MipPyramid&, const MipPyramid&) = default;
 };

@@ -1,4 +1,4 @@
-// What varies over a surface: images, checkers and other formulas, and the parameters of materials that they modulate.
+// Textures: images, checkers and other formulas, and the material parameters that they modulate.
 #pragma once
 
 #include <cmath>
@@ -17,51 +17,51 @@ namespace lancer {
 
 enum class Wrap : uint8_t { repeat, clamp };
 
-// How an image becomes a texture.
+// Options of an image texture.
 struct ImageUse {
     Encoding encoding = Encoding::srgb;  // of integers; floats are linear
     Channel channel = Channel::color;
     Wrap wrap = Wrap::repeat;
-    Vec2 scale{1, 1}, offset{0, 0};  // the picture is looked up at uv * scale + offset; v points up
+    Vec2 scale{1, 1}, offset{0, 0};  // lookup at uv * scale + offset; v points up
     float gain = 1, bias = 0;        // value * gain + bias, after decoding
     friend bool operator==(const ImageUse&, const ImageUse&) = default;
 };
 
-// A picture on a surface. Trilinear: between texels, and between levels of the pyramid, by the width of the footprint.
+// An image texture with trilinear filtering: between texels, and between mip levels by the width of the footprint.
 class ImageTexture {
 public:
     ImageTexture(const Raster& raster, const ImageUse& use);
-    // uv: of the surface. Averaged over the square of the footprint's width, 0 for the finest level, also where it is
-    // longer. A uv that is not finite gives some colour of the picture.
+    // uv: of the surface. Filtered over the square of the footprint's width; 0: the finest level. A uv that is not
+    // finite gives some colour of the picture.
     Color eval(Vec2d uv, Footprint footprint) const
     {
         Color color;
         look_up(uv, footprint, color);
         return color;
     }
-    // The same, not returned: see ShadingPoint::look_up().
+    // The same by reference; see ShadingPoint::look_up().
     void look_up(Vec2d uv, Footprint footprint, Color& color) const;
-    // Of the first channel, per texel of the finest level, towards +u and +v of the surface: a difference over one
-    // texel of the level that the footprint asks for.
+    // Slope of the first channel, per texel of the finest level, along +u and +v: the difference over one texel of the
+    // footprint's mip level.
     Vec2 slope(Vec2d uv, float width) const;
-    // The average of the finest level.
+    // Mean of the finest level.
     Color mean() const { return adjusted(pyramid_->mean); }
-    // Of the finest level.
+    // Size of the finest level.
     uint32_t width() const { return pyramid_->levels[0].width; }
     uint32_t height() const { return pyramid_->levels[0].height; }
     const ImageUse& use() const { return use_; }
     uint64_t bytes() const { return pyramid_->bytes(); }
-    // Whether eval() gives the same everywhere: all texels of all levels are alike.
+    // Whether the texture is constant: all texels of all levels are equal.
     bool is_constant() const { return pyramid_->is_constant(); }
-    // Takes the texels of another texture for its own if they are alike; whether they are, and were not shared before.
+    // Shares the texels of another texture if they are equal; returns whether they are and were not shared before.
     bool share(const ImageTexture& other);
-    // How many numbers of the picture were not finite; they count as 0.
+    // Number of values of the picture that were not finite; they count as 0.
     uint64_t not_finite() const { return pyramid_->not_finite; }
 
 private:
     struct Detail {
         uint32_t level;
-        float next;  // part of the next coarser level; 0 at the coarsest
+        float next;  // weight of the next coarser level; 0 at the coarsest
     };
     Detail detail(float width) const;
     double picture_u(double u) const;
@@ -73,11 +73,11 @@ private:
     float footprint_scale_;  // texels of the finest level per unit of uv, along the finer axis
 };
 
-// Squares of two colours: `even` where floor(u) + floor(v) is even.
+// Checker texture: `even` where floor(u) + floor(v) is even.
 struct Checker {
     Color even{1, 1, 1}, odd{};
     Vec2 scale{1, 1}, offset{0, 0};  // as for images
-    // `odd` where uv is not finite.
+    // `odd` if uv is not finite.
     Color eval(Vec2d uv, Footprint) const
     {
         const auto parity = [](double x) {
@@ -95,7 +95,7 @@ using Texture = std::variant<Checker, ImageTexture, Grid, Rim, Waves>;
 
 inline constexpr uint32_t no_texture = UINT32_MAX;
 
-// A parameter: a constant times a texture, if there is one.
+// A material parameter: a constant times an optional texture.
 struct ColorParam {
     Color value;
     uint32_t texture;
@@ -110,21 +110,21 @@ struct FloatParam {
     constexpr FloatParam(float v = 0, uint32_t t = no_texture) : value(v), texture(t) {}
 };
 
-// A place on a surface as far as materials may know it.
+// A surface point as materials see it.
 struct ShadingPoint {
-    bool front = true;                  // the path arrives from the side of the geometric normal
-    Vec2d uv{};                         // of the surface; only filled where the material reads textures
-    float uv_width = 0;                 // footprint of the ray there, in uv
-    Vec2 uv_along{};                    // what is more of it along the ray; see Footprint
-    const Texture* textures = nullptr;  // what indices of textures refer to
-    Color vertex_color{1, 1, 1};        // of the mesh there, a factor of the base colour
-    float eta = 0;                      // index beyond the surface over index before it, where media tell; else 0
+    bool front = true;                  // on the side of the geometric normal
+    Vec2d uv{};                         // only set if the material reads textures
+    float uv_width = 0;                 // footprint of the ray cone, in uv
+    Vec2 uv_along{};                    // elongation along the ray; see Footprint
+    const Texture* textures = nullptr;  // the scene's textures
+    Color vertex_color{1, 1, 1};        // of the mesh; a factor of the base colour
+    float eta = 0;                      // relative index from the media; 0: that of the material
 
-    // Of a boundary: index behind the geometric normal over index in front of it. said: by the material itself.
+    // Index behind the geometric normal over index in front of it. said: the material's own index.
     float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }
 
-    // Out of line: it would stand in the kernel once for each parameter of each material, and most have no texture. Not
-    // returned: what comes in registers by twos was written by ones, and would have to wait for that.
+    // Not inlined: the kernel would contain it once per parameter of each material, and most have no texture. By
+    // reference, as returning a colour in registers would stall.
     void look_up(uint32_t texture, Color& color) const;
     Color eval(uint32_t texture) const
     {
@@ -133,7 +133,7 @@ struct ShadingPoint {
         return color;
     }
     Footprint footprint() const { return {uv_width, uv_along}; }
-    // The same place, to be looked up in full resolution.
+    // The same point for lookups at full resolution.
     ShadingPoint finest() const
     {
         ShadingPoint p = *this;
@@ -141,7 +141,7 @@ struct ShadingPoint {
         return p;
     }
     Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }
-    // The base colour of a material.
+    // Base colour of a material: parameter times vertex colour.
     Color base(const ColorParam& p) const { return eval(p) * vertex_color; }
     float eval(const FloatParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture).r; }
 };
