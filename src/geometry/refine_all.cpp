@@ -9,7 +9,7 @@ namespace {
 
 Double4 clamp(Double4 x, Double4 least, Double4 most) { return select(x < least, least, select(most < x, most, x)); }
 
-// hits[which[k]]: triangles drawn as they are.
+// hits[which[k]]: hits of non-instanced triangles.
 void refine_four(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hits, const FourHits& which)
 {
     std::array<Float4, double_lanes> v0, v1, v2, org, dir;

@@ -1,7 +1,7 @@
-// Metal: GGX microfacets of a conductor, given by its complex index of refraction or by its colour at normal incidence.
-// Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007. On both sides of the surface.
-// What facets reflect more than once is lost, or made up for by the lobe of Kulla and Conty, "Revisiting Physically
-// Based Shading at Imageworks", SIGGRAPH 2017 courses.
+// Metal: GGX microfacets of a conductor, given by its complex index of refraction or its colour at normal incidence, on
+// both sides of the surface. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
+// Multiple scattering is lost, or compensated by the lobe of Kulla and Conty, "Revisiting Physically Based Shading at
+// Imageworks", SIGGRAPH 2017 courses.
 #pragma once
 
 #include "materials/albedo_table.h"
@@ -12,10 +12,10 @@
 
 namespace lancer {
 
-// A complex index of refraction for each channel.
+// A complex index of refraction per channel.
 struct Conductor {
     Color eta, k;
-    Color normal, mean;  // its reflectance at normal incidence and under even light
+    Color normal, mean;  // its reflectance at normal incidence, and its cosine-weighted mean
 
     Color reflectance(double cos) const
     {
@@ -41,15 +41,15 @@ inline Conductor make_conductor(Color eta, Color k)
 
 class MetalBsdf {
 public:
-    // color: F0, or the tint of the conductor if there is one. alpha: 0 for a mirror. compensation: nothing, or
-    // AlbedoTable::white().
+    // color: F0, or the tint of the conductor if there is one. alpha: 0 for a mirror. compensation: a row of
+    // AlbedoTable::white(), or none.
     MetalBsdf(Color color, const Conductor* conductor, float alpha, const AlbedoTable* compensation)
         : color_(color), alpha_(alpha), conductor_(conductor)
     {
         if (!compensation || alpha == 0) return;
         compensation_ = compensation->row(alpha);
         mean_missing_ = compensation->mean_missing(alpha);
-        // The light that leaves after two reflections or more, of what does not leave after the first.
+        // The light of multiple scattering relative to that lost by single scattering.
         const Color f = conductor ? color * conductor->mean : mean_schlick(color);
         const auto series = [this](float x) { return x * x * (1 - mean_missing_) / (1 - x * mean_missing_); };
         multiple_ = {series(f.r), series(f.g), series(f.b)};
@@ -97,7 +97,7 @@ private:
         const FacetReflection facets = eval_facets({alpha_}, o, unit_in_double(wi));
         BsdfValue f{fresnel(facets.cos_h) * static_cast<float>(facets.f_cos), static_cast<float>(facets.pdf)};
         if (!compensation_) return f;
-        // Uniform rather than by the cosine: what is missing grows towards grazing.
+        // Sampled uniformly instead of by the cosine: the loss grows towards grazing angles.
         const float p = probability_of_multiple(missing_o);
         f.f_cos += multiple_ * (missing_o * missing(wi.z) / mean_missing_ * wi.z * (1 / pi));
         f.pdf += p * (pdf_hemisphere - f.pdf);
@@ -124,7 +124,7 @@ struct Metal {
     {
         return {p.base(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
     }
-    // What is no mirror any more is a highlight.
+    // Rough metal has a highlight instead of a mirror.
     Phong phong(const ShadingPoint& p) const
     {
         const float rough = highlight_of(p.eval(roughness));

@@ -1,8 +1,7 @@
-// Rough surfaces as microfacets, isotropic GGX: the distribution of their normals and Smith's height-correlated masking
-// (Walter et al. 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 3(2), 2014), normals sampled as they
-// are seen (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023).
-// In double, and of directions made unit in double: a lobe of alpha 1e-5 is no wider than a few of float's steps. Once
-// for one place and once for several, with the same bits.
+// Isotropic GGX microfacets: normal distribution and Smith's height-correlated masking and shadowing (Walter et al.
+// 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 3(2), 2014), with sampling of visible normals
+// (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023). In double with directions normalised
+// in double, as a lobe of alpha 1e-5 is a few float steps wide. For one point and for several with the same bits.
 #pragma once
 
 #include <optional>
@@ -12,19 +11,18 @@
 
 namespace lancer {
 
-// What is smoother is taken for perfectly smooth: float directions cannot tell a narrower lobe from a line.
+// Surfaces with a smaller alpha are treated as perfectly smooth: float directions cannot resolve a narrower lobe.
 inline constexpr float least_alpha = 1e-5f;
 
-// roughness: perceptual; what textures bring outside [0, 1], or as no number, is moved inside. 0: perfectly smooth.
+// roughness: perceptual, clamped to [0, 1], NaN to 0. 0: perfectly smooth.
 inline float alpha_of_roughness(float roughness)
 {
     const float r = std::min(1.0f, std::max(0.0f, roughness)), alpha = r * r;
     return alpha < least_alpha ? 0 : alpha;
 }
 
-// In the eyes of the classic model, which knows mirrors and highlights: the part of what such a surface reflects that
-// is a highlight, and the exponent of the highlight that is about as wide (Walter et al., section 5.2). Both 0 of a
-// mirror.
+// For the classic integrators: the part of the reflection that is a highlight, and the exponent of a highlight of about
+// the same width (Walter et al., section 5.2). Both 0 for a mirror.
 inline float highlight_of(float roughness) { return alpha_of_roughness(roughness) > 0 ? std::min(1.0f, roughness) : 0; }
 inline float shininess_of(float roughness)
 {
@@ -45,12 +43,12 @@ inline Vec3T<D> mirrored(const Vec3T<D>& w, const Vec3T<D>& h)
     return h * (2.0 * dot(w, h)) - w;
 }
 
-// All directions in double, unit, z > 0 unless said otherwise. D: double or several of them.
+// All directions in double, unit, z > 0 unless stated otherwise. D: double or a vector of them.
 template <class D>
 struct GgxT {
     D alpha;  // > 0
 
-    // Density of the normals per area and solid angle. h: of any length, any sign. From x and y, since 1 - z^2 cancels.
+    // Normal distribution per area and solid angle. h: any length, any sign. From x and y, since 1 - z^2 cancels.
     D density(const Vec3T<D>& h) const
     {
         const D s2 = h.x * h.x + h.y * h.y, z2 = h.z * h.z, length2 = s2 + z2;
@@ -59,22 +57,23 @@ struct GgxT {
     }
     // sqrt(cos^2 + alpha^2 sin^2), which is cos (1 + 2 Lambda). For any z.
     D spread(const Vec3T<D>& w) const { return sqrt(w.z * w.z + alpha * alpha * (w.x * w.x + w.y * w.y)); }
-    // Smith's Lambda: hidden over visible area of the facets seen from w.
+    // Smith's Lambda: ratio of masked to visible facet area from w.
     D lambda(const Vec3T<D>& w) const
     {
         const D a = alpha * alpha * (w.x * w.x + w.y * w.y), cos = abs(w.z);
         return 0.5 * a / (cos * (cos + sqrt(w.z * w.z + a)));
     }
-    // G2 / (4 |cos_o| |cos_i|), with G2 the part of the facets that both directions see. For any z but both 0.
+    // G2 / (4 |cos_o| |cos_i|), with the joint masking-shadowing function G2. For any z except both 0.
     D visibility(const Vec3T<D>& wo, const Vec3T<D>& wi) const
     {
         return 0.5 / (abs(wo.z) * spread(wi) + abs(wi.z) * spread(wo));
     }
-    // A normal as wo sees them: unit, z > 0, dot(wo, h) > 0. v: in [0, 1); phi: sin_cos_2pi() of another such number.
+    // Samples a visible normal of wo: unit, z > 0, dot(wo, h) > 0. v: in [0, 1); phi: sin_cos_2pi() of another such
+    // number.
     Vec3T<D> sample_visible(const Vec3T<D>& wo, D v, const SinCosT<D>& phi) const
     {
         const Vec3T<D> w = normalize(Vec3T<D>{alpha * wo.x, alpha * wo.y, wo.z});
-        // A point of the cap of the unit sphere above -w.z, and z - 1 exact where it is small.
+        // A point on the cap of the unit sphere above -w.z; z - 1 is exact where it is small.
         const D below = v * (1.0 + w.z);
         const D r = sqrt(larger(D{}, below * (2.0 - below)));
         const Vec3T<D> h{r * phi.cos + w.x, r * phi.sin + w.y, 1.0 - below + w.z};
@@ -88,7 +87,7 @@ struct GgxT {
 };
 using Ggx = GgxT<double>;
 
-// What microfacets that reflect all light do, and the cosine at which the facet is met that reflects wo to wi.
+// Reflection by facets of reflectance 1, and the cosine at the facet that reflects wo to wi.
 template <class D>
 struct FacetReflectionT {
     D f_cos, pdf, cos_h;
@@ -106,7 +105,7 @@ inline FacetReflectionT<D> eval_facets(const GgxT<D>& ggx, const Vec3T<D>& wo, c
             .cos_h = smaller(D{} + 1.0, 0.5 * length(sum))};
 }
 
-// A direction drawn with that pdf; nothing if it goes below the surface. wo: unit, z > 0.
+// Samples a direction; nothing if it lies below the surface. wo: unit, z > 0.
 inline std::optional<Vec3> sample_facets(const Ggx& ggx, Vec3d wo, Vec2 v)
 {
     const Vec3 wi = to_float(mirrored(wo, ggx.sample_visible(wo, v)));

@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-// f of a material that is no mix; of a mix the mean of both parts.
+// Calls f for a material; for a mix, the weighted mean of both parts.
 template <class F>
 Color mixed(const Scene& scene, uint32_t id, const ShadingPoint& point, const F& f)
 {
@@ -21,7 +21,7 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
 {
     return std::visit(
         [&](const auto& m) {
-            // Whatever a material calls it.
+            // The parameter has different names in different materials.
             if constexpr (requires { m.albedo; }) {
                 return point.base(m.albedo);
             } else if constexpr (requires { m.base; }) {
@@ -46,7 +46,7 @@ double variance_of_mean(const Pixel& p)
     return std::max(0.0, p.sum_sq / n - y * y) / (n - 1);
 }
 
-// What the channels of an AOV are: a sum, by a count if there is one; or told by the light.
+// How the channels of an AOV are computed: a sum, divided by a count if there is one, or from the radiance sums.
 struct Channels {
     std::string_view names;
     std::optional<AovSum> sum{}, count{};

@@ -10,7 +10,8 @@
 namespace lancer {
 namespace {
 
-// Of a path tracer under nothing but a sky of one colour, as far as is known before all pictures are read.
+// Whether only bounce rays will be traced: a path tracer under a constant environment, as far as that is known before
+// all pictures are read.
 RayUse use_of_rays(const Scene& scene, const AnyIntegrator& integrator)
 {
     const auto* path = std::get_if<Path>(&integrator);
@@ -21,7 +22,7 @@ RayUse use_of_rays(const Scene& scene, const AnyIntegrator& integrator)
     return path && !path->direct.always && !may_shine ? RayUse::bounces : RayUse::all;
 }
 
-// The scene stands where it will stay. Settles which accelerator is meant.
+// Builds the accelerator and resolves AccelKind::automatic. The scene must be at its final address.
 std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& settings)
 {
     if (settings.accel == AccelKind::automatic)

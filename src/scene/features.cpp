@@ -5,7 +5,7 @@
 namespace lancer {
 namespace {
 
-// Which materials some surface wears, with the parts of those that are mixes.
+// Materials in use, with the parts of mixes.
 std::vector<bool> used_materials(const Scene& scene)
 {
     std::vector<bool> used(scene.materials.size());

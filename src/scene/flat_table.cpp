@@ -5,7 +5,7 @@
 namespace lancer {
 namespace {
 
-// More would drive out what else the caches next to the processor hold.
+// Larger tables would evict other data from the caches.
 constexpr size_t most = 2048;
 
 bool is_fit(const Geometry& g)

@@ -8,7 +8,7 @@
 namespace lancer {
 namespace {
 
-// Corners of a triangle in texture space; nothing where the mesh keeps none.
+// Texture coordinates of a triangle's corners; nothing if the mesh has none.
 std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32_t triangle)
 {
     const auto* const i = shading.uv_triangles.find(triangle);
@@ -21,7 +21,7 @@ Vec2 weighed(const std::array<Vec2, 3>& corners, Vec2 uv)
     return corners[0] * first_weight(uv) + corners[1] * uv.x + corners[2] * uv.y;
 }
 
-// The directions of u and v on a triangle, scene units; nothing where it has no extent in texture space.
+// Tangents of a triangle, scene units; nothing if it has no area in texture space.
 std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, const std::array<Vec2, 3>& t)
 {
     const Mesh& mesh = scene.geometry.meshes[hit.geometry];
@@ -44,7 +44,7 @@ std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, co
     return Tangents{to_float(u / lu), to_float(v / lv), {static_cast<float>(lu * unit), static_cast<float>(lv * unit)}};
 }
 
-// Side of a square in uv that covers as much of the texture as a square of side 1 does of the triangle.
+// Scale from lengths on the triangle to uv: side of the uv square with the area of a unit square on the triangle.
 float uv_per_length(const std::array<Vec2, 3>& t, float area)
 {
     const Vec2 a = t[1] - t[0], b = t[2] - t[0];
@@ -69,10 +69,10 @@ Color vertex_color(const Scene& scene, const Hit& hit)
     return color(0) * w + color(1) * hit.uv.x + color(2) * hit.uv.y;
 }
 
-// The interpolated normals of a coarse mesh promise a rounder shape than is there, and its triangles shadow their
-// neighbours in visible steps. Rays start from that rounder shape instead: the mean of the projections of the place
-// onto the tangent planes of the corners. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4. On
-// request only: it lets light through where the mesh is really in its own shade.
+// The shadow terminator fix: the interpolated normals of a coarse mesh suggest a rounder shape than there is, and its
+// triangles shadow their neighbours in visible steps. Rays start from the rounder shape instead: the mean of the
+// projections of the point onto the tangent planes of the corners. Hanika, "Hacking the Shadow Terminator", Ray Tracing
+// Gems II, chapter 4. It is optional, as it leaks light where the mesh really shadows itself.
 Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
 {
     const MeshShading& shading = scene.shading[hit.geometry];
@@ -118,7 +118,7 @@ void map_plane(Surface& s, const Normalisation& normalisation, const PlaneMap& m
     s.uv = to_uv(normalisation.to_file(p) - map.origin);
     const double w = static_cast<double>(width) / normalisation.scale;
     s.uv_width = static_cast<float>(w * std::sqrt(length(cross(map.u, map.v))));
-    // The cone's cut with the plane is longer than wide by the cosine.
+    // The intersection of the cone with the plane is elongated by 1 / cosine.
     const double cos = std::abs(dot(n, d));
     if (cos > 0) {
         const Vec2d along = to_uv((d - n * dot(n, d)) * (w / cos));
@@ -175,12 +175,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     const float width = cone.width + cone.spread * hit.t;
     std::optional<Tangents> tangents;
     const auto reads_uv = [&] { return scene.traits[s.material].reads_uv; };
-    // Spheres and planes: along the ray in double, then back onto the surface; what remains is the rounding to float.
+    // Spheres and planes: the hit point in double, projected back onto the surface; only the rounding to float remains.
     const auto along = [&](double t) { return to_double(ray.org) + to_double(ray.dir) * t; };
     switch (hit.kind) {
         case Kind::sphere: {
             const Sphere& sphere = scene.geometry.spheres[hit.primitive];
-            // From afar the float nearest to t is a good part of a small sphere away, and its rim would face away.
+            // From far away the rounding of t is a large part of a small sphere, and points at its rim would face away.
             const auto c = crossing(sphere, ray);
             const double t = c ? (hit.exit ? c->exit : c->enter) : static_cast<double>(hit.t);
             const Vec3d n = normalize(along(t) - sphere.center);
@@ -194,7 +194,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         }
         case Kind::plane: {
             const Plane& plane = scene.geometry.planes[hit.primitive];
-            // Towards the horizon it lies squares away, and that is along the plane.
+            // Towards the horizon squares of the error lie along the plane.
             const double t = intersect(plane, ray).value_or(static_cast<double>(hit.t));
             const Vec3d there = along(t), p = there - plane.normal * (dot(plane.normal, there) - plane.offset);
             s.p = to_float(p);
@@ -223,7 +223,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     const MaterialTraits& traits = scene.traits[s.material];
     if (tangents && traits.tilts()) {
         s.ns = mapped_normal(traits, scene.shading_point(s), *tangents, s.ns);
-        // A slope steeper than the surface is seen from its edge.
+        // The perturbed normal may face away from the ray.
         if (const float c = dot(s.ns, s.n); c < 0) s.ns = normalize(s.ns - s.n * c);
     }
     s.ns_front = s.ns;
@@ -231,7 +231,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     s.front = face_forward(s.n, s.ns, wo);
     s.origin = offset_origin(s.p, s.p_error, s.n, s.n);
     s.side = s.n;
-    // In the ways of the past normals stay what they are, wherever they point.
+    // In legacy mode normals stay as they are.
     if (scene.legacy) return s;
     if (s.ns == s.n) return s;
     turn_to_ray(s.ns, wo);

@@ -7,7 +7,7 @@
 namespace lancer {
 namespace {
 
-// |M| v: how far an error per axis can reach through a linear map.
+// |M| v: bound of an error per axis after a linear map.
 Vec3d spread(const Transform& m, Vec3d v) { return abs(m.x) * v.x + abs(m.y) * v.y + abs(m.z) * v.z; }
 
 using Rows = std::array<Float4, float_lanes>;  // what stands in memory of eight places
@@ -16,8 +16,7 @@ Vec3x8 turned(const Rows& rows)
     return transpose([&](size_t i) { return rows[i]; }).xyz;
 }
 
-// Normals of eight triangles' corners, each with something behind it; those of CornerNormals::of_flat() where there are
-// none.
+// Corner normals of eight triangles, each followed by another number; CornerNormals::of_flat() for flat ones.
 struct NormalRows {
     std::array<Rows, 3> corners;
 
@@ -31,7 +30,7 @@ struct NormalRows {
     }
 };
 
-// Eight vectors made unit ones, in double.
+// Normalises eight vectors in double.
 struct UnitLanes {
     Vec3x8 v;
     Float8 half_length;
@@ -71,7 +70,7 @@ InteractionLanes places(const Scene& scene, std::span<const Hit> hits, const Hit
     const PointOnTriangle<Float8> at(a, b, c, uv.x, uv.y);
     const UnitLanes flat(normal_of(lower(a), lower(b), lower(c)), normal_of(upper(a), upper(b), upper(c)));
     const Float8 zero{};
-    // What is no number stands for a triangle without area, as for one alone.
+    // NaN: a triangle without area, as in the scalar function.
     InteractionLanes s{
         at.p, at.p_error, select(flat.exist, flat.v, Vec3x8{zero, zero, zero + 1.0f}), {}, flat.half_length};
     s.ns = s.n;
@@ -86,13 +85,13 @@ InteractionLanes places(const Scene& scene, std::span<const Hit> hits, const Hit
     return s;
 }
 
-// What corners name; of a triangle that has no such corners addresses of nothing, which is harmless.
+// Addresses of the corners' data; for triangles without it any address, which is harmless.
 template <class T, class Corners>
 void fetch(const std::vector<T>& values, const Corners& corners)
 {
     for (const uint32_t corner : corners) prefetch(values.data() + corner);
 }
-// Normals of vertices came with the positions.
+// Vertex normals were loaded with the positions.
 void prefetch_normals(const MeshShading& s, uint32_t triangle)
 {
     if (!s.normals.triangles.empty()) fetch(s.normals.values, s.normals.triangles[triangle]);
@@ -137,7 +136,7 @@ TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, 
         const Transform& m = placing.to_world;
         const Vec3d p = to_double(s.p);
         s.p = to_float(m.point(p));
-        // Embree takes the ray into the mesh's space in float: its rounding there, seen from here, comes on top.
+        // Embree transforms the ray into the mesh's space in float; that rounding error, seen from here, is added.
         const Vec3d there = spread(placing.to_mesh, abs(to_double(s.p))) + abs(placing.to_mesh.translation);
         const Vec3d here = spread(m, abs(p)) + abs(m.translation) + spread(m, there);
         s.p_error = to_float(spread(m, to_double(s.p_error)) + here * static_cast<double>(gamma(8)));

@@ -53,7 +53,7 @@ WideScene::SphereLightRow sphere_light_of(const Scene& scene, uint32_t id)
             rounding_on(s)};
 }
 
-// Room for all lights, the rows of others being empty.
+// Rows for all lights; those of other kinds are empty.
 template <class T, class Of>
 std::vector<T> rows_of(const std::vector<WideScene::LightKind>& light_kinds, WideScene::LightKind which, const Of& of)
 {

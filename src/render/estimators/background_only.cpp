@@ -28,7 +28,7 @@ bool sees_one_colour(const Scene& scene)
            scene.geometry.planes.empty();
 }
 
-// Counts how many rectangles cover each cell of a grid: four corners are marked for each, and summed in the end.
+// Counts the rectangles that cover each cell of a grid: four corners are marked for each and summed at the end.
 class Coverage {
 public:
     Coverage(const Camera& camera, uint32_t width, uint32_t height)
@@ -38,7 +38,7 @@ public:
           rows_((height + cell_ - 1) / cell_),
           marks_(size_t{columns_ + 1} * (rows_ + 1)),
           covered_(size_t{columns_} * rows_),
-          // Directions of float, and the way that accelerators take through boxes, are good for some 1e-6 of a radian.
+          // Float directions and the traversal of boxes are accurate to about 1e-6 radians.
           margin_(reach + 4e-6 / static_cast<double>(camera.pixel_spread()))
     {
         const double m = margin_;
@@ -51,7 +51,7 @@ public:
     }
     bool is_useful() const { return margin_ < 0.25 * cell_ * std::max(columns_, rows_); }
 
-    // A triangle whose corners are known up to `error`, scene units.
+    // Adds a triangle whose corners are known up to `error`, scene units.
     void add(const std::array<Vec3d, 3>& corners, double error)
     {
         std::array<Camera::Seen, 3> seen;
@@ -61,8 +61,8 @@ public:
         if (least > nearest * error) return add_rectangle(seen, blur / least);
         add_clipped({seen.begin(), seen.end()}, error);
     }
-    // All that lies within a box, if that is seen as so small that to look at each thing within would not tell more, or
-    // if it is seen where all is covered already. False, and nothing done, if not.
+    // Adds everything inside a box if its projection is so small that testing the content would give no more detail, or
+    // if it is covered already. Else returns false and adds nothing.
     bool add_as_whole(const Bounds& box, double error)
     {
         const Vec3d way = box.center() - position_, half = (box.upper - box.lower) * 0.5;
@@ -94,14 +94,14 @@ public:
         }
         return open;
     }
-    // One that counts from nothing, and knows what is covered here.
+    // A new counter that starts with the present coverage.
     Coverage next() const
     {
         Coverage c = *this;
         std::fill(c.marks_.begin(), c.marks_.end(), 0);
         return c;
     }
-    // What another one of the same grid has been told, too.
+    // Adds the counts of another one with the same grid.
     void add(const Coverage& other)
     {
         for (size_t i = 0; i < marks_.size(); ++i) marks_[i] += other.marks_[i];
@@ -122,7 +122,7 @@ private:
         double at(const Camera::Seen& p) const { return x * p.x + y * p.y + depth * p.depth; }
     };
 
-    // Of what lies before the camera and on the film; where it comes up to the camera itself, all of the film.
+    // The bounds on the film of what lies in front of the camera; the whole film if it reaches the camera.
     void add_clipped(std::vector<Camera::Seen> polygon, double error)
     {
         const double blur = error / static_cast<double>(camera_.pixel_spread());
@@ -147,7 +147,7 @@ private:
     struct Cells {
         uint32_t left, top, right, bottom;  // right and bottom: behind the last
     };
-    // Nothing where there is no telling.
+    // Nothing if the bounds are unknown.
     template <class Points>
     std::optional<Cells> cells_around(const Points& points, double blur) const
     {
@@ -187,7 +187,7 @@ private:
     {
         return c.right - c.left <= each_way && c.bottom - c.top <= each_way;
     }
-    // By small rectangles: the others are only counted.
+    // Adds small rectangles; large ones are only counted.
     bool is_covered(const Cells& c)
     {
         for (uint32_t y = c.top; y < c.bottom; ++y)
@@ -205,11 +205,11 @@ private:
     std::vector<uint8_t> covered_;  // cells by rectangles that were small
     double margin_;                 // pixels
     std::array<Side, 5> sides_;
-    // What Camera::Seen is of a way from the camera's position: dot products.
+    // Camera::Seen of a vector from the camera's position: dot products.
     Vec3d position_, across_, down_, away_;
 };
 
-// Of the triangles' corners. There is one position behind the last.
+// The triangles' corners. There is one position of padding.
 Bounds bounds_of(const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles)
 {
     Float4 lower = load4(&mesh.positions[triangles[0][0]].x), upper = lower;
@@ -231,13 +231,13 @@ std::array<Vec3d, 8> corners_of(const Bounds& b, const Transform& place)
     return corners;
 }
 
-// Rounding of what lies there, as rays from the camera see it; scene units.
+// Rounding error of positions as seen by camera rays; scene units.
 struct ErrorAt {
     double camera_reach;
     double operator()(const Vec3d& p) const { return 1e-6 * (max_component(abs(p)) + camera_reach); }
 };
 
-// The twelve triangles of a box that was moved.
+// The twelve triangles of a transformed box.
 void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const ErrorAt& error_at)
 {
     const std::array<Vec3d, 8> corners = corners_of(b, place);
@@ -251,7 +251,7 @@ void add_box(Coverage& coverage, const Bounds& b, const Transform& place, const 
     }
 }
 
-// A few of them.
+// Adds a range of triangles.
 void add_group(Coverage& coverage, const Mesh& mesh, std::span<const std::array<uint32_t, 3>> triangles,
                const ErrorAt& error_at)
 {
@@ -274,8 +274,7 @@ void add_triangles(Coverage& coverage, const Mesh& mesh, std::span<const std::ar
         add_group(coverage, mesh, triangles.subspan(first, std::min(together, triangles.size() - first)), error_at);
 }
 
-// All triangles that are drawn as they are, by all threads. False: nothing is open any more, which in a room is soon
-// known.
+// Adds all non-instanced triangles in parallel. Returns false if no cell is left uncovered, which is common in rooms.
 bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
 {
     struct Piece {

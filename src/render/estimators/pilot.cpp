@@ -20,7 +20,7 @@ constexpr double occlusion = 0.6;    // likewise of a shadow ray
 constexpr double stratified = 0.12;  // what is left, about, of variance in the few dimensions of a camera ray; fitted
 constexpr double unsorted = 1;       // likewise in which of very many lights is chosen, which has no smooth order
 
-// What a pixel's samples tell, in sums of doubles.
+// Statistics of a pixel's samples, in double.
 struct Look {
     std::array<double, 3> mean{};
     double among_paths = 0, among_parts = 0;  // variance of the luminance: of whole paths, of the parts of one
@@ -45,7 +45,8 @@ Look look_at(std::span<const RadianceSum> samples)
     return look;
 }
 
-// To a power of two: what differs in its last bits, as between accelerators that disagree on a ray, gives one plan.
+// Rounds to a power of two, so that differences in the last bits, as between accelerators that disagree on a ray, give
+// the same plan.
 float rounded(double x)
 {
     if (!(x > 0)) return 0;
@@ -54,7 +55,7 @@ float rounded(double x)
     return static_cast<float>(std::ldexp(1.0, mantissa < 0.70710678118654752 ? exponent - 1 : exponent));
 }
 
-// A grid of looks over the picture.
+// A grid of measured pixels.
 struct Survey {
     uint32_t cell, columns, rows;
     std::vector<Look> looks;
@@ -68,8 +69,8 @@ struct Survey {
 Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
               const Camera& camera, uint32_t width, uint32_t height)
 {
-    // Light that mirrors or the camera see straight is none that a path could spend more or less on. Of the other parts
-    // all count, wanted or not: they add up to the whole only with one plan.
+    // Light of the view segment does not depend on the plan. All other segments count, whether they are part of the
+    // picture or not: the parts add up to the whole only with a common plan.
     Path pilot = path;
     pilot.parts = {};
     pilot.parts.emitters = false;
@@ -105,12 +106,12 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
     return s;
 }
 
-// The split that has the least error at equal time: with paths of variance v and cost c up to the split, and of
-// variance v', cost c' below it, sqrt(v' c / (v c')). Bolin and Meyer, "An Error Metric for Monte Carlo Ray Tracing",
-// 1997, after Arvo and Kirk.
+// The split with the lowest error at equal time: with variance v and cost c of the path before the split, and v', c'
+// behind it, sqrt(v' c / (v c')). Bolin and Meyer, "An Error Metric for Monte Carlo Ray Tracing", 1997, after Arvo and
+// Kirk.
 uint32_t best_split(const Survey& s, const LightTable& lights)
 {
-    // Of the variance above the split, when samples are spread well.
+    // Part of the variance before the split that remains with low-discrepancy samples.
     const double by_tree = lights.tree ? lights.tree_share : 0;
     const double left = unsorted * by_tree + stratified * (1 - by_tree);
     const double floor = s.floor();
@@ -131,7 +132,7 @@ uint32_t best_split(const Survey& s, const LightTable& lights)
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
 }
 
-// Of the cell and its neighbours: one look alone is noisy.
+// Mean of the cell and its neighbours: a single cell is noisy.
 std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t row)
 {
     std::array<double, 3> shown{};
@@ -143,7 +144,7 @@ std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t ro
     return shown;
 }
 
-// SamplingPlan::importance.
+// Computes SamplingPlan::importance.
 void estimate_importance(const Survey& s, SamplingPlan& plan)
 {
     if (!(s.brightness() > 0)) return;

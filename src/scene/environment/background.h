@@ -1,6 +1,5 @@
-// What is seen where a ray meets nothing: a sky of bands or of a picture, a ground below the horizon, and the discs as
-// which lights without size can be shown. Called by Scene, which adds it to the environment; light sampling draws it by
-// a table that make_background_table() makes of both.
+// The background: a sky of colour bands or a picture, a ground below the horizon, and discs that show lights without
+// size. Scene adds it to the environment; light sampling uses the table of make_background_table() for both.
 #pragma once
 
 #include <memory>
@@ -18,16 +17,16 @@ class EnvironmentMap;
 
 class Background {
 public:
-    // The pictures are those that the description names, else null. legacy: as the course's ray tracer has it: the
-    // checker is not filtered, and fish-eyes of its kind end in grey above the horizon.
+    // The pictures are those that the description names, else null. legacy: as the ray tracer that --legacy reproduces:
+    // the checker is not filtered, and its fish-eye pictures end in grey above the horizon.
     Background(const BackgroundDescription& what, const Raster* sky, const Raster* ground, bool legacy);
 
-    // Radiance that arrives along a ray that leaves the scene towards dir (unit). spread: angle, in radians, over which
-    // the pattern of the ground is averaged; 0: not at all.
+    // Radiance of a ray that leaves the scene towards dir (unit). spread: angle in radians over which the ground's
+    // pattern is filtered; 0: not filtered.
     Color eval(Vec3 dir, float spread = 0) const;
-    // Whether all directions of this height, the sine of their elevation, look the same (but for their spread).
+    // Whether the background is the same all around at this height, the sine of the elevation.
     bool is_same_around(double height) const;
-    // What a ground passes into with distance, without the factor `strength`.
+    // The colour into which a ground fades with distance, without the factor `strength`.
     Color fade() const { return fade_; }
 
     bool z_up() const { return what_.z_up; }
@@ -35,7 +34,7 @@ public:
     const std::optional<ProjectedPicture>& sky_picture() const { return sky_; }
     const std::optional<ProjectedPicture>& ground_picture() const { return ground_; }
     const std::optional<ImageTexture>& ground_plane() const { return plane_; }
-    // Texels of the pictures that had something negative, or no finite number: that counts as black.
+    // Number of texels of the pictures that were negative or not finite; they count as black.
     uint64_t bad_texels() const;
     uint64_t bytes() const;  // of the pictures
 
@@ -51,16 +50,16 @@ private:
     Color fade_;
 };
 
-// How bright the lights without size are as discs: each of a radius of four degrees around the direction in which it
-// is seen from org, as bright in its middle as its intensity or irradiance says, falling off with (1 - degrees / 4)^2.
-// No physical light: it is seen and lights nothing.
+// Glow: radiance of point and directional lights shown as discs with a radius of four degrees around their direction
+// from org. The centre has the light's intensity or irradiance, with a falloff of (1 - degrees / 4)^2. It is visible
+// but illuminates nothing.
 Color glow_of_lights(const Scene& scene, Vec3 org, Vec3 dir);
 
-// By what light sampling draws everything that lies infinitely far away: environment and background together.
+// The sampling table of everything at infinity: environment and background together.
 std::shared_ptr<const EnvironmentMap> make_background_table(const Scene& scene);
 
-// Waits for the pictures of the background, makes Scene::background of them and, after receive_environment(), the
-// table. What cannot be read is an error.
+// Waits for the pictures of the background, makes Scene::background and, after receive_environment(), the table.
+// Pictures that cannot be read are errors.
 void receive_background(Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -1,8 +1,7 @@
-// Light from infinitely far away, by a latitude-longitude picture: OpenEXR's convention (ImfEnvmap.h), in which the
-// centre of the picture is +z, the top is +y, and longitude falls from +pi at the left edge to -pi at the right.
-// Looked up bilinearly between the middles of texels, and drawn in proportion to the luminance of that: a row of cells
-// and a cell from tables, then a place in the cell. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
-// sections 12.5 and A.5.
+// An environment map: a latitude-longitude picture in OpenEXR's convention (ImfEnvmap.h): the centre of the picture is
+// +z, the top is +y, and longitude falls from +pi at the left edge to -pi at the right. Radiance is interpolated
+// bilinearly between texel centres and sampled in proportion to its luminance: a row of cells and a cell by tables,
+// then a point in the cell. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., sections 12.5 and A.5.
 #pragma once
 
 #include <memory>
@@ -22,42 +21,42 @@ struct EnvironmentSample {
 
 class EnvironmentMap {
 public:
-    // Radiance is texel * factor + constant; integers of the picture are sRGB. rotate_deg turns the picture about x,
-    // then y, then z. The picture is let go of before the tables are made. Runs in parallel.
+    // Radiance is texel * factor + constant; integers of the picture are sRGB. rotate_deg rotates the picture about x,
+    // then y, then z. The picture is freed before the tables are made. Runs in parallel.
     EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg);
 
-    // Radiance that arrives along a ray that leaves the scene towards wi (unit).
+    // Radiance of a ray that leaves the scene towards wi (unit).
     Color eval(Vec3 wi) const;
-    // Not where is_black(). The radiance and the density are those of wi as eval() and pdf() find them.
+    // Samples a direction; radiance and density are those of eval() and pdf() for it. Must not be called if is_black().
     EnvironmentSample sample(Vec2 u) const;
     float pdf(Vec3 wi) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
-    // Integral of the radiance's luminance over all directions, as the tables have it: exact but for the change of the
-    // cosine within a cell.
+    // Integral of the luminance over all directions by the tables, which neglect the change of the cosine within a
+    // cell.
     double power() const { return total_; }
     bool is_black() const { return total_ == 0; }
-    // Texels that had something negative, or no finite number: that counts as black.
+    // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
     uint64_t bytes() const;
 
 private:
-    // A direction in texels: x in [0, width] from the left, y in [0, height] from the top.
+    // Texel coordinates of a direction: x in [0, width] from the left, y in [0, height] from the top.
     struct Place {
         double x, y;
     };
-    // What lies between the middles of four texels; in the rows 0 and `height` between a pole and two of them.
+    // A cell between the centres of four texels; in rows 0 and `height` between a pole and two texels.
     struct Cell {
         uint32_t row, left, right, above, below;
-        double x, y;  // of a place in it, in [0, 1]
+        double x, y;  // position in the cell, in [0, 1]
     };
 
     void take_texels(const Raster& picture, Color factor, Color constant);
     void make_tables();
     Color texel(uint32_t column, uint32_t row) const;
     double texel_luminance(uint32_t column, uint32_t row) const;
-    // Polar angle of the border above a row of cells.
+    // Polar angle of the upper border of a row of cells.
     double border(uint32_t row) const;
     double solid_angle(uint32_t row) const;  // of a cell
     Place place_of(Vec3 wi) const;
@@ -69,8 +68,8 @@ private:
     uint32_t width_, height_;
     Transform to_world_;
     std::unique_ptr<float[]> texels_;   // RGB, rows from the top
-    std::unique_ptr<double[]> in_row_;  // of each cell the weights of its row up to and including it
-    std::unique_ptr<double[]> rows_;    // of each row of cells the weights of the rows up to and including it
+    std::unique_ptr<double[]> in_row_;  // cumulative weights of the cells in each row
+    std::unique_ptr<double[]> rows_;    // cumulative weights of the rows
     double total_ = 0;
     uint64_t bad_ = 0;
 };

@@ -1,5 +1,5 @@
-// A picture of what lies around, by latitude and longitude or through a fish-eye lens, and the way from a direction to
-// a place in it. Looked up bilinearly between the middles of texels.
+// A picture of the surroundings in latitude-longitude or fish-eye projection, looked up by direction with bilinear
+// interpolation between texel centres.
 #pragma once
 
 #include "core/image.h"
@@ -14,21 +14,21 @@ public:
     // how.projection: any but planar. Integers of the picture are sRGB.
     ProjectedPicture(const BackgroundPicture& how, const Raster& picture);
 
-    // A place in pixels: x in [0, width] from the left, y in [0, height] from the top.
+    // Pixel coordinates: x in [0, width] from the left, y in [0, height] from the top.
     struct Place {
         double x, y;
     };
-    // d: unit, z up. Latitude and longitude: the middle of the picture is seen towards -y, +x lies a quarter of the
-    // width from the left edge, the upper edge is +z. A fish-eye has +x on the right and +y below, as a camera that
-    // looks up sees them; what lies beyond its rim is shown as the rim.
+    // Projection of direction d (unit, z up). Latitude-longitude: the centre of the picture is -y, +x lies a quarter of
+    // the width from the left edge, the upper edge is +z. Fish-eye: +x is on the right and +y below, as a camera that
+    // looks up sees them; directions beyond its rim show the rim.
     Place place_of(Vec3d d) const;
     Color eval(Vec3d d) const;
 
     int32_t width() const { return image_.display.width(); }
     int32_t height() const { return image_.display.height(); }
-    // How many pixels a radian has where the picture is finest, about.
+    // Approximate number of pixels per radian where the picture is finest.
     double pixels_per_radian() const;
-    // Texels that had something negative, or no finite number: that counts as black.
+    // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
     uint64_t bytes() const { return image_.pixels.size() * sizeof(Color); }
 
@@ -42,7 +42,7 @@ private:
     uint64_t bad_ = 0;
 };
 
-// Colours that cannot shine made black, and how many they were.
+// Sets colours that are negative or not finite to black and returns their number.
 uint64_t blacken_bad_texels(Image& image);
 
 }  // namespace lancer

@@ -6,7 +6,7 @@
 namespace lancer {
 namespace {
 
-// One that is infinitely far away; else of u what is left for the tree, in [0, 1).
+// Selects a light at infinity; else u is remapped to [0, 1) for the tree.
 std::optional<LightTree::Choice> far_away(const LightTable& table, double& u)
 {
     for (const uint32_t id : table.far) {

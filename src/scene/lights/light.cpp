@@ -15,7 +15,7 @@ namespace {
 
 ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
 
-// Each samples as seen from `org`, where the shadow ray will start.
+// Each samples as seen from `org`, the origin of the shadow ray.
 std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface&, Vec3 org, Vec2)
 {
     const Vec3 d = light.position - org;
@@ -30,8 +30,7 @@ std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, c
     return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
 }
 
-// What a place of a light sends out to one side, as far as there is a surface. uv(): of the place; only asked if
-// something is looked up there.
+// Radiance of a point of a light towards one side. uv(): of the point; only called for textures.
 template <class Uv>
 Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& uv)
 {
@@ -54,7 +53,7 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
         const TrianglePoint at = triangle_point(scene, light.instance, light.mesh, light.triangle, uv);
         p = at.p, p_error = at.p_error, n = at.n, area = at.area;
     }
-    // Made in place: what is copied as a whole right after it was written in parts waits for all that came before.
+    // Constructed in place: copying it would stall on store forwarding.
     std::optional<LightSample> s;
     const SeenTriangle<float> seen(p, n, org);
     if (!(seen.d2 > 0)) return s;
@@ -70,8 +69,8 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     return s;
 }
 
-// A sphere of light as a point at its centre of the same power, for shadows without penumbra: of what faces the surface
-// the nearest place shines for all. The shadow ray ends there; from inside, at the centre.
+// A sphere light as a point at its centre with the same power, for hard shadows: the radiance is that of the nearest
+// point. The shadow ray ends there; from inside, at the centre.
 std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, uint32_t material, Vec3 org)
 {
     const Vec3d d = s.center - to_double(org);
@@ -93,7 +92,7 @@ std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, ui
                        .delta = true};
 }
 
-// Uniform in the cone under which the sphere is seen; from inside, uniform over the area.
+// Uniform in the cone that the sphere subtends; from inside, uniform over the area.
 std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, const Surface&, Vec3 org, Vec2 u)
 {
     const Sphere& s = scene.geometry.spheres[light.sphere];
@@ -138,7 +137,8 @@ std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, c
     return LightSample{.wi = s.wi, .infinite = true, .radiance = scene.environment, .pdf = s.pdf};
 }
 
-// Whatever it is. Out of line: most lights are triangles, and should not pay for what the others want of the stack.
+// Samples any kind of light. Not inlined: most lights are triangles and should not pay for the stack frame of the
+// others.
 [[gnu::noinline]] std::optional<LightSample> sample_other(const Scene& scene, const Light& any, const Surface& from,
                                                           Vec3 org, Vec2 u)
 {
@@ -180,8 +180,8 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
                                               bool through)
 {
     const LightTable& table = scene.lights;
-    // Where every ray on a side starts: the density that pdf_light() finds for such a ray is then the same. From
-    // from.p itself the two could disagree even on which side of a sphere they are.
+    // The common origin of all rays on a side, so that the density is that of pdf_light() for such a ray. From from.p
+    // the two could even disagree on which side of a sphere they are.
     const auto sampled_from = [&](Vec3 side) {
         const Vec3 org = ray_origin(from, side);
         const Light& light = table.lights[id];
@@ -207,13 +207,13 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surfa
         const float c = std::abs(dot(wi, at.n));
         return c > 0 ? choice * dot(d, d) / (c * at.area) : 0;
     }
-    // As from its centre: light sampling has all of it, as of every light that no ray can meet.
+    // Sampled at its centre: light sampling covers all of it, as for every light that rays cannot hit.
     if (!scene.soft_shadows) return std::numeric_limits<float>::infinity();
     const auto& light = std::get<SphereLight>(scene.lights.lights[at.light]);
     const Sphere& s = scene.geometry.spheres[light.sphere];
     const Vec3d to_center = s.center - to_double(from);
     const double d2 = dot(to_center, to_center), r2 = s.radius * s.radius;
-    // From outside only the near side is sampled; rays find the far one through holes in the near.
+    // From outside only the near side is sampled; rays hit the far side through holes in the near one.
     if (d2 > r2 && !at.front && scene.geometry.alpha_test.spheres) return 0;
     if (d2 > r2) return choice * static_cast<float>(pdf_cone(one_minus_cos(r2 / d2)));
     const Vec3d d = to_double(at.p) - to_double(from);

@@ -22,11 +22,12 @@ LightBounds bounds_of(std::span<const uint32_t> ids, std::span<const LightBounds
     return all;
 }
 
-// How many groups of at most so many lights make one.
+// Number of groups of at most `most` lights that hold `count`.
 size_t groups_in(size_t lights, size_t most) { return (lights + most - 1) / most; }
 
-// Cuts a group of two or more in two, where the cost of both is least, or about; returns how many are in the first.
-// These shall fit into groups of at most `most`, of `spare` more than the whole; and fill nodes, above the lowest one.
+// Splits a group of two or more at about the lowest cost of both parts; returns the size of the first part. Each part
+// must fit into groups of at most `most`, with `spare` groups more than the whole needs, and fill nodes above the
+// lowest level.
 size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, size_t most, size_t spare)
 {
     const size_t n = ids.size();
@@ -63,12 +64,12 @@ size_t cut(std::span<uint32_t> ids, std::span<const LightBounds> lights, size_t 
     }
     const size_t step = n > float_lanes ? float_lanes : 1, wanted = first;
     const auto fits = [&](size_t count) {
-        // One by itself stays so: beside a lamp that outshines all others, those would hardly be found.
+        // A light much stronger than the others gets its own group; otherwise the others would hardly be selected.
         const bool fills = count % step == 0 || (count == wanted && (count == 1 || count == n - 1));
         return count > 0 && count < n && fills &&
                groups_in(count, most) + groups_in(n - count, most) <= groups_in(n, most) + spare;
     };
-    // The nearest that fits.
+    // The nearest valid split.
     for (size_t off = 0; !fits(first); ++off) first = off % 2 == 0 ? first + off + 1 : first - off - 1;
     const auto end = ids.begin() + static_cast<std::ptrdiff_t>(first);
     std::nth_element(ids.begin(), end, ids.end(), [&](uint32_t a, uint32_t b) {
@@ -100,17 +101,17 @@ uint32_t LightTree::build(std::span<uint32_t> ids, std::span<const LightBounds> 
     nodes_.emplace_back();
     parent_.push_back(parent);
     has_cones_.push_back(0);
-    // Lights of a child, so that the tree is no deeper than it must be, whatever the arrangement of lights.
+    // Limits the lights per child, so that the depth is minimal for any arrangement of lights.
     size_t most = 1;
     while (most * float_lanes < ids.size()) most *= float_lanes;
-    // The largest group is cut until there are eight.
+    // Splits the largest group until there are eight.
     std::array<std::span<uint32_t>, float_lanes> groups;
     groups[0] = ids;
     size_t count = 1, spare = groups.size() - groups_in(ids.size(), most);
     while (count < groups.size()) {
         const auto largest = std::max_element(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(count),
                                               [](const auto& a, const auto& b) { return a.size() < b.size(); });
-        // What fits into a node is left whole: each step down costs more than one number more to look at.
+        // Groups that fit into a node stay whole: a level costs more than one more importance.
         if (largest->size() <= (most > 1 ? float_lanes : 1)) break;
         const std::span<uint32_t> whole = *largest;
         const size_t first = cut(whole, lights, most, spare);
@@ -142,16 +143,16 @@ void LightTree::set(size_t number, size_t lane, const LightBounds& b)
     to(node.axis.x, b.normals.axis.x), to(node.axis.y, b.normals.axis.y), to(node.axis.z, b.normals.axis.z);
     to(node.radius, length(half));
     to(node.cos_angle, std::cos(b.normals.angle)), to(node.sin_angle, std::sin(b.normals.angle));
-    // However weak a light is beside the others, it is found.
+    // Even the weakest light keeps a probability above 0.
     to(node.power, std::max(b.power * scale_, 1e-30));
     node.both_sides[lane] = b.both_sides ? -1 : 0;
     if (b.normals.angle > 0) has_cones_[number] = 1;
 }
 
-// How much may come from each child, about: power by squared distance, times the cosines at both ends. As lengths along
-// the normals, of the way to the centre: whichever the point in the ball, its way is longer by the radius at most, and
-// so what a place sees is never 0. The mean squared distance from a ball's points is that of the centre and of them
-// from it, about.
+// Importance of each child: power over squared distance, times the cosines at both ends, computed as distances along
+// the normals. For every point in the sphere the distance is at most larger by the radius, so that the importance of a
+// visible light is never 0. The mean squared distance of the sphere's points is about that of the centre plus that of
+// the points from the centre.
 inline Float8 LightTree::importances(size_t number, Vec3 point, Vec3 normal) const
 {
     const Node& node = nodes_[number];
@@ -160,7 +161,7 @@ inline Float8 LightTree::importances(size_t number, Vec3 point, Vec3 normal) con
     const Float8 distance2 = dot(to, to), along = -dot(to, node.axis);
     Float8 at_light = select(node.both_sides, abs(along), along);
     if (has_cones_[number]) {
-        // Along that one of the cone's normals that faces the place most.
+        // For the normal of the cone that faces the point most.
         const Float8 distance = sqrt(distance2), across = sqrt(max(zero, distance2 - at_light * at_light));
         at_light =
             select(at_light > distance * node.cos_angle, distance, at_light * node.cos_angle + across * node.sin_angle);
@@ -174,9 +175,8 @@ inline Float8 LightTree::importances(size_t number, Vec3 point, Vec3 normal) con
 
 namespace {
 
-// Where the parts of the lanes begin that lie side by side, and where the last one ends. In double: beside a strong
-// light float sums would lose what is weaker by 2^-24, which then is never chosen, though it may be the only one that
-// is not hidden.
+// Cumulative sums of the lanes. In double: beside a strong light float sums would lose lights weaker by 2^-24, which
+// may be the only visible ones.
 struct Edges {
     Double4 low, high;
     double end;
@@ -187,7 +187,7 @@ struct Edges {
         low = moved(a), high = moved(b) + half, end = a[3] + b[3];
     }
     double operator[](size_t i) const { return i < 4 ? low[i] : high[i - 4]; }
-    // How many parts begin at x or before; x >= 0.
+    // Number of parts that begin at or before x >= 0.
     size_t count_to(double x) const
     {
         const Double4 at = broadcast(x);
@@ -195,9 +195,9 @@ struct Edges {
     }
 
 private:
-    // Each lane where the one before was, and 0 in the first.
+    // Shifts lanes by one, 0 in the first.
     static Double4 moved(Double4 x) { return _mm256_blend_pd(_mm256_permute4x64_pd(x, 0x90), _mm256_setzero_pd(), 1); }
-    // The sum of each lane and those before.
+    // Prefix sums.
     static Double4 sums_of(Float4 weights)
     {
         Double4 x = _mm256_cvtps_pd(weights);
@@ -214,7 +214,7 @@ inline bool LightTree::descend(Descent& d) const
     const Edges edges(weights);
     if (!(edges.end > 0) || !(edges.end < std::numeric_limits<double>::infinity())) return false;
     const double x = d.u * edges.end;
-    // Without jumps: nobody can predict them. Back where x was rounded up to the end.
+    // Without branches, which could not be predicted. Steps back if x was rounded up to the end.
     size_t lane = edges.count_to(x) - 1;
     while (!(weights[lane] > 0)) --lane;
     const auto weight = static_cast<double>(weights[lane]);
@@ -234,7 +234,7 @@ LightTree::Choice LightTree::choose(Vec3 point, Vec3 normal, double u) const
     return {d.at & ~is_leaf, static_cast<float>(d.probability)};
 }
 
-// Of all that descend() reads.
+// Prefetches what descend() reads.
 inline void LightTree::fetch(const Node& node)
 {
     const auto* bytes = reinterpret_cast<const char*>(&node);
@@ -248,7 +248,7 @@ void LightTree::choose(const Vec3x8& points, const Vec3x8& normals, const std::a
     if (nodes_.empty()) return;
     std::array<Descent, float_lanes> descents;
     for_each_lane(lanes, [&](uint32_t i) { descents[i] = {lancer::lane(points, i), lancer::lane(normals, i), u[i]}; });
-    // One level of all before the next of any: the CPU works at several.
+    // One level for all points before the next level, so that their cache misses overlap.
     while (lanes != 0) {
         uint32_t further = 0;
         for_each_lane(lanes, [&](uint32_t i) {
