@@ -21,7 +21,7 @@
 namespace lancer {
 namespace {
 
-void say(const char* name, const std::string& value) { print_result(format_text("%-13s ", name) + value); }
+void print_field(const char* name, const std::string& value) { print_result(format_text("%-13s ", name) + value); }
 
 std::string megabytes(uint64_t bytes) { return format_text("%.2f MB", 1e-6 * static_cast<double>(bytes)); }
 
@@ -62,7 +62,7 @@ public:
     }
     void print() const
     {
-        say("file", d_.file);
+        print_field("file", d_.file);
         print_shapes();
         print_materials();
         print_textures();
@@ -70,7 +70,7 @@ public:
         print_background();
         print_cameras();
         print_memory();
-        say("features", features());
+        print_field("features", features());
     }
 
 private:
@@ -82,8 +82,8 @@ private:
             if (!m.instanced) drawn += m.triangles.size();
         }
         for (const Instance& i : scene_.geometry.instances) drawn += scene_.geometry.meshes[i.mesh].triangles.size();
-        say("triangles", format_text("%zu, drawn %zu", size_t{scene_.triangle_count()}, size_t{drawn}));
-        say("vertices", std::to_string(vertices));
+        print_field("triangles", format_text("%zu, drawn %zu", size_t{scene_.triangle_count()}, size_t{drawn}));
+        print_field("vertices", std::to_string(vertices));
         const auto meshes = [&](const char* shape) {
             return count(d_.meshes, [&](const MeshDescription& m) { return m.data->shape == shape; });
         };
@@ -92,16 +92,16 @@ private:
             return count(d_.spheres, [&](const SphereDescription& s) { return s.part == part; });
         };
         const uint64_t water = count(d_.planes, [](const PlaneDescription& p) { return p.is_water; });
-        say("shapes",
-            listed({of_kind("mesh", "meshes", meshes("")), of_kind("triangle", "triangles", meshes("triangle")),
-                    of_kind("pyramid", "pyramids", meshes("pyramid")),
-                    of_kind("instance", "instances", d_.instances.size()),
-                    of_kind("sphere", "spheres", spheres(Part::whole)),
-                    of_kind("bubble", "bubbles", spheres(Part::bubble)),
-                    of_kind("plane", "planes", d_.planes.size() - water),
-                    of_kind("plane of water", "planes of water", water)}));
+        print_field("shapes",
+                    listed({of_kind("mesh", "meshes", meshes("")), of_kind("triangle", "triangles", meshes("triangle")),
+                            of_kind("pyramid", "pyramids", meshes("pyramid")),
+                            of_kind("instance", "instances", d_.instances.size()),
+                            of_kind("sphere", "spheres", spheres(Part::whole)),
+                            of_kind("bubble", "bubbles", spheres(Part::bubble)),
+                            of_kind("plane", "planes", d_.planes.size() - water),
+                            of_kind("plane of water", "planes of water", water)}));
         const Bounds b = subject_bounds(d_);
-        if (b.extent() > 0) say("bounds", to_text(b.lower) + " to " + to_text(b.upper));
+        if (b.extent() > 0) print_field("bounds", to_text(b.lower) + " to " + to_text(b.upper));
     }
     void print_materials() const
     {
@@ -111,7 +111,7 @@ private:
             ++counts[is_mix ? "mix"
                             : std::visit([](const auto& m) { return std::string(m.name); }, scene_.materials[i])];
         }
-        say("materials", listed(counts));
+        print_field("materials", listed(counts));
     }
     void print_textures() const
     {
@@ -123,9 +123,9 @@ private:
                 sizes += format_text("%s%ux%u (%s)", sizes.empty() ? "" : ", ", image->width(), image->height(),
                                      megabytes(image->bytes()).c_str());
             }
-        say("textures",
-            listed({of_kind("image", "images", images), of_kind("other", "others", scene_.textures.size() - images)}) +
-                (sizes.empty() ? "" : ": " + sizes));
+        print_field("textures", listed({of_kind("image", "images", images),
+                                        of_kind("other", "others", scene_.textures.size() - images)}) +
+                                    (sizes.empty() ? "" : ": " + sizes));
     }
     void print_lights() const
     {
@@ -136,7 +136,7 @@ private:
         for (const Light& l : scene_.lights.lights)
             if (std::holds_alternative<TriangleLight>(l)) ++triangles;
         counts.insert(of_kind("emitting triangle", "emitting triangles", triangles));
-        say("lights", listed(counts));
+        print_field("lights", listed(counts));
     }
     void print_background() const
     {
@@ -153,13 +153,13 @@ private:
             ground = made->ground_plane() ? sized(ground.c_str(), made->ground_plane())
                                           : sized(ground.c_str(), made->ground_picture());
         }
-        say("background", "sky: " + sky + ", ground: " + ground + (b.glow ? ", glow of lights" : ""));
+        print_field("background", "sky: " + sky + ", ground: " + ground + (b.glow ? ", glow of lights" : ""));
     }
     void print_cameras() const
     {
         std::string names = d_.camera && d_.camera->name.empty() ? "the unnamed one" : "";
         for (const CameraDescription& c : d_.cameras) names += (names.empty() ? "" : ", ") + on_one_line(c.name);
-        say("cameras", names.empty() ? "none; one that sees the whole scene is added" : names);
+        print_field("cameras", names.empty() ? "none; one that sees the whole scene is added" : names);
     }
     void print_memory() const
     {
@@ -172,9 +172,9 @@ private:
                        s.emitters.bytes();
         for (const Texture& t : scene_.textures)
             if (const auto* image = std::get_if<ImageTexture>(&t)) textures += image->bytes();
-        say("memory", "geometry " + megabytes(geometry) + ", shading " + megabytes(shading) + ", textures " +
-                          megabytes(textures) + ", lights " + megabytes(bytes_of(scene_.lights.lights)) +
-                          ", accelerator " + megabytes(accel_.stats().bytes));
+        print_field("memory", "geometry " + megabytes(geometry) + ", shading " + megabytes(shading) + ", textures " +
+                                  megabytes(textures) + ", lights " + megabytes(bytes_of(scene_.lights.lights)) +
+                                  ", accelerator " + megabytes(accel_.stats().bytes));
     }
     std::string features() const
     {
@@ -195,7 +195,7 @@ private:
 
 void print_metadata(const Metadata& metadata)
 {
-    for (const auto& [name, value] : metadata) say(name.c_str(), to_string(value));
+    for (const auto& [name, value] : metadata) print_field(name.c_str(), to_string(value));
 }
 
 std::string to_text(const Window& w) { return format_text("%dx%d at %d %d", w.width(), w.height(), w.x0, w.y0); }
@@ -204,25 +204,25 @@ void print_picture(const std::string& path)
 {
     if (extension_of(path) == ".exr") {
         const ExrInfo info = read_exr_info(path);
-        say("file", path);
-        say("size", format_text("%dx%d", info.display.width(), info.display.height()));
-        if (info.data != info.display) say("pixels", to_text(info.data));
+        print_field("file", path);
+        print_field("size", format_text("%dx%d", info.display.width(), info.display.height()));
+        if (info.data != info.display) print_field("pixels", to_text(info.data));
         std::string channels;
         for (const auto& c : info.channels) channels += (channels.empty() ? "" : ", ") + c.name + " " + c.type;
-        say("channels", channels);
-        say("compression", info.compression);
+        print_field("channels", channels);
+        print_field("compression", info.compression);
         return print_metadata(info.metadata);
     }
     if (extension_of(path) == ".png") {
         const PngInfo info = read_png_info(path);
-        say("file", path);
-        say("size", format_text("%ux%u", info.width, info.height));
-        say("channels", format_text("%u of %u bits", info.channels, info.bits));
+        print_field("file", path);
+        print_field("size", format_text("%ux%u", info.width, info.height));
+        print_field("channels", format_text("%u of %u bits", info.channels, info.bits));
         return print_metadata(info.metadata);
     }
     const Image image = read_image(path);
-    say("file", path);
-    say("size", format_text("%dx%d", image.display.width(), image.display.height()));
+    print_field("file", path);
+    print_field("size", format_text("%dx%d", image.display.width(), image.display.height()));
 }
 
 int print_scene(const InfoOptions& options)
@@ -240,12 +240,12 @@ int print_scene(const InfoOptions& options)
         Scene scene = Scene::begin(completed, diagnostics, images.source());
         const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
-        say("kernel", std::string(name_of(renderer.profile())));
-        say("unused", "");
+        print_field("kernel", std::string(name_of(renderer.profile())));
+        print_field("unused", "");
         for (const UnusedFeature& l : unused_features_of(renderer, renderer.profile()))
             print_result("  " + to_string(l));
     });
-    say("warnings", diagnostics.warnings().empty() ? "none" : "");
+    print_field("warnings", diagnostics.warnings().empty() ? "none" : "");
     for (const auto& warning : diagnostics.warnings()) print_result("  " + to_string(warning));
     return exit_done;
 }

@@ -25,9 +25,9 @@ struct View {
         return lancer::surface_at(scene, ray, hit, cone, place);
     }
     // See scene/triangle_interaction.h.
-    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> places) const
+    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> interactions) const
     {
-        lancer::triangle_interactions(scene, hits, places);
+        lancer::triangle_interactions(scene, hits, interactions);
     }
 
     // Calls f with the concrete BSDF of the point, so that its functions are inlined: the one dispatch per hit. Of a

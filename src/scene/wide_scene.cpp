@@ -84,11 +84,11 @@ WideScene::Fixed fixed_of(const Scene& scene, size_t material)
 std::optional<WideScene> WideScene::of(const Scene& scene)
 {
     const Features needed = features_of(scene);
-    const bool has_lamps = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
+    const bool has_triangle_lights = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
     if (!(plain | textured | any).covers(needed)) return {};
     WideScene d;
     std::vector<RowTable<1>::Record> albedo;
-    if (!plain.covers(needed) || (has_lamps && has_sky)) d.shading = Shading::textured;
+    if (!plain.covers(needed) || (has_triangle_lights && has_sky)) d.shading = Shading::textured;
     if (!(plain | textured).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);

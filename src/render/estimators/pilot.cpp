@@ -21,28 +21,28 @@ constexpr double stratified = 0.12;  // what is left, about, of variance in the 
 constexpr double unsorted = 1;       // likewise in which of very many lights is chosen, which has no smooth order
 
 // Statistics of a pixel's samples, in double.
-struct Look {
+struct PixelStatistics {
     std::array<double, 3> mean{};
     double among_paths = 0, among_parts = 0;  // variance of the luminance: of whole paths, of the parts of one
 };
 
-Look look_at(std::span<const RadianceSum> samples)
+PixelStatistics measure_pixel(std::span<const RadianceSum> samples)
 {
-    Look look;
+    PixelStatistics pixel;
     double sum = 0, squares = 0;
     for (uint32_t i = 0; i < paths; ++i) {
         const Color a = samples[parts * i].color(), b = samples[parts * i + 1].color();
         const auto y = [](Color c) { return luminance(double{c.r}, double{c.g}, double{c.b}); };
         const double mean = 0.5 * (y(a) + y(b)), difference = y(a) - y(b);
         if (!is_finite(a) || !is_finite(b)) return {};
-        look.mean[0] += 0.5 * (double{a.r} + double{b.r}) / paths;
-        look.mean[1] += 0.5 * (double{a.g} + double{b.g}) / paths;
-        look.mean[2] += 0.5 * (double{a.b} + double{b.b}) / paths;
+        pixel.mean[0] += 0.5 * (double{a.r} + double{b.r}) / paths;
+        pixel.mean[1] += 0.5 * (double{a.g} + double{b.g}) / paths;
+        pixel.mean[2] += 0.5 * (double{a.b} + double{b.b}) / paths;
         sum += mean, squares += mean * mean;
-        look.among_parts += 0.5 * difference * difference / paths;
+        pixel.among_parts += 0.5 * difference * difference / paths;
     }
-    look.among_paths = (squares - sum * sum / paths) / (paths - 1) - look.among_parts / parts;
-    return look;
+    pixel.among_paths = (squares - sum * sum / paths) / (paths - 1) - pixel.among_parts / parts;
+    return pixel;
 }
 
 // Rounds to a power of two, so that differences in the last bits, as between accelerators that disagree on a ray, give
@@ -56,9 +56,9 @@ float rounded(double x)
 }
 
 // A grid of measured pixels.
-struct Survey {
+struct PilotGrid {
     uint32_t cell, columns, rows;
-    std::vector<Look> looks;
+    std::vector<PixelStatistics> pixels;
     std::array<double, 3> mean{};
     Counters counters;
 
@@ -66,8 +66,8 @@ struct Survey {
     double floor() const { return dark * brightness(); }  // as bright as what is darker counts
 };
 
-Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-              const Camera& camera, uint32_t width, uint32_t height)
+PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                       const Camera& camera, uint32_t width, uint32_t height)
 {
     // Light of the view segment does not depend on the plan. All other segments count, whether they are part of the
     // picture or not: the parts add up to the whole only with a common plan.
@@ -76,10 +76,10 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
     pilot.parts.emitters = false;
     SamplingPlan shared;
     shared.parts = parts;
-    Survey s;
+    PilotGrid s;
     s.cell = std::max(least_cell, (std::max(width, height) + most_cells - 1) / most_cells);
     s.columns = (width + s.cell - 1) / s.cell, s.rows = (height + s.cell - 1) / s.cell;
-    s.looks.resize(size_t{s.columns} * s.rows);
+    s.pixels.resize(size_t{s.columns} * s.rows);
     std::vector<Counters> counters(s.rows);
     parallel_for(s.rows, [&](size_t row) {
         Workspace w;
@@ -95,32 +95,32 @@ Survey survey(const Scene& scene, const Accelerator& accel, const Path& path, co
                     w.slots.push_back({middle(column, width), middle(row, height), i});
             Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row]);
             for (uint32_t column = first; column < end; ++column)
-                s.looks[row * s.columns + column] =
-                    look_at(std::span<const RadianceSum>(w.queue.radiance)
-                                .subspan(size_t{column - first} * paths * parts, paths * parts));
+                s.pixels[row * s.columns + column] =
+                    measure_pixel(std::span<const RadianceSum>(w.queue.radiance)
+                                      .subspan(size_t{column - first} * paths * parts, paths * parts));
         }
     });
     for (const Counters& c : counters) s.counters += c;
-    for (const Look& look : s.looks)
-        for (size_t c = 0; c < 3; ++c) s.mean[c] += look.mean[c] / static_cast<double>(s.looks.size());
+    for (const PixelStatistics& pixel : s.pixels)
+        for (size_t c = 0; c < 3; ++c) s.mean[c] += pixel.mean[c] / static_cast<double>(s.pixels.size());
     return s;
 }
 
 // The split with the lowest error at equal time: with variance v and cost c of the path before the split, and v', c'
 // behind it, sqrt(v' c / (v c')). Bolin and Meyer, "An Error Metric for Monte Carlo Ray Tracing", 1997, after Arvo and
 // Kirk.
-uint32_t best_split(const Survey& s, const LightTable& lights)
+uint32_t best_split(const PilotGrid& s, const LightTable& lights)
 {
     // Part of the variance before the split that remains with low-discrepancy samples.
     const double by_tree = lights.tree ? lights.tree_share : 0;
     const double left = unsorted * by_tree + stratified * (1 - by_tree);
     const double floor = s.floor();
     double above = 0, below = 0;
-    for (const Look& look : s.looks) {
-        const double y = luminance(look.mean[0], look.mean[1], look.mean[2]), weight = y * y + floor * floor;
+    for (const PixelStatistics& pixel : s.pixels) {
+        const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]), weight = y * y + floor * floor;
         if (!(weight > 0)) continue;
-        above += look.among_paths / weight;
-        below += look.among_parts / weight;
+        above += pixel.among_paths / weight;
+        below += pixel.among_parts / weight;
     }
     const auto count = [](uint64_t n) { return static_cast<double>(n); };
     const double camera = count(s.counters.camera_rays), bounce = count(s.counters.bounce_rays);
@@ -133,26 +133,26 @@ uint32_t best_split(const Survey& s, const LightTable& lights)
 }
 
 // Mean of the cell and its neighbours: a single cell is noisy.
-std::array<double, 3> shown_around(const Survey& s, uint32_t column, uint32_t row)
+std::array<double, 3> smoothed_radiance(const PilotGrid& s, uint32_t column, uint32_t row)
 {
     std::array<double, 3> shown{};
     double count = 0;
     for (uint32_t y = row == 0 ? 0 : row - 1; y < std::min(s.rows, row + 2); ++y)
         for (uint32_t x = column == 0 ? 0 : column - 1; x < std::min(s.columns, column + 2); ++x, ++count)
-            for (size_t c = 0; c < 3; ++c) shown[c] += s.looks[size_t{y} * s.columns + x].mean[c];
+            for (size_t c = 0; c < 3; ++c) shown[c] += s.pixels[size_t{y} * s.columns + x].mean[c];
     for (double& c : shown) c /= count;
     return shown;
 }
 
 // Computes SamplingPlan::importance.
-void estimate_importance(const Survey& s, SamplingPlan& plan)
+void estimate_importance(const PilotGrid& s, SamplingPlan& plan)
 {
     if (!(s.brightness() > 0)) return;
     plan.cell = s.cell, plan.columns = s.columns;
     const double floor = s.floor();
     for (uint32_t row = 0; row < s.rows; ++row)
         for (uint32_t column = 0; column < s.columns; ++column) {
-            const std::array<double, 3> shown = shown_around(s, column, row);
+            const std::array<double, 3> shown = smoothed_radiance(s, column, row);
             const auto importance = [&](size_t c) {
                 return rounded(s.mean[c] / std::sqrt(shown[c] * shown[c] + floor * floor));
             };
@@ -167,7 +167,7 @@ SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path&
 {
     SamplingPlan plan;
     if (!path.split && !path.roulette_by_pixel) return plan;
-    const Survey s = survey(scene, accel, path, settings, camera, width, height);
+    const PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
     return plan;

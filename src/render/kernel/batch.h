@@ -27,12 +27,12 @@ uint32_t batch_of(const KernelSettings& settings)
 
 // Number of surfaces and random numbers that are computed before the first is used: they are independent, so that the
 // processor overlaps them.
-inline constexpr size_t looked_ahead = 32;
+inline constexpr size_t lookahead = 32;
 
 // For emplace(): constructs the result of f() in place. Copying a Surface that was just written in parts would stall on
 // store forwarding.
 template <class F>
-struct Made {
+struct InPlace {
     const F& f;
     operator std::invoke_result_t<F>() const { return f(); }
 };
@@ -70,23 +70,23 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     w.queue.shadows.reserve(most);
     w.occluded.reserve(most);
     w.states.clear();
-    std::array<std::optional<Sampler>, looked_ahead> samplers;
+    std::array<std::optional<Sampler>, lookahead> samplers;
     const auto prepare_camera = [&](uint32_t first) {
-        SampleRequests<looked_ahead> asked(Dim::pixel);
-        for (uint32_t i = first; i < std::min(w.slots.size(), first + looked_ahead); ++i)
-            asked.add(
+        SampleRequests<lookahead> requests(Dim::pixel);
+        for (uint32_t i = first; i < std::min(w.slots.size(), first + lookahead); ++i)
+            requests.add(
                 samplers[i - first].emplace(sampler(i, settings.sample_of(w.slots[i].sample / samples_per_path), 0)),
                 0);
-        asked.prepare();
+        requests.prepare();
     };
     for (uint32_t i = 0; i < w.slots.size(); ++i) {
-        if (i % looked_ahead == 0) prepare_camera(i);
+        if (i % lookahead == 0) prepare_camera(i);
         PathState& s = w.states.emplace_back();
         s.slot = i;
         s.sample = settings.sample_of(w.slots[i].sample / samples_per_path);
         s.part = w.slots[i].sample % samples_per_path;
         s.importance = view.plan.importance_at(w.slots[i].x, w.slots[i].y);
-        const Sampler& numbers = *samplers[i % looked_ahead];
+        const Sampler& numbers = *samplers[i % lookahead];
         s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
         view.set_alpha_key(s.ray, numbers, 0, Dim::alpha);
         s.cone = {0, camera.pixel_spread()};
@@ -94,20 +94,20 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     }
     counters.camera_rays += w.slots.size();
 
-    std::array<std::optional<Surface>, looked_ahead> surfaces;
-    std::array<TriangleInteraction, looked_ahead> places;
-    const auto look_ahead = [&](size_t first) {
-        const size_t end = std::min(w.states.size(), first + looked_ahead);
-        SampleRequests<looked_ahead> asked(Dim::light);  // the group that integrators use first
-        view.triangle_interactions(std::span(w.hits).subspan(first, end - first), places);
+    std::array<std::optional<Surface>, lookahead> surfaces;
+    std::array<TriangleInteraction, lookahead> interactions;
+    const auto prepare_hits = [&](size_t first) {
+        const size_t end = std::min(w.states.size(), first + lookahead);
+        SampleRequests<lookahead> requests(Dim::light);  // the group that integrators use first
+        view.triangle_interactions(std::span(w.hits).subspan(first, end - first), interactions);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const PathState& s = w.states[i];
-            asked.add(samplers[i - first].emplace(sampler(s.slot, s.sample, s.branch)), s.depth);
+            requests.add(samplers[i - first].emplace(sampler(s.slot, s.sample, s.branch)), s.depth);
             surfaces[i - first].emplace(
-                Made{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, places[i - first]); }});
+                InPlace{[&] { return view.surface_at(s.ray, w.hits[i], s.cone, interactions[i - first]); }});
         }
-        asked.prepare();
+        requests.prepare();
     };
     const bool has_media = view.has_media(), tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
@@ -124,8 +124,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         w.queue.shadows.clear();
         w.queue.tinted_shadows.clear();
         for (size_t i = 0; i < w.states.size(); ++i) {
-            const size_t k = i % looked_ahead;
-            if (k == 0) look_ahead(i);
+            const size_t k = i % lookahead;
+            if (k == 0) prepare_hits(i);
             PathState& s = w.states[i];
             PathActions actions(w.queue, s.slot);
             const RadianceSum before = w.queue.radiance[s.slot];

@@ -13,7 +13,7 @@
 namespace lancer {
 
 // The radiance that is added to the film for a sample.
-inline Color counted(Color radiance, const KernelSettings& settings)
+inline Color film_radiance(Color radiance, const KernelSettings& settings)
 {
     if (!settings.clamp) return radiance;
     const auto clamp = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
@@ -53,7 +53,8 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     };
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
-        for (size_t i = 0; i < w.slots.size(); ++i) count(w.slots[i], counted(w.queue.radiance[i].color(), settings));
+        for (size_t i = 0; i < w.slots.size(); ++i)
+            count(w.slots[i], film_radiance(w.queue.radiance[i].color(), settings));
         w.slots.clear();
     };
     const auto end_of = [&](uint32_t x, uint32_t y) {
@@ -62,8 +63,9 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
     // Radiance of the pixels that the plan marks as background only.
-    const Color sky =
-        view.plan.background_only.empty() ? Color{} : counted(background_only_radiance(view, integrator, w), settings);
+    const Color sky = view.plan.background_only.empty()
+                          ? Color{}
+                          : film_radiance(background_only_radiance(view, integrator, w), settings);
     const auto count_background_only = [&](uint32_t x, uint32_t y) {
         for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.background_only_samples) {
             count({x, y, i}, sky);
@@ -206,7 +208,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     Counters counters;
     w.slots.push_back(id);
     trace_batch(view, accel, camera, width, settings, integrator, w, counters, ReplayListener{listener});
-    return counted(w.queue.radiance[0].color(), settings);
+    return film_radiance(w.queue.radiance[0].color(), settings);
 }
 
 }  // namespace lancer

@@ -72,8 +72,8 @@ inline void WideBatch<shading>::set_triangle_surfaces(uint32_t drawn, std::span<
         material[i] = v.material[which[i]];
     }
     v.albedo = scene_.albedo.at(from_array(material)).xyz;
-    v.found.places = interactions_of(view_.scene, hits, which);
-    set_surface(v.found.places, wo, v);
+    v.found.interactions = interactions_of(view_.scene, hits, which);
+    set_surface(v.found.interactions, wo, v);
     v.width = v.path.width + v.path.spread * distances(hits, which);
 }
 
@@ -102,13 +102,13 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     if constexpr (any) lookup_bsdf(found.fixed, found.front, v);
     lookup_bsdf(found.straight & ~found.fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
         const bool front = (found.front >> i & 1) != 0;
-        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], found.places.area[i]);
+        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], found.interactions.area[i]);
         view_.with_bsdf(v.material[i], p, number, take);
     });
     lookup_bsdf(v.hit & ~found.straight, v, [&](uint32_t i, const auto& number, const auto& take) {
         const RayCone cone{v.path.width[i], v.path.spread[i]};
         const Ray& ray = now_.rays()[v.first + i];
-        const Surface s = (found.drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, found.places.of(i))
+        const Surface s = (found.drawn >> i & 1) != 0 ? view_.surface_at(ray, hits[i], cone, found.interactions.of(i))
                                                       : view_.surface_at(ray, hits[i], cone);
         set_lane(v.n, i, s.n);
         set_lane(v.ns, i, s.ns);

@@ -30,9 +30,9 @@ struct SurfaceQuery {
     // drawn: lanes with non-instanced triangles; of these, straight: without normal or bump maps; of these, fixed: the
     // BSDF is the same everywhere, mirroring: specular.
     uint32_t drawn, straight, fixed, mirroring;
-    Vec3x8 wo;                // world
-    uint32_t front;           // lanes hit from the front
-    InteractionLanes places;  // of non-instanced triangles
+    Vec3x8 wo;                      // world
+    uint32_t front;                 // lanes hit from the front
+    InteractionLanes interactions;  // of non-instanced triangles
 };
 // Eight vertices.
 template <Shading shading>
