@@ -41,10 +41,10 @@ AccelKind fastest_accelerator(const Geometry& g, RayUse use)
     for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
     const bool is_plain = g.instances.empty() && g.spheres.empty() && g.planes.empty();
     if (is_plain && triangles <= List8::part_size) return AccelKind::list8;
-    // Beyond so many the cutting takes seconds.
+    // For more triangles spatial splits take seconds.
     constexpr size_t most_cut = 500'000;
     constexpr double too_many_boxes = 4;
-    // Fewer lie in the caches; where boxes overlap more than those of a scan, Embree's packets have less to do.
+    // Fewer triangles fit into the caches; with more overlap than in a scan Embree's packets lose less.
     constexpr size_t least_far = 1'000'000, most_far = 4'000'000;
     constexpr double hardly_any_boxes = 0.25;
     const bool may_cut = triangles <= most_cut;

@@ -13,7 +13,7 @@ struct Sum {
     Bounds bounds;
 };
 
-// Half of the surface.
+// Half of the surface area.
 double half_surface(Vec3d d) { return d.x * d.y + d.y * d.z + d.z * d.x; }
 
 Sum sum_of(const Mesh& mesh, size_t first, size_t end)

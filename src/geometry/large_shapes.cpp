@@ -14,7 +14,7 @@ std::vector<uint32_t> numbers(size_t count)
     return all;
 }
 
-// From small to large: the first that is wider than the box of all before it, and what is larger still.
+// In ascending order of size: the first sphere that is wider than the box of all smaller ones, and all larger ones.
 std::vector<uint32_t> giants(const std::vector<Sphere>& spheres)
 {
     std::vector<uint32_t> order = numbers(spheres.size());

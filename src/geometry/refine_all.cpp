@@ -34,8 +34,7 @@ void refine_four(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hi
     }
 }
 
-// In a large mesh each of them is a line of memory that no cache has; asked for one after the other, the next would
-// wait for the one before.
+// In large meshes each is a cache miss; prefetching overlaps them.
 void fetch_corners(const Geometry& g, std::span<const Hit> hits)
 {
     for (const Hit& hit : hits)

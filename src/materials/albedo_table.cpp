@@ -8,8 +8,8 @@
 namespace lancer {
 namespace {
 
-// Mean over the visible normals. Half of the azimuths: the other half is its mirror image. The heights lie closer
-// towards both ends, since the few normals that lean far lose most.
+// Mean over visible normals. Half of the azimuths suffice by symmetry. Heights are denser towards both ends, as the few
+// strongly tilted normals lose most.
 template <class F>
 double mean_loss(const Ggx& ggx, double cos, const F& reflectance)
 {
@@ -20,7 +20,7 @@ double mean_loss(const Ggx& ggx, double cos, const F& reflectance)
     const auto loss_at = [&](Vec2 v) {
         const Vec3d h = ggx.sample_visible(wo, v), wi = mirrored(wo, h);
         if (!(wi.z > 0)) return 1.0;
-        // 1 - G2 / G1 without a difference.
+        // 1 - G2 / G1 without cancellation.
         const double hidden_i = ggx.lambda(wi), lost = hidden_i / (1 + hidden_o + hidden_i);
         const double ratio = reflectance(dot(wo, h)) / smooth;
         return lost * ratio + (1 - ratio);

@@ -15,7 +15,7 @@ using Pair = BinaryTree::Pair;
 
 constexpr uint32_t chunk_size = 1 << 13;  // primitives that one step of a parallel loop handles
 
-// Some of the primitives, and what is known of them.
+// A range of primitives with its bounds.
 struct Bounds {
     BoxLanes box, centers;
 
@@ -37,7 +37,7 @@ struct Range {
     uint32_t size() const { return end - begin; }
 };
 
-// A plane across an axis. Left is what lies before it by the same arithmetic that counted it there.
+// A plane perpendicular to an axis. The side of a primitive is computed by the same arithmetic that counted it.
 struct Cut {
     int axis;
     __m128 origin, scale;
@@ -47,8 +47,8 @@ struct Cut {
     bool is_left(const BoxedPrimitive& p) const { return along(p.center(), origin, scale)[axis] < place; }
 };
 
-// Runs `f(begin, end, part)` over chunks of the range, in parallel, and adds up the parts, whatever the order: all that
-// is added are minima, maxima and counts.
+// Runs f(begin, end, part) over chunks of the range in parallel and joins the parts. The order does not matter: parts
+// consist of minima, maxima and counts.
 template <class Part, class F>
 Part over_chunks(const Range& r, const F& f)
 {
@@ -77,7 +77,7 @@ public:
     {
         const uint32_t used = std::min(bins, 4 + r.size() / 2);  // few suffice for few
         const __m128 extent = r.bounds.centers.upper - r.bounds.centers.lower, zero = _mm_setzero_ps();
-        // A little less than `used`, so that rounding makes no bin behind the last one.
+        // Slightly less than `used`, so that rounding never gives a bin behind the last one.
         const __m128 scale =
             _mm_and_ps(_mm_set1_ps(static_cast<float>(used) * (1 - gamma(4))) / extent, _mm_cmpgt_ps(extent, zero));
         const Binning binning{r.bounds.centers.lower, scale, _mm_set1_epi32(static_cast<int>(used - 1))};
@@ -153,7 +153,7 @@ private:
         }
         return cut;
     }
-    // NaN and infinity, of huge boxes, never are the least.
+    // NaN and infinity, from huge boxes, are never minimal.
     static float cost(const BoxLanes& box, uint32_t count)
     {
         return count == 0 ? 0 : box.half_area() * static_cast<float>(count);
@@ -177,7 +177,7 @@ public:
         whole.bounds = over_chunks<Bounds>(whole, [&](uint32_t begin, uint32_t end, Bounds& b) {
             for (uint32_t i = begin; i < end; ++i) b.grow(items_[i]);
         });
-        // Large nodes are cut one after the other, each by all threads; what they leave are tasks for one thread each.
+        // Large nodes are split one after the other with all threads; smaller ones become tasks of one thread each.
         task_size_ = std::max<uint32_t>(1 << 12, count / 64);
         if (count > task_size_) scratch_.resize(count);
         std::vector<Pair> pairs;
@@ -196,7 +196,7 @@ public:
     }
 
 private:
-    // Task k, until join() puts its root there.
+    // Placeholder of task k until join() inserts its root.
     static constexpr uint32_t is_task = UINT32_MAX;
 
     Child cut_large(const Range& r, std::vector<Pair>& pairs)
@@ -225,8 +225,8 @@ private:
         return {number, 0};
     }
 
-    // depth + log2(size), rounded up, never exceeds max_depth: halving keeps the sum, and any other cut is made only
-    // where one more is allowed.
+    // depth + log2(size), rounded up, never exceeds max_depth: halving keeps the sum, and another split is only done if
+    // it may grow by one.
     std::pair<Range, Range> cut(const Range& r, bool parallel)
     {
         const auto levels = static_cast<uint32_t>(std::bit_width(r.size() - 1));
@@ -258,7 +258,7 @@ private:
             }
         }
     }
-    // In chunks: count what goes left, then move all to the scratch space, in order, and back.
+    // In chunks: counts the left side, then moves all primitives to scratch memory, in order, and back.
     void partition_large(const Cut& cut, const Range& r, Range& left, Range& right)
     {
         struct Part {
@@ -295,7 +295,7 @@ private:
         });
     }
 
-    // Appends the subtrees to the nodes above them and enters where they begin.
+    // Appends the subtrees and links them from the nodes above.
     static void join(const std::vector<std::vector<Pair>>& subtrees, const std::vector<Child>& roots,
                      std::vector<Pair>& pairs, Child& root)
     {

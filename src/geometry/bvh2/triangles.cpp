@@ -8,7 +8,7 @@
 namespace lancer {
 namespace {
 
-// f(i) for i below count, in parallel.
+// Calls f(i) for i below count, in parallel.
 template <class F>
 void for_each_number(uint32_t count, const F& f)
 {

@@ -8,10 +8,10 @@
 namespace lancer {
 namespace {
 
-// Of a node and of a block of triangles, for a ray that meets it. Speeds measured with blocks at 0.5 to 1 differ by no
-// more than noise.
+// Costs of a node and of a block of triangles for a ray that hits it. Speeds measured with block costs of 0.5 to 1
+// differ by no more than noise.
 constexpr float node_cost = 1, block_cost = 0.7f;
-// Three levels of the binary tree become one.
+// Three levels of the binary tree become one node.
 constexpr float level_cost = node_cost / 3;
 constexpr uint32_t many = 255, all_places = (1u << 21) - 1;
 
@@ -57,7 +57,7 @@ Collapse::Choice Collapse::choose(uint32_t node, const Choice& a, const Choice& 
 {
     Choice c;
     c.area = tree_.nodes[node].box.half_area();
-    // What both children cost on `places` places, and how many of them the first one gets.
+    // Cost of both children with `places` slots, and the best number of slots of the first one.
     std::array<float, width + 1> divided{};
     std::array<uint32_t, width + 1> first{};
     for (size_t places = 2; places <= width; ++places) {

@@ -15,7 +15,7 @@ constexpr size_t parts = 256;  // that threads take by turns; more than any numb
 static_assert(sizeof(Bvh8Node) % Bvh8Child::unit == 0 && sizeof(Bvh8Leaf) % Bvh8Child::unit == 0);
 static_assert(Collapse::max_blocks <= Bvh8Child::max_blocks);
 
-// Numbers of the triangles of a leaf: ascending, each once, though several parts of one may have come together.
+// Indices of a leaf's triangles: ascending, without duplicates, which spatial splits may cause.
 struct Numbers {
     std::array<uint32_t, Collapse::width * Collapse::max_blocks> of;
     uint32_t count = 0;
@@ -23,7 +23,7 @@ struct Numbers {
     uint32_t blocks() const { return (count + Collapse::width - 1) / Collapse::width; }
 };
 
-// A node of eight as it will be, its children in the order of traversal for any hit.
+// A wide node before it is written, with its children in the order of traversal for any hit.
 struct Plan {
     struct Child {
         uint32_t node;
@@ -38,7 +38,7 @@ struct Plan {
     auto end() const { return children.begin() + count; }
 };
 
-// What is summed over nodes.
+// Sums over nodes.
 struct Sums {
     double cost = 0;
     int depth = 0;
@@ -56,7 +56,7 @@ public:
 
     Bvh8Layout build()
     {
-        // The top node by node; what hangs on it in parallel.
+        // The top is written node by node, the subtrees below it in parallel.
         std::vector<Part> list{{.node = 0, .depth = 1}};
         size_t top = 0;
         for (; top < list.size() && list.size() - top < parts; ++top) {
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    // A node of the top, or one with all that is below it.
+    // A node of the top, or the root of a subtree.
     struct Part {
         uint32_t node;
         int depth;
@@ -146,7 +146,7 @@ private:
         return units;
     }
 
-    // Writes a node and its leaves; inner(child, its place) tells where each other child lies, asked in order.
+    // Writes a node and its leaves; inner(child, slot) returns the offset of each other child, in order.
     template <class Inner>
     void write(const Plan& p, const Part& part, Sums& sums, const Inner& inner)
     {
@@ -174,7 +174,7 @@ private:
             sums.cost += area(c.node) * c.numbers.count;
         }
     }
-    // All below it too; returns where that ends.
+    // Writes a subtree and returns its end.
     uint64_t write_all(const Part& part, Sums& sums)
     {
         const Plan p = plan(part.node);

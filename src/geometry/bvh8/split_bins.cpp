@@ -8,7 +8,7 @@ namespace {
 
 Float4 in_register(Vec3 p) { return Float4{p.x, p.y, p.z, 0}; }
 
-// Sweeps over the planes between bins. below[k], above[k]: how many references count for either side of plane k.
+// Sweeps over the planes between bins. below[k], above[k]: number of references on either side of plane k.
 template <class Accept>
 void sweep(std::span<const Box4> boxes, std::span<const uint32_t> entering, std::span<const uint32_t> leaving, int axis,
            Division& best, const Accept& accept)
@@ -40,7 +40,7 @@ ObjectBins::ObjectBins(const Spread& spread, size_t count)
     : bins_(static_cast<int>(std::min<size_t>(max_bins, 4 + count / 2))), origin_(spread.centers.lower)
 {
     const Float4 extent = spread.centers.upper - origin_;
-    // A little less than the number of bins, so that the last centre stays in the last.
+    // Slightly less than the number of bins, so that the last centre stays in the last bin.
     const Float4 scale = 0.999f * static_cast<float>(bins_) / extent;
     scale_ = _mm_and_ps(scale, _mm_cmpgt_ps(extent, Float4{}));
 }
@@ -94,7 +94,7 @@ void SpaceBins::add(const TriangleSet& triangles, const Reference& r)
     }
 }
 
-// Which part of the triangle lies in each bin: its corners, and where its edges cross the planes between bins.
+// The part of the triangle in each bin: its corners, and where its edges cross the planes between bins.
 void SpaceBins::add_parts(size_t axis, const Corners& triangle, const Reference& r, int first, int last)
 {
     std::array<Box4, max_bins + 2> parts;  // of bins from -1 on

@@ -12,18 +12,18 @@ namespace lancer {
 namespace {
 
 constexpr double duplicates = 0.4;  // references that spatial splits may add, for each triangle
-// To try a spatial split: what area the boxes of the object split have in common, of the root's and of the node's own.
+// Spatial splits are tried if the boxes of the object split overlap by this share of the root's area and of the node's
+// own.
 constexpr float least_overlap = 1e-4f, least_own_overlap = 0.1f;
 constexpr float least_gain = 0.99f;  // a spatial split costs no more than this, over the object split
-// Of many references each so many-th tells whether a spatial split is worth a look at all of them: as the boxes of some
-// are no larger than those of all, it mostly promises too much rather than too little. Not so each eighth, by which
-// splits that pay are missed.
+// Sampling of references: every n-th reference decides whether a spatial split is worth testing for all. Boxes of a
+// sample are not larger than those of all, so it is mostly optimistic. Every eighth would miss splits that pay off.
 constexpr size_t many = 1 << 12, sample = 4;
 constexpr size_t chunk = 1 << 14;         // references that one thread looks at at a time
 constexpr size_t subtree_size = 1 << 12;  // references that one thread goes on with alone
 
-// References [begin, end) of the array, room for more until `capacity`, and the node that they are to become. Its
-// descendants lie from `slot` on: 2 (capacity - begin) - 2 of them at most.
+// References [begin, end) of the array, with room up to `capacity`, and the node that they will become. Its descendants
+// are stored from `slot` on: at most 2 (capacity - begin) - 2 of them.
 struct Range {
     size_t begin, end, capacity;
     uint32_t node, slot;
@@ -100,7 +100,7 @@ private:
     }
     Halves halve(const Range& r) { return part(r, r.size() / 2); }
 
-    // The first `count` references and the others, which move on to make room.
+    // Splits off the first `count` references; the others move to make room.
     Halves part(const Range& r, size_t count)
     {
         const Halves h = halves(r, count, r.size() - count);
@@ -108,7 +108,7 @@ private:
         std::copy_backward(from, from + h.above.size(), references_.get() + h.above.end);
         return h;
     }
-    // Where the children's references lie: the room is shared as they are.
+    // The ranges of the children's references: the room is divided in proportion.
     static Halves halves(const Range& r, size_t below, size_t above)
     {
         const size_t room = r.capacity - r.begin - below - above;
@@ -118,7 +118,7 @@ private:
                 {middle, middle + above, r.capacity, r.slot + 1, slot_above, r.depth + 1}};
     }
 
-    // By the best spatial split, if it costs less than `cost`.
+    // Divides by the best spatial split if it costs less than `cost`.
     std::optional<Halves> divide_space(const Range& r, const Box4& box, float cost)
     {
         if (r.size() >= many && !promises_less(r, box, cost)) return {};
@@ -126,7 +126,7 @@ private:
         gather(r, bins, [&](auto& to, const Reference& x) { to.add(tree_.triangles, x); });
         const Division best = bins.best(cost, r.size(), r.room());
         if (!best) return {};
-        // Never more references on a side than the bins have counted: fewer than before, and none without a side.
+        // Neither side gets more references than the bins have counted: fewer than before, and at least one.
         std::vector<Reference> above;
         above.reserve(best.count_above);
         size_t end = r.begin;
@@ -165,7 +165,7 @@ private:
         gather(r, s, [](Spread& to, const Reference& x) { to.add(x); });
         return s;
     }
-    // Adds the references to `all`, which is empty: in parallel, and the same whichever thread does what.
+    // Adds the references to `all`, which is empty, in parallel with a deterministic result.
     template <class T, class Add>
     void gather(const Range& r, T& all, const Add& add) const
     {

@@ -3,7 +3,7 @@
 namespace lancer {
 namespace {
 
-// Bounds of a polygon, corner by corner.
+// Bounds of a polygon, extended corner by corner.
 struct Extent {
     Vec3d lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
 
@@ -16,7 +16,7 @@ struct Extent {
     Box4 box(float extent) const
     {
         if (lower.x > upper.x) return {};
-        // Outwards by more than the rounding to float.
+        // Enlarged by more than the rounding to float.
         return to_box4(
             widened({to_float(lower - abs(lower) * 0x1p-23), to_float(upper + abs(upper) * 0x1p-23)}, extent));
     }

@@ -136,7 +136,7 @@ private:
                                    m.positions.size() - 1);
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
-        // Only where something is to be asked: a scene with a filter in it is traced by slower code throughout.
+        // Only if a mesh needs the alpha test: a scene with a filter is traced by slower code.
         if (g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty()) {
             rtcSetGeometryUserData(g, &data_);
             rtcSetGeometryIntersectFilterFunction(g, filter_callback);
@@ -181,7 +181,7 @@ private:
         }
     }
 
-    // Triangles not refined.
+    // Triangle hits are not refined here.
     Hit to_hit(uint32_t geometry, uint32_t primitive, uint32_t instance, float t, float u) const
     {
         if (geometry == RTC_INVALID_GEOMETRY_ID) return {};

@@ -76,7 +76,7 @@ uint32_t List8::decide(const Triangle& triangle, const ShearedPacket& r, uint32_
     for_each_lane(lanes, [&](uint32_t i) {
         t[i] = distance(triangle, i);
         const bool is_first = best.number[i] == PacketHits::none;
-        // What is compared is rounded alike: of two in one place the first stays.
+        // Both distances are rounded in the same way: of coincident triangles the first stays.
         if (!is_first) best.t[i] = distance(numbered(best.number[i]), i);
         met |= uint32_t{t[i] >= r.rays.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;
     });

@@ -18,7 +18,7 @@ const float* linear_table(Encoding encoding)
     return encoding == Encoding::srgb ? srgb.data() : linear.data();
 }
 
-// How a level's numbers are stored.
+// Storage formats of texels.
 class ByteCodec {
 public:
     explicit ByteCodec(const float* table) : table_(table)
@@ -32,8 +32,8 @@ public:
         }
     }
     float decode(uint8_t v) const { return table_[v]; }
-    // The nearest step in linear light, so that means stay as close as they can. v: [0, 1], of whose parts
-    // few have a border within them.
+    // Rounds to the nearest step in linear light, so that means stay as close as possible. v: in [0, 1], divided into
+    // parts of which few contain a step boundary.
     uint8_t encode(float v) const
     {
         uint8_t n = first_[std::min(static_cast<size_t>(v * parts), first_.size() - 1)];
@@ -46,7 +46,7 @@ private:
 
     const float* table_;
     std::array<float, 256> borders_;  // where the next step begins
-    // Of each part of [0, 1] how many borders lie at or below its beginning.
+    // For each part of [0, 1] the number of step boundaries at or below its beginning.
     std::array<uint8_t, static_cast<size_t>(parts)> first_{};
 };
 struct HalfCodec {
@@ -58,7 +58,7 @@ struct FloatCodec {
     float encode(float v) const { return v; }
 };
 
-// Which texels of a row of n go into texel i of the next level, and with what weight.
+// The texels of a row of n that contribute to texel i of the next level, and their weights.
 struct Taps {
     size_t first, count;
     std::array<double, 3> weight;
@@ -74,8 +74,8 @@ Taps taps_of(size_t i, size_t n)
     return {2 * i, 3, {(kept - part) / whole, kept / whole, (part + 1) / whole}};
 }
 
-// The next level, as floats; decode() makes a number of it. Sums are in double: rounded to float, the mean of equal
-// numbers is that number again.
+// The next level as floats; decode() converts a texel. Sums are double: rounded to float, the mean of equal numbers is
+// that number.
 template <class Value, class Decode>
 std::vector<float> shrink(const MipLevel& from, size_t channels, const Value* values, const Decode& decode)
 {
@@ -109,7 +109,7 @@ std::vector<float> shrink(const MipLevel& from, size_t channels, const Value* va
     return result;
 }
 
-// Sizes and places of all levels below the finest one, which is there.
+// Sizes and offsets of all levels below the finest one.
 void list_levels(MipPyramid& pyramid)
 {
     for (MipLevel level = pyramid.levels[0]; level.width > 1 || level.height > 1;) {
@@ -120,7 +120,7 @@ void list_levels(MipPyramid& pyramid)
     }
 }
 
-// `values` holds the finest level; the others follow. Each is made from the unrounded numbers of the one before.
+// Computes the levels below the finest one in `values`, each from the unrounded numbers of the previous one.
 template <class Value, class Codec>
 void add_levels(MipPyramid& pyramid, std::vector<Value> values, const Codec& codec)
 {
@@ -166,7 +166,7 @@ std::vector<Value> collect(const Raster& raster, uint32_t channels, const Get& g
     return values;
 }
 
-// Finite, decoded.
+// A finite, decoded value.
 std::vector<float> collect_floats(const Raster& raster, Encoding encoding, MipPyramid& pyramid, uint32_t first)
 {
     constexpr size_t steps = 65536;  // integers of more than 16 bits are rounded to these

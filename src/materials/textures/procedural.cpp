@@ -13,7 +13,7 @@ double looked_up(double x, float scale, float offset)
 
 double fraction(double x) { return x - std::floor(x); }
 
-// The part of an interval around x in which the fractional part is less than `width`.
+// Part of an interval around x in which the fractional part is less than `width`.
 double covered(double x, double extent, double width)
 {
     if (std::isinf(extent)) return width;
@@ -23,10 +23,10 @@ double covered(double x, double extent, double width)
     return std::clamp((cells * width + std::min(b - cells, width) - std::min(a, width)) / extent, 0.0, 1.0);
 }
 
-// 1 at the origin, 0 from where its distance to the power of 0.6 is `reach`.
+// 1 at the origin, 0 where the distance to the power of 0.6 exceeds `reach`.
 double fading(double x, double y, double reach) { return std::max(reach - std::pow(x * x + y * y, 0.3), 0.0) / reach; }
 
-// The area of the rectangle (x0, x1) by (y0, y1) in the triangle x >= 0, y >= 0, x + y <= side.
+// Area of the intersection of the rectangle (x0, x1) x (y0, y1) with the triangle x >= 0, y >= 0, x + y <= side.
 double area_in_triangle(double x0, double x1, double y0, double y1, double side)
 {
     if (!(side > 0)) return 0;

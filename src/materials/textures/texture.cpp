@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-// Into [0, 1]. What is not a number is 0, and infinity too where pictures repeat.
+// Wraps into [0, 1]. NaN becomes 0, as does infinity with Wrap::repeat.
 double wrapped(double x, Wrap wrap)
 {
     if (wrap == Wrap::clamp) return x > 0 ? (x < 1 ? x : 1) : 0;
@@ -17,8 +17,7 @@ double wrapped(double x, Wrap wrap)
     return f >= 0 ? f : 0;
 }
 
-// Between which two of n texels x in [0, 1] lies, and how far from the first to the second. Texel i has its centre at
-// (i + 0.5) / n.
+// The two of n texels around x in [0, 1], and the weight of the second. Texel i has its centre at (i + 0.5) / n.
 struct Between {
     size_t first, second;
     float t;
@@ -28,7 +27,7 @@ Between between(double x, uint32_t n, Wrap wrap)
 {
     const double place = x * n - 0.5, cell = std::floor(place);
     const auto i = static_cast<int64_t>(cell);  // -1 to n - 1
-    // Of all bits or none: branches on them would be foretold wrongly.
+    // Masks instead of branches, which would be mispredicted.
     const int64_t last = int64_t{n} - 1, before = i >> 63, behind = (last - i - 1) >> 63;
     const int64_t behind_last = wrap == Wrap::repeat ? 0 : last, before_first = last - behind_last;
     return {.first = static_cast<size_t>((i & ~before) | (before_first & before)),
@@ -36,7 +35,7 @@ Between between(double x, uint32_t n, Wrap wrap)
             .t = static_cast<float>(place - cell)};
 }
 
-// Exact between equal numbers.
+// Exact for equal numbers.
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 Color mix(Color a, Color b, float t) { return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)}; }
 
@@ -54,7 +53,7 @@ struct Floats {
     float operator()(float v) const { return v; }
 };
 
-// Texels of one kind, with 1 or 3 numbers each.
+// Access to texels of one storage format, with 1 or 3 channels.
 template <class Decode, uint32_t channels>
 struct Texels {
     const MipPyramid& pyramid;
@@ -81,7 +80,7 @@ struct Texels {
     }
 };
 
-// f(texels), with their kind known to the compiler.
+// Calls f(texels) with the storage format as a type.
 template <class F>
 auto with_texels(const MipPyramid& p, Wrap wrap, const F& f)
 {
@@ -114,7 +113,8 @@ bool ImageTexture::share(const ImageTexture& other)
     return true;
 }
 
-// Between levels the blend is linear in the footprint, not in its logarithm: no worse, and no call of libm.
+// The blend between levels is linear in the footprint, not in its logarithm: the quality is the same, without a call of
+// libm.
 ImageTexture::Detail ImageTexture::detail(float width) const
 {
     const float texels = width * footprint_scale_;
@@ -125,7 +125,7 @@ ImageTexture::Detail ImageTexture::detail(float width) const
     return {level, static_cast<float>(bits & 0x7fffff) * 0x1p-23f};
 }
 
-// In double: a texture repeated 100 000 times still finds its texels.
+// In double: texels stay exact for a texture repeated 100 000 times.
 double ImageTexture::picture_u(double u) const
 {
     return u * static_cast<double>(use_.scale.x) + static_cast<double>(use_.offset.x);
