@@ -164,7 +164,8 @@ void measure_unused(const Base& base, const Options& options, Report& report)
     small.size = is_under_valgrind() ? std::array{24u, 18u} : std::array{48u, 36u};
     const Picture picture(base.description, small, {});
     const Stage& stage = *picture.stage;
-    const Pictured p{stage, stage.renderer.plan(stage.camera, picture.film.width, picture.film.height)};
+    const auto plan = stage.renderer.plan(stage.camera, picture.film.width, picture.film.height);
+    const Pictured p{stage, *plan};
     const std::vector<Way> ways{
         p.product(),
         p.way<Everything>("everything", {}, "product"),

@@ -58,7 +58,8 @@ RenderTime clock_render(const Stage& stage, uint32_t spp)
     const Clocked accel(stage.renderer.accelerator());
     const TileKernel kernel = make_tile_kernel(stage.scene, accel, stage.renderer.integrator(), stage.render.kernel);
     Film film = stage.film();
-    const SamplingPlan& plan = stage.renderer.plan(stage.camera, film.width, film.height);
+    const auto known = stage.renderer.plan(stage.camera, film.width, film.height);
+    const SamplingPlan& plan = *known;
     Workspace workspace;
     Counters counters;
     const double start = wall_ns();

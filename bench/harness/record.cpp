@@ -96,7 +96,8 @@ Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<
     Recorder recorder(stage.renderer.accelerator(), counters);
     const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.render.kernel);
     Film film = stage.film();
-    const SamplingPlan& plan = stage.renderer.plan(stage.camera, film.width, film.height);
+    const auto known = stage.renderer.plan(stage.camera, film.width, film.height);
+    const SamplingPlan& plan = *known;
     Workspace workspace;
     for (const Tile& tile : tiles) {
         kernel(plan, stage.camera, film, tile, {0, spp}, workspace, counters);

@@ -40,7 +40,10 @@ private:
     void load();
     void describe(const Renderer& renderer);
     void render(const Renderer& renderer);
-    void add_pass(const Film& film, const PassResult& result, SampleRange range, const RenderLimits& limits);
+    void add_samples(const Film& film, const Counters& counters, const RenderLimits& limits);
+    void end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits);
+    bool has_samples() const { return stats_.samples + stats_.counters.dropped > 0; }
+    void write_snapshot(const Film& film, Progress& progress);
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string settings_hash(uint32_t spp) const;
@@ -154,22 +157,26 @@ void Run::estimate_error(const Film& film)
     const auto from_replicates = estimate_from_replicates(film, settings_.replicates);
     if (!from_replicates) return;
     stats_.estimated_error = std::sqrt(from_replicates->rel_mse);
-    stats_.estimated_low = std::sqrt(from_replicates->interval.low);
-    stats_.estimated_high = std::sqrt(from_replicates->interval.high);
+    stats_.estimated_interval = {std::sqrt(from_replicates->interval.low), std::sqrt(from_replicates->interval.high)};
 }
 
-void Run::add_pass(const Film& film, const PassResult& result, SampleRange range, const RenderLimits& limits)
+// Of a pass, or of the part of it up to a snapshot.
+void Run::add_samples(const Film& film, const Counters& counters, const RenderLimits& limits)
 {
-    stats_.counters += result.counters;
+    stats_.counters += counters;
     stats_.render_s = limits.wall_seconds();
     stats_.samples = 0;
     for (size_t i = 0; i < film.pixels.size(); ++i) stats_.samples += film.whole(i).n;
     // Counted, not asked of the pass: an interrupt may come after its last tile.
     stats_.partial = stats_.samples + stats_.counters.dropped < samples_wanted(film, settings_.spp);
+}
+
+void Run::end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits)
+{
     // Where no pixel wants more, all have what they would have in the end.
     const uint32_t spp = stats_.partial ? range.end : settings_.spp;
     estimate_error(film);
-    if (!result.complete) return;
+    if (!complete) return;
     stats_.passes.push_back({spp, stats_.render_s, stats_.estimated_error});
     if (limits.is_mark(spp) && log_->is_wanted()) log_->add(to_image(film), stats_, limits.cpu_seconds());
 }
@@ -215,34 +222,44 @@ void Run::render(const Renderer& renderer)
             range = {range.end, limits.next_end(range.end)};
             progress.begin_pass(range, tiles.size());
             limits.begin_pass();
-            const PassResult result = renderer.pass(camera, film, tiles, range, enough.get_token(), tile_done);
+            std::vector<Tile> left = tiles;
+            while (!left.empty() && !enough.stop_requested()) {
+                if (has_samples() && signals_.take_snapshot_request()) {
+                    limits.pause();
+                    write_snapshot(film, progress);
+                    limits.resume();
+                }
+                std::stop_source halt;
+                const std::stop_callback on_enough(enough.get_token(), [&] { halt.request_stop(); });
+                PassResult result = renderer.pass(camera, film, left, range, halt.get_token(), [&](const Tile& tile) {
+                    tile_done(tile);
+                    if (signals_.snapshot_requested()) halt.request_stop();
+                });
+                add_samples(film, result.counters, limits);
+                left = std::move(result.left);
+            }
             limits.end_pass();
-            add_pass(film, result, range, limits);
+            end_pass(film, left.empty(), range, limits);
             if (signals_.interrupted()) break;
             const uint32_t spp = range.end;
             // Where no pixel wants more the rest is done, too.
             if (!stats_.partial) progress.begin_pass(range = {s.spp, s.spp}, tiles.size());
             progress.end_pass(stats_.estimated_error, stats_.rays());
-            const std::optional<double> error =
-                stats_.estimated_error > 0 ? std::optional(stats_.estimated_error) : std::nullopt;
+            // Samples that all agree may all have missed the same light.
+            const std::optional<double> error = stats_.estimated_error > 0.0 ? stats_.estimated_error : std::nullopt;
             if (const auto stop = limits.reached(range.end, error)) {
                 end_at(*stop, spp);
-                if (*stop != Stop::samples && log_->is_wanted() && !(result.complete && limits.is_mark(spp)))
+                if (*stop != Stop::samples && log_->is_wanted() && !(left.empty() && limits.is_mark(spp)))
                     log_->add(to_image(film), stats_, limits.cpu_seconds());
                 break;
-            }
-            if (signals_.take_snapshot_request() && stats_.partial) {
-                progress.clear();
-                write(film);
-                print_note(format_text("snapshot written at %u spp", spp));
             }
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose) print_sampling_plan(renderer, renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) print_sampling_plan(renderer, *renderer.plan(camera, s.width, s.height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
-    if (stats_.samples + stats_.counters.dropped == 0) return;
+    if (!has_samples()) return;
     timed("write", [&] { write(film); });
 }
 
@@ -250,6 +267,14 @@ void Run::write(const Film& film)
 {
     write_outputs(options_, settings_.tonemap, film, aov_planes(film, options_.aovs, normalisation_),
                   make_metadata(stats_));
+}
+
+void Run::write_snapshot(const Film& film, Progress& progress)
+{
+    progress.clear();
+    write(film);
+    print_note(format_text("snapshot written at %.1f spp",
+                           static_cast<double>(stats_.samples) / static_cast<double>(film.pixels.size())));
 }
 
 void Run::write_stats()
@@ -304,11 +329,11 @@ void Run::print_summary() const
 {
     const Counters& c = stats_.counters;
     const double rays = static_cast<double>(stats_.rays());
-    const std::string error = stats_.estimated_high > 0
-                                  ? format_text(", error %.3g [%.3g, %.3g]", stats_.estimated_error,
-                                                stats_.estimated_low, stats_.estimated_high)
-                              : stats_.estimated_error > 0 ? format_text(", error < ~%.3g", stats_.estimated_error)
-                                                           : std::string();
+    std::string error;
+    if (const auto& interval = stats_.estimated_interval)
+        error = format_text(", error %.3g [%.3g, %.3g]", *stats_.estimated_error, interval->low, interval->high);
+    else if (stats_.estimated_error)
+        error = format_text(", error < ~%.3g", *stats_.estimated_error);
     print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats_.rays(), c.camera_rays,
                            c.bounce_rays, c.shadow_rays, stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0) +
                error);

@@ -61,8 +61,8 @@ void StudyRunner::begin()
     study_.title = plan.title, study_.baseline = plan.baseline;
     study_.machine = {{"processor", cpu_model()},
                       {"threads", std::to_string(work_.options.threads.value_or(available_threads()))},
-                      {"load before", format_text("%.2f", load_average())},
                       {"lancer", version_text()}};
+    if (const auto load = load_average()) study_.machine.emplace_back("load before", format_text("%.2f", *load));
     if (std::string_view(LANCER_BUILD_TYPE) != "Release")
         study_.not_comparable.push_back("lancer was built as " LANCER_BUILD_TYPE ", not as Release");
     for (const StudyPlan::Method& m : plan.methods) {

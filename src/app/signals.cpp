@@ -52,6 +52,8 @@ void Signals::poll()
 
 bool Signals::interrupted() const { return interrupts > 0; }
 
+bool Signals::snapshot_requested() const { return snapshot; }
+
 bool Signals::take_snapshot_request() { return snapshot.exchange(false); }
 
 }  // namespace lancer

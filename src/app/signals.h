@@ -18,6 +18,8 @@ public:
     void poll();
     std::stop_token stop() const { return stop_.get_token(); }
     bool interrupted() const;
+    // Whether a snapshot is asked for that was not taken yet. From any thread.
+    bool snapshot_requested() const;
     // True once per request.
     bool take_snapshot_request();
 

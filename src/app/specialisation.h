@@ -11,7 +11,7 @@ namespace lancer {
 // What building the scene left out, then what tracing it with this kernel does: kinds of geometry, the kernel for all,
 // and the module for pictures.
 std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile kernel);
-// "12 unused materials", with the memory and the time that it saves where they are known.
+// "12 unused materials", with the memory that it saves where that is known.
 std::string to_string(const UnusedFeature& l);
 
 }  // namespace lancer

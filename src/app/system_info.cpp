@@ -18,10 +18,10 @@ std::string cpu_model()
     return "unknown";
 }
 
-double load_average()
+std::optional<double> load_average()
 {
     double load = 0;
-    return getloadavg(&load, 1) == 1 ? load : 0;
+    return getloadavg(&load, 1) == 1 ? std::optional(load) : std::nullopt;
 }
 
 uint64_t peak_memory_bytes()

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace lancer {
 
-std::string cpu_model();  // "unknown" where the system does not say
-double load_average();    // over one minute
+std::string cpu_model();               // "unknown" where the system does not say
+std::optional<double> load_average();  // over one minute; nothing if not known
 uint64_t peak_memory_bytes();
 
 double wall_seconds();  // since some fixed moment

@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "core/parallel.h"
 #include "render/estimators/background_only.h"
@@ -46,12 +45,12 @@ Renderer::~Renderer() = default;
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                           const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
 {
-    const SamplingPlan& plan = this->plan(camera, film.width, film.height);
+    const auto plan = this->plan(camera, film.width, film.height);
     PassResult result;
-    std::atomic<bool> skipped{false};
     parallel_for(tiles.size(), [&](size_t i) {
         if (stop.stop_requested()) {
-            skipped = true;
+            const std::lock_guard lock(mutex_);
+            result.left.push_back(tiles[i]);
             return;
         }
         std::unique_ptr<Workspace> w;
@@ -64,7 +63,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (!w) w = std::make_unique<Workspace>();
         Counters counters;
-        kernel_(plan, camera, film, tiles[i], samples, *w, counters);
+        kernel_(*plan, camera, film, tiles[i], samples, *w, counters);
         {
             std::lock_guard lock(mutex_);
             result.counters += counters;
@@ -72,27 +71,40 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (tile_done) tile_done(tiles[i]);
     });
-    result.complete = !skipped;
     return result;
 }
 
 Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
                        const PathListener& listener) const
 {
-    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, plan(camera, width, height), camera,
+    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, *plan(camera, width, height), camera,
                           width, id, listener);
 }
 
-const SamplingPlan& Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
+std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
 {
-    if (!piloted_ || !(piloted_->camera == camera) || piloted_->width != width || piloted_->height != height) {
-        const auto* path = std::get_if<Path>(&settings_.integrator);
-        SamplingPlan plan =
-            path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
-        find_background_only(scene_, camera, width, height, plan);
-        piloted_.emplace(Piloted{camera, width, height, std::move(plan)});
+    // What is asked for stays with who asked, whatever camera comes next.
+    const auto plan_of = [](std::shared_ptr<const Piloted> known) {
+        const SamplingPlan* plan = &known->plan;
+        return std::shared_ptr<const SamplingPlan>(std::move(known), plan);
+    };
+    {
+        const std::lock_guard lock(mutex_);
+        if (piloted_ && piloted_->camera == camera && piloted_->width == width && piloted_->height == height)
+            return plan_of(piloted_);
     }
-    return piloted_->plan;
+    // Without the lock: the pilot runs in parallel, and a thread that waits for it may take up other work. Two threads
+    // that ask at once both find the same plan.
+    const auto* path = std::get_if<Path>(&settings_.integrator);
+    SamplingPlan plan =
+        path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
+    find_background_only(scene_, camera, width, height, plan);
+    auto found = std::make_shared<const Piloted>(Piloted{camera, width, height, std::move(plan)});
+    {
+        const std::lock_guard lock(mutex_);
+        piloted_ = found;
+    }
+    return plan_of(std::move(found));
 }
 
 std::vector<Tile> make_tiles(const Tile& crop, uint32_t size)

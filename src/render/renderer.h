@@ -7,6 +7,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "integrators/integrator.h"
 #include "render/estimators/pilot.h"
@@ -21,10 +22,12 @@ struct RenderSettings {
     KernelSettings kernel;
 };
 
-// Result of a pass. It is incomplete if the pass was stopped before its last tile.
+// Result of a pass.
 struct PassResult {
     Counters counters;
-    bool complete = true;
+    std::vector<Tile> left;  // tiles without its samples, if it was stopped before them; in any order
+
+    bool is_complete() const { return left.empty(); }
 };
 
 class Renderer {
@@ -38,8 +41,9 @@ public:
 
     // Adds samples [begin, end) of every pixel of the tiles to the film. For bits that do not depend on how samples are
     // split into passes, begin and end must be multiples of samples_per_block, except the last end. Tiles must lie
-    // within film.crop and not overlap. `stop` is tested once per tile. tile_done is called after each tile, from any
-    // thread; the film then contains that tile's samples until the pass ends.
+    // within film.crop and not overlap. `stop` is tested once per tile; what is left may be given to a later pass of
+    // the same samples. tile_done is called after each tile, from any thread; the film then contains that tile's
+    // samples until the pass ends.
     PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                     const std::stop_token& stop = {}, const std::function<void(const Tile&)>& tile_done = {}) const;
 
@@ -47,8 +51,9 @@ public:
     Color replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
                  const PathListener& listener) const;
 
-    // The sampling plan for a picture of this size; computed once.
-    const SamplingPlan& plan(const Camera& camera, uint32_t width, uint32_t height) const;
+    // The sampling plan for a picture of this size; computed once, until another camera or size is asked for. May be
+    // called from any thread.
+    std::shared_ptr<const SamplingPlan> plan(const Camera& camera, uint32_t width, uint32_t height) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return scene_; }
@@ -62,10 +67,10 @@ private:
     RenderSettings settings_;
     std::unique_ptr<Accelerator> accel_;
     TileKernel kernel_;
+    mutable std::mutex mutex_;  // guards what follows
     // Unused workspaces: a thread takes one for each tile and returns it.
-    mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Workspace>> workspaces_;
-    mutable std::optional<Piloted> piloted_;  // the last one
+    mutable std::shared_ptr<const Piloted> piloted_;  // the last one; null: none yet
 };
 
 // The crop in tiles of at most size x size pixels, aligned to the whole picture.

@@ -7,8 +7,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A rate over no time is not a number that JSON could hold.
-double rate(uint64_t count, double seconds) { return seconds > 0 ? static_cast<double>(count) / seconds : 0; }
+// A rate over no time is not known.
+Json rate(uint64_t count, double seconds)
+{
+    return seconds > 0 ? Json(static_cast<double>(count) / seconds) : Json(nullptr);
+}
+
+Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); }
 
 Json context_of(const RunStats& s)
 {
@@ -17,15 +22,14 @@ Json context_of(const RunStats& s)
             {"parallel", c.parallel},        {"compiler", c.compiler},
             {"build_type", c.build_type},    {"instructions", c.instructions},
             {"isa", s.settings.isa},         {"cpu", c.cpu},
-            {"threads", s.settings.threads}, {"load_average", c.load_average},
+            {"threads", s.settings.threads}, {"load_average", or_null(c.load_average)},
             {"command_line", c.command_line}};
 }
 
 Json unused_features_of(const std::vector<UnusedFeature>& all)
 {
     Json json = Json::array();
-    for (const UnusedFeature& l : all)
-        json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}, {"time", l.time}});
+    for (const UnusedFeature& l : all) json.push_back({{"what", l.what}, {"count", l.count}, {"bytes", l.bytes}});
     return json;
 }
 
@@ -100,8 +104,10 @@ std::string to_json(const RunStats& s)
 {
     Json phases = Json::array(), passes = Json::array();
     for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
-    for (const auto& p : s.passes) passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", p.error}});
-    const Json interval = s.estimated_high > 0 ? Json{s.estimated_low, s.estimated_high} : Json(nullptr);
+    for (const auto& p : s.passes)
+        passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});
+    const Json interval =
+        s.estimated_interval ? Json{s.estimated_interval->low, s.estimated_interval->high} : Json(nullptr);
     const Json all{{"schema", "lancer.stats/1"},
                    {"context", context_of(s)},
                    {"scene", scene_of(s.scene)},
@@ -111,7 +117,7 @@ std::string to_json(const RunStats& s)
                    {"rays", rays_of(s)},
                    {"samples", samples_of(s)},
                    {"passes", passes},
-                   {"estimated_error", s.estimated_error},
+                   {"estimated_error", or_null(s.estimated_error)},
                    {"estimated_interval", interval},
                    {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
                    {"partial", s.partial}};

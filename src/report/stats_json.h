@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/film.h"
 #include "core/switches.h"
 #include "render/workspace.h"
+#include "report/metrics/statistics.h"
 #include "scene/specialisation.h"
 
 namespace lancer {
@@ -15,7 +17,7 @@ namespace lancer {
 struct RunStats {
     struct Context {
         std::string version, embree, parallel, compiler, build_type, instructions, cpu, command_line;
-        double load_average = 0;  // when the run began, over one minute
+        std::optional<double> load_average;  // when the run began, over one minute; nothing if not known
     };
     struct SceneFigures {
         std::string file;
@@ -42,7 +44,8 @@ struct RunStats {
     // The film after a pass.
     struct Progress {
         uint32_t spp = 0;
-        double seconds = 0, error = 0;
+        double seconds = 0;
+        std::optional<double> error{};  // see estimated_error
     };
 
     Context context;
@@ -53,9 +56,10 @@ struct RunStats {
     Counters counters;
     uint64_t samples = 0;  // in the film
     double render_s = 0;
-    // Square root of the relative mean squared error as the samples tell it; 0: not known. An upper estimate from
-    // halves; with replicates without bias, and an interval.
-    double estimated_error = 0, estimated_low = 0, estimated_high = 0;
+    // Square root of the relative mean squared error as the samples tell it; nothing if they do not, as one sample
+    // does. An upper estimate from halves; with replicates without bias, and a 95 % interval.
+    std::optional<double> estimated_error;
+    std::optional<Interval> estimated_interval;
     std::string stopped_by;  // "time", "error"; empty if neither did
     uint64_t peak_memory_bytes = 0;
     bool partial = false;

@@ -13,18 +13,17 @@ struct UnusedFeature {
     std::string what;    // a plural that follows the count: "constant textures"
     uint64_t count = 0;  // number of them, >= 1
     uint64_t bytes = 0;  // memory that is saved; 0: almost none, or unknown
-    std::string time{};  // time that is saved, as benchmarked: "250 ms"; empty: none, or unknown
 };
 
 // A list in the order of insertion.
 class UnusedFeatures {
 public:
     // Adds to the entry with the same text; ignores count 0.
-    void add(std::string_view what, uint64_t count, uint64_t bytes = 0, std::string_view time = {})
+    void add(std::string_view what, uint64_t count, uint64_t bytes = 0)
     {
         if (count == 0) return;
         auto it = std::find_if(all_.begin(), all_.end(), [&](const UnusedFeature& l) { return l.what == what; });
-        if (it == all_.end()) it = all_.insert(it, {std::string(what), 0, 0, std::string(time)});
+        if (it == all_.end()) it = all_.insert(it, {std::string(what), 0, 0});
         it->count += count, it->bytes += bytes;
     }
     const std::vector<UnusedFeature>& all() const { return all_; }

@@ -206,6 +206,35 @@ TEST_F(Render, StatsTellWhatWasDone)
     EXPECT_EQ(s.at("passes").back().at("spp"), 40);
 }
 
+// Of one sample each nothing is known of the error; 0 would be a claim.
+TEST_F(Render, AnErrorThatIsNotKnownIsNotSaid)
+{
+    const auto stats = [&] { return nlohmann::json::parse(read_bytes(file("s.json"))); };
+    const Said one = render({"-o", "a.exr", "--stats", "s.json", "-s", "1", "--progress", "json"});
+    ASSERT_EQ(one.code, 0);
+    EXPECT_TRUE(stats().at("estimated_error").is_null());
+    EXPECT_TRUE(stats().at("estimated_interval").is_null());
+    EXPECT_TRUE(stats().at("passes").back().at("error").is_null());
+    EXPECT_EQ(metadata("a.exr", "estimated_error"), "none of this name");
+    expect_words(one.err, "\"error\":null");
+    EXPECT_EQ(one.err.find("error <"), std::string::npos) << one.err;
+
+    ASSERT_EQ(render({"-o", "a.exr", "--stats", "s.json", "-s", "2"}).code, 0);
+    EXPECT_GT(stats().at("estimated_error"), 0);
+    EXPECT_GT(std::stod(metadata("a.exr", "estimated_error")), 0);
+}
+
+// Where all samples agree they say so.
+TEST_F(Render, AnErrorOfNothingIsSaid)
+{
+    write("scene.toml",
+          "version = 1\n[[sphere]]\nradius = 1e-3\ncenter = [0, 99, 0]\n[camera]\n"
+          "position = [0, 0, 5]\ntarget = [0, 0, 0]\n");
+    ASSERT_EQ(render({"-o", "a.exr", "--stats", "s.json"}).code, 0);
+    EXPECT_EQ(nlohmann::json::parse(read_bytes(file("s.json"))).at("estimated_error"), 0);
+    EXPECT_EQ(metadata("a.exr", "estimated_error"), "0");
+}
+
 // What it chose itself it says by name, so that the command that it prints draws the same picture ever after.
 TEST_F(Render, SaysWhichAcceleratorItChose)
 {

@@ -61,11 +61,20 @@ public:
     pid_t pid() const { return pid_; }
     void send(int signal) const { kill(pid_, signal); }
     std::string err() const { return read_bytes(err_); }
-    // False if that did not happen in half a minute.
+    bool has_ended() const
+    {
+        siginfo_t info{};
+        return waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT | WNOHANG) != 0 || info.si_pid != 0;
+    }
+    // False if that did not happen before the program ended, or in `patience`: so long that no other work on the
+    // machine uses it up.
     bool wait_for(const std::function<bool()>& condition) const
     {
-        for (int i = 0; i < 3000; ++i) {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        while (std::chrono::steady_clock::now() < end) {
+            const bool is_last = has_ended();  // looked at first: what it did in the end counts
             if (condition()) return true;
+            if (is_last) return false;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return false;
@@ -74,8 +83,13 @@ public:
     {
         return wait_for([&] { return err().find(words) != std::string::npos; });
     }
+    // Whether it handles a signal by itself, or has one that it was not given yet.
+    bool catches(int signal) const { return has_in_mask("SigCgt:", signal); }
+    bool has_pending(int signal) const { return has_in_mask("ShdPnd:", signal); }
+    // Kills it if it does not end in `patience`.
     Said wait()
     {
+        if (!wait_for([this] { return has_ended(); })) kill(pid_, SIGKILL);
         int status = 0;
         waitpid(pid_, &status, 0);
         pid_ = 0;
@@ -84,6 +98,16 @@ public:
     }
 
 private:
+    static constexpr auto patience = std::chrono::minutes(8);
+
+    // As /proc/PID/status has it: hexadecimal, the lowest bit for signal 1.
+    bool has_in_mask(const std::string& name, int signal) const
+    {
+        const std::string status = read_bytes("/proc/" + std::to_string(pid_) + "/status");
+        const size_t at = status.find(name);
+        return at != std::string::npos &&
+               (std::stoull(status.substr(at + name.size()), nullptr, 16) >> (signal - 1) & 1);
+    }
     static std::vector<char*> pointers(std::vector<std::string>& words)
     {
         std::vector<char*> result;

@@ -41,18 +41,49 @@ TEST_F(Running, ASnapshotIsWrittenWithoutStopping)
     EXPECT_EQ(kill(program.pid(), 0), 0);
 }
 
+// A pass of eight samples of a million pixels is under way long before it ends: the snapshot has less.
+TEST_F(Running, ASnapshotNeedNotWaitForThePass)
+{
+    Program program(folder_, {"scene.toml", "-s", "2000000000", "--size", "1024x1024", "-o", "a.exr"});
+    ASSERT_TRUE(program.wait_for([&] { return program.catches(SIGUSR1); }));
+    program.send(SIGUSR1);
+    ASSERT_TRUE(program.wait_for_message("snapshot written"));
+    EXPECT_EQ(metadata("a.exr", "partial"), "1");
+    EXPECT_EQ(metadata("a.exr", "spp_done"), "0");
+}
+
+// The only pass is the last one. The picture is none the worse for having been written before.
+TEST_F(Running, ASnapshotIsWrittenInTheLastPassToo)
+{
+    const std::vector<std::string> arguments{"scene.toml", "-s", "1", "--size", "1024x1024", "-o", "a.exr"};
+    Program program(folder_, arguments);
+    ASSERT_TRUE(program.wait_for([&] { return program.catches(SIGUSR1); }));
+    program.send(SIGUSR1);
+    const Said said = program.wait();
+    EXPECT_EQ(said.code, 0);
+    expect_words(said.err, "snapshot written");
+    EXPECT_EQ(metadata("a.exr", "partial"), "0");
+    const Image interrupted = image("a.exr");
+    ASSERT_EQ(run(arguments).code, 0);
+    EXPECT_TRUE(same_pixels(interrupted, image("a.exr")));
+}
+
 // The second interrupt need not wait for a tile: one of a million pixels takes long.
 TEST_F(Running, TheSecondInterruptEndsAtOnce)
 {
-    write("a.exr", "precious");
-    Program program(folder_, {"scene.toml", "-s", "16", "--size", "1024x1024", "--tile", "1024", "-o", "a.exr", "-v"});
-    ASSERT_TRUE(program.wait_for_message("--spp 16"));
-    program.send(SIGINT);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    program.send(SIGINT);
-    EXPECT_EQ(program.wait().code, 130);
-    EXPECT_EQ(read_bytes(file("a.exr")), "precious");
-    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.exr", "quad.obj", "scene.toml"}));
+    for (const int second : {SIGINT, SIGTERM}) {
+        write("a.exr", "precious");
+        Program program(
+            folder_, {"scene.toml", "-s", "2000000000", "--size", "1024x1024", "--tile", "1024", "-o", "a.exr", "-v"});
+        ASSERT_TRUE(program.wait_for_message("--spp 2000000000"));
+        program.send(SIGINT);
+        // Two of a kind that wait together are one.
+        ASSERT_TRUE(program.wait_for([&] { return !program.has_pending(SIGINT); }));
+        program.send(second);
+        EXPECT_EQ(program.wait().code, 130);
+        EXPECT_EQ(read_bytes(file("a.exr")), "precious");
+        EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.exr", "quad.obj", "scene.toml"}));
+    }
 }
 
 // Opening that library and what it brings along would cost more than a small render.

@@ -138,7 +138,7 @@ TEST_F(StudyCommand, AnInterruptEndsItAndTheNextOneGoesOn)
     longer.replace(longer.find("spp = 16"), 8, "time = 20");
     write("study.toml", longer);
     Program program(folder_, {"study", "study.toml", "-o", "out"});
-    while (!exists("out/runs/balls.path.1.csv")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_TRUE(program.wait_for([&] { return exists("out/runs/balls.path.1.csv"); })) << program.err();
     program.send(SIGINT);
     const Said said = program.wait();
     EXPECT_EQ(said.code, 130);

@@ -136,7 +136,7 @@ TEST_P(Stopping, LeavesEachTileWholeOrUntouched)
             const PassResult result = renderer.pass(camera, film, tiles, {0, 16}, stop.get_token(), [&](const Tile&) {
                 if (++done == after) stop.request_stop();
             });
-            EXPECT_FALSE(result.complete);
+            EXPECT_FALSE(result.is_complete());
             EXPECT_GE(done, after);
             EXPECT_LT(done, after + static_cast<int>(GetParam()) + 1);
             int touched = 0;
@@ -171,7 +171,63 @@ TEST_P(Stopping, AfterTheLastTileThePassIsComplete)
             if (++done == tiles.size()) stop.request_stop();
         });
         EXPECT_EQ(done, tiles.size());
-        EXPECT_TRUE(result.complete);
+        EXPECT_TRUE(result.is_complete());
+    });
+}
+
+// What was left of a pass that was stopped, rendered later, makes the same picture.
+TEST_P(Stopping, WhatIsLeftMayFollow)
+{
+    const SceneDescription d = cornell_scene();
+    RenderRequest request;
+    request.width = 64, request.height = 48;
+    const Film whole = render(d, request).film;
+    with_threads(GetParam(), [&] {
+        const Renderer renderer(build_scene(d), {});
+        const Camera camera = camera_of(d, renderer.scene(), 64, 48);
+        Film film(64, 48, {0, 0, 64, 48});
+        std::vector<Tile> left = make_tiles({0, 0, 64, 48}, 8);
+        Counters counters;
+        size_t passes = 0;
+        for (; !left.empty(); ++passes) {
+            std::stop_source stop;
+            std::atomic<int> done{0};
+            const PassResult result = renderer.pass(camera, film, left, {0, 16}, stop.get_token(), [&](const Tile&) {
+                if (++done == 5) stop.request_stop();
+            });
+            ASSERT_EQ(result.left.size() + static_cast<size_t>(done), left.size());
+            counters += result.counters;
+            left = result.left;
+        }
+        EXPECT_GT(passes, 3u);
+        EXPECT_EQ(counters.camera_rays + counters.background_only_samples, uint64_t{64} * 48 * 16);
+        for (size_t i = 0; i < film.pixels.size(); ++i) ASSERT_TRUE(film.pixels[i].sum == whole.pixels[i].sum);
+    });
+}
+
+// Cameras that take turns, from many threads: each is answered by its own plan, which stays what it is when another
+// camera is asked about.
+TEST(Plan, IsOfTheCameraThatWasAskedAbout)
+{
+    const SceneDescription d = cornell_scene();
+    SceneDescription there = d;
+    there.camera->position = {0.6, 0.5, 1.5};
+    there.camera->target = {-0.5, -0.5, -0.5};
+    with_threads(4, [&] {
+        const Renderer renderer(build_scene(d), {});
+        const std::array<Camera, 2> cameras{camera_of(d, renderer.scene(), 32, 24),
+                                            camera_of(there, renderer.scene(), 32, 24)};
+        const auto first = renderer.plan(cameras[0], 32, 24);
+        const SamplingPlan before = *first;
+        const SamplingPlan other = *renderer.plan(cameras[1], 32, 24);
+        ASSERT_FALSE(before.importance == other.importance);
+        EXPECT_TRUE(first->importance == before.importance);
+        std::atomic<int> wrong{0};
+        parallel_for(32, [&](size_t i) {
+            const auto plan = renderer.plan(cameras[i % 2], 32, 24);
+            wrong += !(plan->importance == (i % 2 ? other : before).importance);
+        });
+        EXPECT_EQ(wrong, 0);
     });
 }
 

@@ -44,7 +44,7 @@ inline Rendered render(const SceneDescription& d, const RenderRequest& r)
         const std::vector<Tile> tiles = make_tiles(out.film.crop, r.tile);
         const auto pass = [&](SampleRange samples) {
             if (!r.traces_open_sky) return renderer.pass(camera, out.film, tiles, samples).counters;
-            SamplingPlan plan = renderer.plan(camera, r.width, r.height);
+            SamplingPlan plan = *renderer.plan(camera, r.width, r.height);
             plan.background_only.clear();
             const TileKernel kernel =
                 make_tile_kernel(renderer.scene(), renderer.accelerator(), r.settings.integrator, r.settings.kernel);

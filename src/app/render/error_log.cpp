@@ -46,14 +46,14 @@ void ErrorLog::warn_of_shared_samples(uint64_t seed) const
 
 void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_seconds)
 {
-    const auto known = [](double x) { return x > 0 ? x : ErrorRow::unknown; };
     const Counters& rays = stats.counters;
     ErrorRow row;
     row.spp = static_cast<double>(stats.samples + rays.dropped) / static_cast<double>(picture.pixels.size());
     row.wall_s = stats.render_s, row.cpu_s = cpu_seconds;
     row.camera_rays = rays.camera_rays, row.bounce_rays = rays.bounce_rays, row.shadow_rays = rays.shadow_rays;
-    row.estimated_error = known(stats.estimated_error);
-    row.estimated_low = known(stats.estimated_low), row.estimated_high = known(stats.estimated_high);
+    if (stats.estimated_error) row.estimated_error = *stats.estimated_error;
+    if (const auto& interval = stats.estimated_interval)
+        row.estimated_low = interval->low, row.estimated_high = interval->high;
     last_.reset();
     // FLIP only where it is written down.
     if (reference_)

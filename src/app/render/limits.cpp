@@ -28,14 +28,13 @@ uint32_t RenderLimits::next_end(uint32_t done) const
 
 bool RenderLimits::is_mark(uint32_t samples) const { return std::has_single_bit(samples) || samples == given_.spp; }
 
-void RenderLimits::begin_pass()
+void RenderLimits::resume()
 {
-    ++passes_;
     is_running_ = true;
     wall_begin_ = lancer::wall_seconds(), cpu_begin_ = lancer::cpu_seconds();
 }
 
-void RenderLimits::end_pass()
+void RenderLimits::pause()
 {
     wall_ += lancer::wall_seconds() - wall_begin_, cpu_ += lancer::cpu_seconds() - cpu_begin_;
     is_running_ = false;

@@ -28,8 +28,11 @@ public:
     // Whether errors are looked at that are known only there.
     bool is_mark(uint32_t samples) const;
 
-    void begin_pass();
-    void end_pass();
+    void begin_pass() { ++passes_, resume(); }
+    void end_pass() { pause(); }
+    // Within a pass: no rays are traced from one to the other.
+    void pause();
+    void resume();
     // Of all passes, and what the one under way has taken.
     double wall_seconds() const;
     double cpu_seconds() const { return cpu_; }

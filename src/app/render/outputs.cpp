@@ -86,29 +86,30 @@ Image to_image(const Film& film)
 Metadata make_metadata(const RunStats& s)
 {
     const auto integer = [](uint64_t x) { return static_cast<int64_t>(x); };
-    return {{"software", "lancer " + s.context.version},
-            {"scene", s.scene.file},
-            {"scene_hash", to_hex(s.scene.content_hash)},
-            {"settings_hash", s.settings.hash},
-            {"integrator", s.settings.integrator},
-            {"sampler", s.settings.sampler},
-            {"filter", s.settings.filter},
-            {"accel", s.settings.accel},
-            {"isa", s.settings.isa},
-            {"spp", integer(s.settings.spp)},
-            {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
-            {"seed", integer(s.settings.seed)},
-            {"replicates", integer(s.settings.replicates)},
-            {"max_depth", integer(s.settings.max_depth)},
-            {"threads", integer(s.settings.threads)},
-            {"seconds", s.render_s},
-            {"rays", integer(s.rays())},
-            {"dropped_samples", integer(s.counters.dropped)},
-            {"bias", bias_ledger(s)},
-            {"estimated_error", s.estimated_error},
-            {"partial", integer(s.partial ? 1 : 0)},
-            {"embree", s.context.embree},
-            {"command_line", s.context.command_line}};
+    Metadata all{{"software", "lancer " + s.context.version},
+                 {"scene", s.scene.file},
+                 {"scene_hash", to_hex(s.scene.content_hash)},
+                 {"settings_hash", s.settings.hash},
+                 {"integrator", s.settings.integrator},
+                 {"sampler", s.settings.sampler},
+                 {"filter", s.settings.filter},
+                 {"accel", s.settings.accel},
+                 {"isa", s.settings.isa},
+                 {"spp", integer(s.settings.spp)},
+                 {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
+                 {"seed", integer(s.settings.seed)},
+                 {"replicates", integer(s.settings.replicates)},
+                 {"max_depth", integer(s.settings.max_depth)},
+                 {"threads", integer(s.settings.threads)},
+                 {"seconds", s.render_s},
+                 {"rays", integer(s.rays())},
+                 {"dropped_samples", integer(s.counters.dropped)},
+                 {"bias", bias_ledger(s)},
+                 {"partial", integer(s.partial ? 1 : 0)},
+                 {"embree", s.context.embree},
+                 {"command_line", s.context.command_line}};
+    if (s.estimated_error) all.push_back({"estimated_error", *s.estimated_error});
+    return all;
 }
 
 void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,

@@ -56,7 +56,7 @@ void Progress::tile_done()
     if (now >= next_) print(now);
 }
 
-void Progress::end_pass(double error, uint64_t rays)
+void Progress::end_pass(std::optional<double> error, uint64_t rays)
 {
     const std::lock_guard lock(mutex_);
     error_ = error;
@@ -95,11 +95,16 @@ void Progress::print(double now)
         style_ == Style::plain ? std::max(10.0, 0.05 * (elapsed + left)) : std::clamp(0.02 * elapsed, 0.25, 1.0);
     next_ = now + pause;
     if (style_ == Style::json) {
-        print_raw(
-            format_text("{\"t\":%.3f,\"phase\":\"render\",\"fraction\":%.5f,\"spp\":%u,\"samples_per_s\":%.0f,"
-                        "\"rays_per_s\":%.0f,\"eta_s\":%.1f,\"error\":%s}\n",
-                        elapsed, done, pass_.begin, rate, rate * rays_per_sample_, left,
-                        error_ > 0 ? format_text("%.6g", error_).c_str() : "null"));
+        const auto or_null = [](bool is_known, const char* format, double x) {
+            return is_known ? format_text(format, x) : std::string("null");
+        };
+        const bool has_end = spp_ > 0 || time_limit_;
+        print_raw(format_text("{\"t\":%.3f,\"phase\":\"render\",\"fraction\":", elapsed) +
+                  or_null(has_end, "%.5f", done) + format_text(",\"spp\":%u,\"samples_per_s\":", pass_.begin) +
+                  or_null(elapsed > 0, "%.0f", rate) +
+                  ",\"rays_per_s\":" + or_null(rays_per_sample_ > 0, "%.0f", rate * rays_per_sample_) +
+                  ",\"eta_s\":" + or_null(done > 0, "%.1f", left) +
+                  ",\"error\":" + or_null(error_.has_value(), "%.6g", error_.value_or(0)) + "}\n");
         return;
     }
     std::string text = spp_ == 0 && !time_limit_ ? "render" : format_text("render %3.0f%%", std::floor(100 * done));
@@ -107,7 +112,7 @@ void Progress::print(double now)
     text += rays_per_sample_ > 0 ? format_text("%.2f Mrays/s", 1e-6 * rate * rays_per_sample_)
                                  : format_text("%.2f Msamples/s", 1e-6 * rate);
     text += " | " + to_clock(elapsed) + " elapsed, " + (settled ? to_clock(left) : "-:--") + " left";
-    if (error_ > 0) text += format_text(" | error < ~%.3g", error_);
+    if (error_) text += format_text(" | error < ~%.3g", *error_);
     if (style_ == Style::line) {
         print_raw("\r" + text + "\x1b[K");
         is_drawn_ = true;

@@ -21,8 +21,8 @@ public:
 
     void begin_pass(SampleRange samples, size_t tiles);
     void tile_done();  // from any thread
-    // error: estimated, of the film as it is now; rays: so far.
-    void end_pass(double error, uint64_t rays);
+    // error: estimated, of the film as it is now, if it is known; rays: so far.
+    void end_pass(std::optional<double> error, uint64_t rays);
     // Takes the line away, so that something else can be printed.
     void clear();
 
@@ -39,7 +39,7 @@ private:
     SampleRange pass_{};
     size_t tiles_ = 1;
     std::atomic<size_t> tiles_done_{0};
-    double error_ = 0;  // 0: not known yet
+    std::optional<double> error_;
     double rays_per_sample_ = 0;
     bool is_drawn_ = false;
     std::mutex mutex_;
