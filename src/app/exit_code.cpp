@@ -1,8 +1,10 @@
 #include "app/exit_code.h"
 
-#include <exception>
+#include <cerrno>
+#include <cstring>
 #include <new>
-#include <string>
+#include <string_view>
+#include <system_error>
 
 #include "app/console.h"
 #include "core/error.h"
@@ -42,6 +44,30 @@ int guarded(const std::function<int()>& body)
         print_problem(std::string("error: ") + e.what());
     }
     return exit_failed;
+}
+
+std::string message_of_termination(const std::exception_ptr& thrown)
+{
+    if (!thrown) return "error: a library failed";
+    const std::string_view advice = "; fewer --threads need less of memory and processes";
+    const auto with_advice = [&](const char* what, bool helps) {
+        return std::string("error: ") + what + std::string(helps ? advice : "");
+    };
+    try {
+        std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        return with_advice("out of memory", true);
+    } catch (const std::system_error& e) {
+        return with_advice(e.what(), e.code() == std::errc::resource_unavailable_try_again ||
+                                         e.code() == std::errc::not_enough_memory);
+    } catch (const std::exception& e) {
+        // TBB has the words of the system and no number.
+        const std::string_view what = e.what();
+        const auto says = [&](int number) { return what.find(std::strerror(number)) != std::string_view::npos; };
+        return with_advice(e.what(), says(EAGAIN) || says(ENOMEM));
+    } catch (...) {
+        return "error: a library failed";
+    }
 }
 
 }  // namespace lancer

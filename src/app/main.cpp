@@ -75,17 +75,10 @@ int dispatch(int argc, char** argv)
     return run_render(argc, argv);
 }
 
-// TBB and Embree throw where nobody can catch it, above all if the system grants no more threads.
+// TBB and Embree throw where nobody can catch it, above all where the system grants no more threads.
 [[noreturn]] void end_with_message()
 {
-    std::string reason = "a library failed";
-    try {
-        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-    } catch (const std::exception& e) {
-        reason = e.what();
-    } catch (...) {
-    }
-    print_problem("error: " + reason + "; fewer --threads need less of memory and processes");
+    print_problem(message_of_termination(std::current_exception()));
     std::_Exit(exit_failed);
 }
 
