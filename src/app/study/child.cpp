@@ -10,6 +10,7 @@
 #include <array>
 #include <csignal>
 #include <cstring>
+#include <optional>
 
 #include "app/system_info.h"
 #include "core/error.h"
@@ -18,7 +19,9 @@ namespace lancer {
 namespace {
 
 constexpr int look_ms = 50;     // between looks at interrupts and clocks
+constexpr int end_ms = 2;       // between looks whether a child has ended that has nothing more to say
 constexpr double grace_s = 30;  // from an interrupt to the end
+constexpr size_t read_size = 4096, most_in_pipe = size_t{1} << 20;  // bytes; Linux lets users have no larger pipe
 
 struct Pipe {
     std::array<int, 2> ends{-1, -1};
@@ -85,43 +88,64 @@ pid_t spawn(const ChildOrder& order, const Pipe& out, const Pipe& err)
     return child;
 }
 
-// At the end of what there is to read, the end of the pipe is closed.
-void read_some(int& end, std::string& text)
+// At the end of what there is to read, the end of the pipe is closed. Whether anything was there.
+bool read_some(int& end, std::string& text)
 {
-    std::array<char, 4096> bytes{};
+    std::array<char, read_size> bytes{};
     const ssize_t n = read(end, bytes.data(), bytes.size());
     if (n > 0) text.append(bytes.data(), static_cast<size_t>(n));
     if (n == 0 || (n < 0 && errno != EINTR)) Pipe::close_end(end);
+    return n > 0;
+}
+
+// Of a child: its end, once that has come.
+std::optional<int> end_of(pid_t child)
+{
+    int status = 0;
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended < 0 && errno != EINTR)
+        throw Error(ErrorKind::failed, {}, std::string("how a child ended is not known: ") + std::strerror(errno));
+    if (ended != child) return {};
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
 
 ChildResult run_child(const ChildOrder& order, Signals& signals)
 {
+    std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have set it to be ignored: no child's end would be told
     Pipe out, err;
     const double start = wall_seconds();
     const pid_t child = spawn(order, out, err);
     Pipe::close_end(out.ends[1]), Pipe::close_end(err.ends[1]);
     ChildResult result;
+    // Reads what there is, after waiting for it so long. Whether anything was there.
+    const auto read_for = [&](int milliseconds) {
+        // A closed end is negative, and passed over.
+        std::array<pollfd, 2> readers{{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
+        if (poll(readers.data(), readers.size(), milliseconds) <= 0) return false;
+        const bool some_out = readers[0].revents && read_some(out.ends[0], result.out);
+        const bool some_err = readers[1].revents && read_some(err.ends[0], result.err);
+        return some_out || some_err;
+    };
     double killed_at = std::numeric_limits<double>::infinity();
     bool told = false;
-    while (out.ends[0] >= 0 || err.ends[0] >= 0) {
+    std::optional<int> code;
+    // Until the child has ended, not until its pipes have: it may close them and go on, and what it started may keep
+    // them open.
+    while (!(code = end_of(child))) {
         if (signals.interrupted() && !told) {
             kill(-child, SIGINT);
             told = true, killed_at = wall_seconds() + grace_s;
         }
         if (wall_seconds() - start > order.timeout_s) result.timed_out = true, killed_at = 0;
         if (wall_seconds() > killed_at) kill(-child, SIGKILL);
-        // A closed end is negative, and passed over.
-        std::array<pollfd, 2> readers{{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
-        if (poll(readers.data(), readers.size(), look_ms) <= 0) continue;
-        if (readers[0].revents) read_some(out.ends[0], result.out);
-        if (readers[1].revents) read_some(err.ends[0], result.err);
+        const bool closed = out.ends[0] < 0 && err.ends[0] < 0;
+        read_for(closed ? end_ms : look_ms);
     }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    result.code = *code;
+    for (size_t i = 0; i < most_in_pipe / read_size && read_for(0); ++i) {
     }
-    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return result;
 }
 

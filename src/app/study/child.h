@@ -25,9 +25,9 @@ struct ChildResult {
     std::string out, err;  // what it wrote to the standard output and error
 };
 
-// Waits for its end. It reads nothing and has a process group of its own: an interrupt is passed on to all that it
-// started, and what has not ended half a minute later, or at the end of its time, is killed. Throws Error (failed) if
-// it cannot be started.
+// Waits for its end, be its output closed before or kept open after by what it started. It reads nothing and has a
+// process group of its own: an interrupt is passed on to all that it started, and what has not ended half a minute
+// later, or at the end of its time, is killed. Throws Error (failed) if it cannot be started.
 ChildResult run_child(const ChildOrder& order, Signals& signals);
 
 // A path by which others start this very program as long as it runs, also after its file was replaced.
