@@ -22,7 +22,7 @@ struct Mesh {
     uint32_t rows = 1;                               // entries per vertex
     bool instanced = false;                          // only drawn as instances
 
-    size_t vertices() const { return (positions.size() - 1) / rows; }
+    size_t vertices() const { return positions.empty() ? 0 : (positions.size() - 1) / rows; }
     const Vec3& vertex(size_t i) const { return positions[i * rows]; }
 };
 

@@ -44,6 +44,17 @@ void expect_close(const Sphere& s, const Ray& ray, int i)
         << i << " r " << s.radius;
 }
 
+TEST(Mesh, WithoutPositionsHasNoVertices)
+{
+    for (const uint32_t rows : {1u, 2u}) {
+        Mesh mesh;
+        mesh.rows = rows;
+        EXPECT_EQ(mesh.vertices(), 0u);
+        mesh.positions.resize(1);  // the padding
+        EXPECT_EQ(mesh.vertices(), 0u);
+    }
+}
+
 TEST(Sphere, MatchesLongDoubleFromOutsideAtEveryRatioOfRadiusToDistance)
 {
     Random random(1);

@@ -133,7 +133,7 @@ private:
         const Mesh& m = g_.meshes[index];
         RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m.positions.data(), 0, sizeof(Vec3),
-                                   m.positions.size() - 1);
+                                   m.vertices() * m.rows);
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
         // Only if a mesh needs the alpha test: a scene with a filter is traced by slower code.
