@@ -23,7 +23,7 @@ TEST(Discrete, DrawsInProportionToTheWeights)
         EXPECT_FLOAT_EQ(d.probability(i), static_cast<float>(weights[i] / 21.501));
         EXPECT_EQ(observed[i] == 0, weights[i] == 0) << i;
     }
-    EXPECT_GT(chi_square_test(observed, expected).p, 0.01);
+    EXPECT_GT(chi_square_test(observed, expected).p, claim_level);
 }
 
 // Index and rest together are as even as the number was.
@@ -67,7 +67,7 @@ TEST(Discrete, DrawsAmongTheLastInProportionToTheirWeights)
             expected.push_back(i < first ? 0 : n * weights[i] / rest);
             EXPECT_EQ(observed[i] == 0, expected[i] == 0) << i << " from " << first;
         }
-        EXPECT_GT(chi_square_test(observed, expected).p, 0.001) << first;
+        EXPECT_GT(chi_square_test(observed, expected).p, claim_level) << first;
     }
     EXPECT_EQ(d.sample_from(6, 0.5).probability, 0) << "these weigh nothing";
 }
@@ -140,7 +140,7 @@ TEST(Discrete, LengthenedNumbersReachWhatIsRare)
         ++observed[d.sample(longer)];
     }
     observed.erase(observed.begin());
-    EXPECT_GT(chi_square_uniform(observed).p, 0.01);
+    EXPECT_GT(chi_square_uniform(observed).p, claim_level);
 }
 
 // All 29 bits of them.
@@ -155,8 +155,8 @@ TEST(Discrete, LengthenedByTwoNumbersIsUniformToItsLastBit)
         ASSERT_EQ(below, std::floor(below));
         ++first[static_cast<size_t>(below) >> 21], ++last[static_cast<size_t>(below) & 255];
     }
-    EXPECT_GT(chi_square_uniform(first).p, 0.01);
-    EXPECT_GT(chi_square_uniform(last).p, 0.01);
+    EXPECT_GT(chi_square_uniform(first).p, claim_level);
+    EXPECT_GT(chi_square_uniform(last).p, claim_level);
 }
 
 // By the first of two numbers and by both: lengthening keeps a pair of them uniform in the square.
@@ -170,8 +170,8 @@ TEST(Discrete, LengthenedPairsAreUniform)
         ++fine[static_cast<size_t>(below * 256)];
         ++joint[static_cast<size_t>(below * 32) * 32 + static_cast<size_t>(u.y * 32)];
     }
-    EXPECT_GT(chi_square_uniform(fine).p, 0.01);
-    EXPECT_GT(chi_square_uniform(joint).p, 0.01);
+    EXPECT_GT(chi_square_uniform(fine).p, claim_level);
+    EXPECT_GT(chi_square_uniform(joint).p, claim_level);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(Sampler, NumbersOfDifferentAddressesAreUniform)
         [](uint32_t i) { return Address{.pixel = i, .sample = 37, .bounce = 2, .dim = Dim::bsdf}; },
         [](uint32_t i) { return Address{.seed = i, .sample = 5, .dim = Dim::light}; },
         [](uint32_t i) { return Address{.pixel = 12345, .bounce = i, .dim = Dim::roulette}; }};
-    const double level = sidak(0.01, kinds.size() * ways.size() * 6);
+    const double level = sidak(claim_level, kinds.size() * ways.size() * 6);
     for (const SamplerKind kind : kinds)
         for (size_t way = 0; way < ways.size(); ++way) {
             std::array<std::vector<uint64_t>, 6> counts;
@@ -149,7 +149,7 @@ TEST(Sampler, GroupsOfOnePixelAreUncorrelatedOverItsSamples)
         {{.bounce = 1, .dim = Dim::bsdf}, {.bounce = 2, .dim = Dim::bsdf}},
         {{.dim = Dim::bsdf}, {.dim = Dim::roulette}},
     }};
-    const double level = sidak(0.01, kinds.size() * pairs.size() * 9);
+    const double level = sidak(claim_level, kinds.size() * pairs.size() * 9);
     for (const SamplerKind kind : kinds)
         for (size_t k = 0; k < pairs.size(); ++k) {
             std::array<std::array<double, 3>, 3> total{}, total_sq{};

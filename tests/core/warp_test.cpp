@@ -16,7 +16,7 @@ namespace {
 constexpr double pi_d = std::numbers::pi;
 constexpr uint32_t grid = 20;
 constexpr int samples = 1000000;
-const double level = sidak(0.01, 6);  // six warps are tested against their densities
+const double level = sidak(claim_level, 6);  // six warps are tested against their densities
 
 uint32_t cell_of(double x) { return std::min(grid - 1, static_cast<uint32_t>(std::max(0.0, x) * grid)); }
 // Angle / 2 pi, in [0, 1).

@@ -1,6 +1,5 @@
 // Different ways to estimate the same thing agree: light sampling, BSDF sampling and both weighted, either sampler,
-// with and without roulette. Welch's test over 8 x 8 pixels of pictures with seeds of their own, Sidak over all of
-// them.
+// with and without roulette.
 #include <gtest/gtest.h>
 
 #include "support/shoot.h"
@@ -8,29 +7,13 @@
 namespace lancer {
 namespace {
 
-// Every pair of ways in every tile; and, as a family of their own, the pictures as wholes, where a small bias
-// everywhere would show.
-void expect_agreement(const std::vector<std::vector<stats::Tally>>& ways, const std::vector<std::string>& names,
-                      const std::string& scene)
-{
-    stats::Family tiles, wholes;
-    for (size_t a = 0; a < ways.size(); ++a)
-        for (size_t b = a + 1; b < ways.size(); ++b) {
-            const std::string what = scene + ": " + names[a] + " against " + names[b];
-            const size_t whole = ways[a].size() - 1;
-            for (size_t tile = 0; tile < whole; ++tile)
-                tiles.add(stats::welch_p(ways[a][tile], ways[b][tile]), what + ", tile " + std::to_string(tile));
-            wholes.add(stats::welch_p(ways[a][whole], ways[b][whole]), what);
-        }
-}
-
 // Light sampling also where it is in vain, beside the ways that there always are.
 constexpr DirectLight always{.always = true};
 
 void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, uint32_t spp,
                            std::vector<DirectLight> ways = {{true, true}, {true, false}, {false, false}})
 {
-    std::vector<std::vector<stats::Tally>> tiles;
+    std::vector<TilesOverSeeds> all;
     std::vector<std::string> names;
     uint64_t seed = 0;
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent})
@@ -39,7 +22,7 @@ void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, 
                       .spp = how.nee ? spp : 2 * spp,
                       .sampler = sampler};
             shot.seed = ++seed;
-            tiles.push_back(tiles_over_seeds(d, shot, 16));
+            all.emplace_back(d, shot);
             names.push_back(std::string(!how.nee     ? "bsdf"
                                         : how.always ? "nee always"
                                         : how.mis    ? "nee and mis"
@@ -49,9 +32,9 @@ void expect_all_ways_agree(const SceneDescription& d, const std::string& scene, 
     // With roulette the paths of more than six vertices are the same too.
     Shot never{.integrator = without_roulette({.max_depth = 6}), .spp = spp};
     never.seed = ++seed;
-    tiles.push_back(tiles_over_seeds(d, never, 16));
+    all.emplace_back(d, never);
     names.emplace_back("no roulette");
-    expect_agreement(tiles, names, scene);
+    expect_one_mean(std::move(all), {.pictures = 16, .names = names}, scene);
 
     // The accelerator only says what is hit: the same bits.
     Shot few{.width = 24, .height = 16, .spp = 2};
@@ -167,13 +150,12 @@ TEST(Agreement, ShadingNormals)
 TEST(Agreement, RouletteFromTheFirstVertexAndNever)
 {
     const SceneDescription d = spheres_scene();
-    std::vector<std::vector<stats::Tally>> tiles;
     Path first = without_roulette({.max_depth = 40});
     first.roulette_depth = 1;
-    tiles.push_back(tiles_over_seeds(d, {.integrator = first, .spp = 16, .seed = 1}, 24));
     const Path never = without_roulette({.max_depth = 40});
-    tiles.push_back(tiles_over_seeds(d, {.integrator = never, .spp = 16, .seed = no_roulette}, 24));
-    expect_agreement(tiles, {"from the first", "never"}, "spheres");
+    expect_one_mean(
+        {{d, {.integrator = first, .spp = 16, .seed = 1}}, {d, {.integrator = never, .spp = 16, .seed = no_roulette}}},
+        {.pictures = 24, .names = {"from the first", "never"}}, "spheres");
 }
 
 // A pane of index 1 before the camera: other random numbers, the same picture.
@@ -185,12 +167,11 @@ TEST(Agreement, PaneOfIndexOne)
     nothing.type = MaterialType::glass;
     nothing.ior = 1;
     pane.meshes.push_back(make_mesh(make_cube(nothing), {{0, 0, 2}, {0, 0, 0}, {2, 2, 0.1}}));
-    std::vector<std::vector<stats::Tally>> tiles;
-    tiles.push_back(tiles_over_seeds(bare, {.integrator = Path{.max_depth = 2}, .spp = 16}, 16));
-    tiles.push_back(tiles_over_seeds(pane, {.integrator = Path{.max_depth = 4}, .spp = 16, .seed = 1}, 16));
     // The pane takes two of the vertices on the way in; light that leaves the box through it would need two more, but
     // there is nothing outside to come back from.
-    expect_agreement(tiles, {"bare", "pane"}, "cornell");
+    expect_one_mean({{bare, {.integrator = Path{.max_depth = 2}, .spp = 16}},
+                     {pane, {.integrator = Path{.max_depth = 4}, .spp = 16, .seed = 1}}},
+                    {.pictures = 16, .names = {"bare", "pane"}}, "cornell");
 }
 
 // On diffuse surfaces direct light is the path tracer of one vertex, to the bit.

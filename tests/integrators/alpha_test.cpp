@@ -34,17 +34,14 @@ MaterialDescription glow_of(float radiance, float opacity = 1, bool both_sides =
 // Every way to find the light, by either integrator, in every tile and as a whole.
 void expect_same_light(const SceneDescription& a, const SceneDescription& b, const std::string& what)
 {
-    stats::Family family;
     uint64_t seed = 0;
     const auto both = [&](const AnyIntegrator& integrator, const std::string& name) {
         Shot shot{.integrator = integrator, .width = 16, .height = 16};
         shot.seed = ++seed;
-        const auto one = tiles_over_seeds(a, shot, 12);
+        const TilesOverSeeds one(a, shot);
         shot.seed = ++seed;
-        const auto other = tiles_over_seeds(b, shot, 12);
-        EXPECT_GT(one.back().mean, 0.01);
-        EXPECT_LT(one.back().error(), 0.05 * one.back().mean) << what << ", " << name << ": too noisy to tell";
-        for (size_t i = 0; i < one.size(); ++i) family.add(stats::welch_p(one[i], other[i]), what + ", " + name);
+        const TilesOverSeeds other(b, shot);
+        EXPECT_GT(expect_one_mean({one, other}, {.pictures = 12, .detectable = 0.25}, what + ", " + name), 0.01);
     };
     for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}}) {
         const std::string name = !how.nee ? "bsdf" : how.mis ? "nee and mis" : "nee";

@@ -16,12 +16,12 @@ Path path_with(bool split, bool roulette, DirectLight direct = {})
 
 void expect_same_light(const SceneDescription& d, double detectable, const std::string& name)
 {
-    std::vector<std::vector<stats::Tally>> ways;
+    std::vector<TilesOverSeeds> ways;
     uint64_t seed = 100;
     for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
                              path_with(true, true), path_with(false, false, {.always = true})})
-        ways.push_back(tiles_over_seeds(d, {.integrator = path, .spp = 32, .seed = ++seed}, 16));
-    expect_one_mean(ways, detectable, name);
+        ways.emplace_back(d, Shot{.integrator = path, .spp = 32, .seed = ++seed});
+    expect_one_mean(std::move(ways), {.pictures = 16, .detectable = detectable, .rounding = 1e-5}, name);
 }
 
 // The sky alone lights it, and what shines there.

@@ -154,21 +154,15 @@ TEST(SoftShadows, OffLosesNoLight)
     soft.meshes[0] = make_mesh(make_quad({-2, 0, -2}, {2, 0, -2}, {2, 2, -2}, {-2, 2, -2}));
     SceneDescription hard = soft;
     hard.render.set(Switch::soft_shadows, false);
-    stats::Family family;
     const auto found = [](const SceneDescription& d, bool mis, uint64_t seed) {
-        return tiles_over_seeds(
-            d,
-            {.integrator = make_integrator(
-                 "path", {.max_depth = 3, .switches = with({{Switch::emitters, false}, {Switch::mis, mis}})}),
-             .spp = 16,
-             .seed = seed},
-            12);
+        return TilesOverSeeds(
+            d, {.integrator = make_integrator(
+                    "path", {.max_depth = 3, .switches = with({{Switch::emitters, false}, {Switch::mis, mis}})}),
+                .spp = 16,
+                .seed = seed});
     };
-    const auto a = found(soft, true, 11);
-    for (const bool mis : {true, false}) {
-        const auto b = found(hard, mis, mis ? 12 : 13);
-        for (size_t i = 0; i < a.size(); ++i) family.add(stats::welch_p(a[i], b[i]), "tile " + std::to_string(i));
-    }
+    expect_one_mean({found(soft, true, 11), found(hard, true, 12), found(hard, false, 13)},
+                    {.pictures = 12, .names = {"soft", "hard", "hard without mis"}}, "shadows");
 }
 
 // Inside, where the sphere shines inwards, it shines from the centre.

@@ -77,7 +77,8 @@ stats::Tally trace(Route route, const Integrator& integrator, uint64_t seed, con
     const Stage stage(d, picture_source(stripes()));
     Workspace w;
     for (uint32_t i = 0; i < side * side; ++i) w.slots.push_back({i % side, i / side, 0});
-    const KernelSettings settings{.sampler = SamplerKind::independent, .seed = seed, .filter = Filter(FilterKind::box)};
+    const KernelSettings settings{
+        .sampler = SamplerKind::independent, .seed = salted(seed), .filter = Filter(FilterKind::box)};
     Counters counters;
     trace_batch(View{stage.scene, SamplingPlan{}}, *stage.embree, camera_of(d, stage.scene, side, side), side, settings,
                 integrator, w, counters, listener);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "reference/walk.h"
+#include "support/salt.h"
 
 namespace reference {
 
@@ -33,7 +34,7 @@ Picture render(const World& world, const lancer::CameraDescription& camera, cons
         Rgb sum;
         double mean = 0, squares = 0;  // of luminance: Welford 1962
         for (uint32_t i = 0; i < o.spp; ++i) {
-            Random random(o.seed, number, i);
+            Random random(lancer::salted(o.seed), number, i);
             const double px = x + random.next(), py = y + random.next(), lu = random.next(), lv = random.next();
             const Rgb light =
                 walk(world, camera_ray(camera, px, py, o.width, o.height, lu, lv), {o.max_depth, o.indirect}, random);

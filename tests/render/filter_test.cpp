@@ -12,7 +12,7 @@ namespace lancer {
 namespace {
 
 constexpr int samples = 1000000;
-const double level = sidak(0.01, 8);  // four filters, two axes
+const double level = sidak(claim_level, 8);  // four filters, two axes
 
 // Counts of offsets in 60 cells over [-1.5, 1.5] against the integral of the density, on each axis.
 void expect_density(FilterKind kind, const std::function<double(double)>& density)

@@ -226,7 +226,7 @@ TEST(Lights, ManyOfVeryDifferentPower)
         all.add(static_cast<double>(s->radiance.r * dot(s->wi, from.n) / s->pdf));
     }
     EXPECT_LE(all.error() / all.mean, 1e-3);
-    EXPECT_GE(stats::mean_p(all, expected, 1e-5), 0.01);
+    EXPECT_GE(stats::mean_p(all, expected, 1e-5), claim_level);
 }
 
 // A pattern that the estimate of a textured emitter's power cannot see: never chosen would be never lit.
@@ -287,7 +287,7 @@ TEST(Lights, AreChosenByPower)
     }
     Random random(5);
     for (int i = 0; i < 1000000; ++i) ++count[scene.lights.pick.sample(random.unit())];
-    EXPECT_GT(chi_square_test(count, expected).p, 0.01);
+    EXPECT_GT(chi_square_test(count, expected).p, claim_level);
     // The choice is in the density.
     const auto s = sample_light(scene, receiver({0, 0, 0}, {0, 1, 0}), 0, {});
     ASSERT_TRUE(s && s->delta);

@@ -180,9 +180,8 @@ TEST(LightTree, LightsTheSame)
     other.seed = 7;
     Shot nee = shot;
     nee.seed = 9, nee.integrator = Path{.max_depth = 3, .direct = {true, false}};
-    expect_one_mean({tiles_over_seeds(by_tree, shot, 16), tiles_over_seeds(by_power, other, 16),
-                     tiles_over_seeds(by_tree, nee, 16)},
-                    0.02, "lamps");
+    expect_one_mean({{by_tree, shot}, {by_power, other}, {by_tree, nee}},
+                    {.pictures = 16, .detectable = 0.02, .rounding = 1e-5}, "lamps");
 }
 
 TEST(LightTree, IsForManyLights)

@@ -18,7 +18,7 @@ public:
         double radius, albedo, emission;
     };
 
-    explicit DoubleRoom(std::vector<Ball> balls, uint64_t seed) : balls_(std::move(balls)), engine_(seed) {}
+    explicit DoubleRoom(std::vector<Ball> balls, uint64_t seed) : balls_(std::move(balls)), engine_(salted(seed)) {}
 
     // Radiance along a ray by one path of at most `vertices` vertices that scatter.
     double sample(Vec3d org, Vec3d dir, uint32_t vertices)

@@ -17,7 +17,7 @@ inline Film shoot(const SceneDescription& d, const Shot& shot, const Setup& setu
     r.settings.integrator = shot.integrator;
     r.settings.accel = shot.accel;
     r.settings.kernel.sampler = shot.sampler;
-    r.settings.kernel.seed = shot.seed;
+    r.settings.kernel.seed = salted(shot.seed);
     r.settings.kernel.filter = Filter(FilterKind::box);
     Rendered rendered = render(d, r);
     out.samples += uint64_t{shot.spp} * shot.width * shot.height;
@@ -86,7 +86,7 @@ public:
     Measure measure(const std::string& what) const
     {
         return at_least(what + ", least p of " + std::to_string(count_), least_,
-                        sidak(0.01, std::max<size_t>(1, count_)));
+                        sidak(claim_level, std::max<size_t>(1, count_)));
     }
 
 private:

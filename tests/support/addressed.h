@@ -6,12 +6,13 @@
 
 #include "core/hash.h"
 #include "core/vec.h"
+#include "support/salt.h"
 
 namespace lancer {
 
 class AddressedRandom {
 public:
-    AddressedRandom(uint64_t seed, uint64_t index) : key_(mix_bits(mix_bits(seed + golden) ^ index)) {}
+    AddressedRandom(uint64_t seed, uint64_t index) : key_(mix_bits(mix_bits(salted(seed) + golden) ^ index)) {}
 
     uint64_t bits() { return mix_bits(key_ += golden); }
     uint32_t below(uint32_t n) { return static_cast<uint32_t>((bits() >> 32) * n >> 32); }

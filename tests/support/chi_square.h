@@ -91,4 +91,8 @@ inline ChiSquare chi_square_uniform(const std::vector<uint64_t>& observed)
 // Level of each of n independent tests, so that all together fail by chance with probability alpha.
 inline double sidak(double alpha, size_t n) { return -std::expm1(std::log1p(-alpha) / static_cast<double>(n)); }
 
+// The level of one claim. All tests together make about 500: so that with other random numbers one is red by chance in
+// one of a hundred runs, and not in every run.
+inline const double claim_level = sidak(0.01, 500);
+
 }  // namespace lancer

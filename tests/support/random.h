@@ -8,12 +8,13 @@
 #include <random>
 
 #include "core/vec.h"
+#include "support/salt.h"
 
 namespace lancer {
 
 class Random {
 public:
-    explicit Random(uint64_t seed) : engine_(seed) {}
+    explicit Random(uint64_t seed) : engine_(salted(seed)) {}
 
     uint64_t bits() { return engine_(); }
     uint32_t below(uint32_t n) { return static_cast<uint32_t>((engine_() >> 32) * n >> 32); }

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "support/chi_square.h"
+#include "support/salt.h"
 
 namespace lancer::stats {
 
@@ -73,10 +75,10 @@ inline double mean_p(const Tally& a, double expected, double rounding = 1e-6)
     return a.m2 == 0 ? 0 : student_p((d - floor) / a.error(), a.n - 1);
 }
 
-// The tests of one claim. Red if the least p-value of all is what chance gives in less than one of 1 / alpha runs.
+// The tests of one claim. Red if the least p-value of all is what chance gives in a part `alpha` of the runs.
 class Family {
 public:
-    explicit Family(double alpha = 0.01) : alpha_(alpha) {}
+    explicit Family(double alpha = claim_level) : alpha_(alpha) {}
 
     void add(double p, const std::string& what)
     {
@@ -87,6 +89,8 @@ public:
     {
         EXPECT_GT(count_, 0u) << "nothing was tested";
         const double threshold = sidak(alpha_, std::max<size_t>(1, count_));
+        if (is_salted())
+            std::printf("p = %.3g: %s\n", -std::expm1(double(count_) * std::log1p(-least_)), what_.c_str());
         EXPECT_GE(least_, threshold) << what_ << ", the least of " << count_;
     }
     Family(const Family&) = delete;
