@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/warp.h"
 #include "integrators/path/transport.h"
+#include "scene/description/material.h"
 
 namespace lancer::bench {
 namespace {

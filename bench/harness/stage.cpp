@@ -5,14 +5,15 @@
 namespace lancer::bench {
 namespace {
 
-Scene begin(const SceneDescription& description, const Settings& settings, const RasterSource& images)
+Renderer renderer_of(const SceneDescription& description, const Settings& settings, const RenderSettings& render,
+                     const RasterSource& images)
 {
     Diagnostics diagnostics;
     SceneDescription said = description;
     // Where Scene::begin looks for them.
     for (size_t i = 0; i < switch_names.size(); ++i)
         said.render.set(static_cast<Switch>(i), settings.switches[static_cast<Switch>(i)]);
-    return Scene::begin(said, diagnostics, images);
+    return Renderer(Scene::begin(said, diagnostics, images), render, diagnostics);
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ Stage::Stage(const SceneDescription& description, const PictureOptions& options)
 Stage::Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images)
     : settings(s),
       render(to_render_settings(settings, RenderOptions{}.batch)),
-      renderer(begin(description, settings, images->source()), render),
+      renderer(renderer_of(description, settings, render, images->source())),
       scene(renderer.scene()),
       camera(description.camera.value(), scene.normalisation, settings.width, settings.height, settings.grid)
 {

@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "io/input_file.h"
+#include "scene/description/material.h"
 
 namespace lancer {
 namespace {

@@ -46,9 +46,9 @@ private:
         complete_scene(description, double(settings.width) / settings.height);
         with_threads(settings.threads, [&] {
             ImageSource images(settings.threads);
-            Scene scene = Scene::begin(description, problems_, images.source());
-            check_texture_coordinates(description, scene, problems_);
-            const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &problems_);
+            SceneBuilder scene = Scene::begin(description, problems_, images.source());
+            check_texture_coordinates(description, scene.unfinished(), problems_);
+            const Renderer renderer(std::move(scene), to_render_settings(settings, 1), problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
         });
     }

@@ -50,9 +50,9 @@ void write_all(const ExportOptions& options, const Prepared& p)
     std::deque<AtomicFile> files;
     for (size_t i = 0; i < names.size(); ++i)
         write_obj(files.emplace_back(paths[i]), *d.meshes[i].data,
-                  [&](uint32_t triangle) { return p.scene.shading[i].material_of(triangle); });
+                  [&](uint32_t triangle) { return p.scene->unfinished().shading[i].material_of(triangle); });
     const ExportedView view{s.width, s.height, s.max_depth, s.integrator, s.filter, s.switches};
-    const std::string text = scene_json(d, p.scene, view, names);
+    const std::string text = scene_json(d, p.scene->unfinished(), view, names);
     files.emplace_back(paths.back()).write(text.data(), text.size());
     for (AtomicFile& file : files) file.finish();
     for (AtomicFile& file : files) file.commit();
@@ -67,7 +67,7 @@ int run_export(int argc, char** argv)
     Diagnostics diagnostics;
     Prepared p = load_prepared(options->picture, diagnostics, false);
     with_threads(p.settings.threads, [&] { begin_prepared(p, diagnostics); });
-    check_exportable(p.description, p.scene, p.settings.switches, diagnostics);
+    check_exportable(p.description, *p.scene, p.settings.switches, diagnostics);
     diagnostics.throw_if_errors();
     for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
     write_all(*options, p);

@@ -108,8 +108,8 @@ private:
         std::map<std::string, uint64_t> counts;
         for (uint32_t i = 0; i < scene_.materials.size(); ++i) {
             const bool is_mix = !scene_.mix_of.empty() && scene_.mix_of[i] != Scene::none;
-            ++counts[is_mix ? "mix"
-                            : std::visit([](const auto& m) { return std::string(m.name); }, scene_.materials[i])];
+            const MaterialType type = std::visit([](const auto& m) { return m.type; }, scene_.materials[i]);
+            ++counts[std::string(name_of(is_mix ? MaterialType::mix : type))];
         }
         print_field("materials", listed(counts));
     }
@@ -131,8 +131,7 @@ private:
     {
         std::map<std::string, uint64_t> counts;
         uint64_t triangles = 0;
-        constexpr std::array names{"point", "directional", "sphere", "environment"};
-        for (const LightDescription& l : d_.lights) ++counts[names[static_cast<size_t>(l.type)]];
+        for (const LightDescription& l : d_.lights) ++counts[std::string(name_of(l.type))];
         for (const Light& l : scene_.lights.lights)
             if (std::holds_alternative<TriangleLight>(l)) ++triangles;
         counts.insert(of_kind("emitting triangle", "emitting triangles", triangles));
@@ -183,7 +182,8 @@ private:
             if (used) text += (text.empty() ? "" : ", ") + std::string(name);
         };
         const Features has = features_of(scene_);
-        for (size_t i = 0; i < feature_names.size(); ++i) add(has.has(static_cast<Feature>(i)), feature_names[i]);
+        for (size_t i = 0; i < static_cast<size_t>(Feature::count); ++i)
+            add(has.has(static_cast<Feature>(i)), name_of(static_cast<Feature>(i)));
         add(!d_.overrides.empty(), "material overrides");
         return text.empty() ? "none" : text;
     }
@@ -237,8 +237,8 @@ int print_scene(const InfoOptions& options)
     complete_scene(completed, double(settings.width) / settings.height);
     with_threads(settings.threads, [&] {
         ImageSource images(settings.threads);
-        Scene scene = Scene::begin(completed, diagnostics, images.source());
-        const Renderer renderer(std::move(scene), to_render_settings(settings, 1), &diagnostics);
+        const Renderer renderer(Scene::begin(completed, diagnostics, images.source()), to_render_settings(settings, 1),
+                                diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         print_field("kernel", std::string(name_of(renderer.profile())));
         print_field("unused", "");

@@ -48,7 +48,7 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 
 void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    with_warnings(diagnostics, [&] { p.scene = Scene::begin(p.description, diagnostics, p.images->source()); });
+    with_warnings(diagnostics, [&] { p.scene.emplace(p.description, diagnostics, p.images->source()); });
     p.early.clear();  // what the scene did not ask for again it does not use
 }
 
@@ -56,7 +56,7 @@ std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& optio
                                         Diagnostics& diagnostics)
 {
     auto renderer = with_warnings(diagnostics, [&] {
-        return std::make_unique<Renderer>(std::move(p.scene), to_render_settings(p.settings, batch), &diagnostics);
+        return std::make_unique<Renderer>(std::move(*p.scene), to_render_settings(p.settings, batch), diagnostics);
     });
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));

@@ -17,7 +17,7 @@ struct Prepared {
     SceneDescription description;         // with a camera
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
-    Scene scene;
+    std::optional<SceneBuilder> scene;    // until make_renderer() takes it
     std::vector<std::string> warnings;
 };
 

@@ -25,9 +25,9 @@ std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile 
     const Features has = features_of(renderer.scene());
     std::string kinds;
     uint64_t absent = 0;
-    for (size_t i = 0; i < feature_names.size(); ++i) {
+    for (size_t i = 0; i < static_cast<size_t>(Feature::count); ++i) {
         if (has.has(static_cast<Feature>(i))) continue;
-        kinds += (absent++ == 0 ? "" : ", ") + std::string(feature_names[i]);
+        kinds += (absent++ == 0 ? "" : ", ") + name_of(static_cast<Feature>(i));
     }
     list.add("scene features: " + kinds, absent);
     if (kernel != Profile::all) list.add("general kernel", 1);

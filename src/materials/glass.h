@@ -4,7 +4,9 @@
 #pragma once
 
 #include "materials/fresnel.h"
+#include "materials/material_type.h"
 #include "materials/microfacet.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
 
@@ -97,11 +99,15 @@ private:
 static_assert(Bsdf<GlassBsdf>);
 
 struct Glass {
-    static constexpr const char* name = "glass";
+    static constexpr MaterialType type = MaterialType::glass;
     ColorParam tint;
     float ior;                 // inside (behind the geometric normal) over outside
     FloatParam roughness = 0;  // perceptual
     bool fresnel = true;       // false: it only refracts where it is smooth
+    // What absorbs and has a priority is the medium inside.
+    static constexpr auto parameters =
+        std::tuple{parameter("base_color", &Glass::tint, Color{1, 1, 1}), parameter("roughness", &Glass::roughness),
+                   parameter("ior", &Glass::ior), parameter("absorption"), parameter("priority")};
 
     GlassBsdf at(const ShadingPoint& p) const
     {
@@ -111,6 +117,9 @@ struct Glass {
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
         return {p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, fresnel};
     }
+    static constexpr bool mirrors() { return true; }
+    // Of the medium inside, where there is one; over that around it, or with a priority by itself.
+    std::optional<float> medium_ior(bool) const { return ior; }
     Phong phong(const ShadingPoint& p) const
     {
         const Color color = p.base(tint);

@@ -10,7 +10,9 @@
 #include "core/warp.h"
 #include "materials/bsdf.h"
 #include "materials/fresnel.h"
+#include "materials/material_type.h"
 #include "materials/microfacet.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
 
@@ -166,12 +168,32 @@ private:
 static_assert(Bsdf<InterfaceBsdf>);
 
 struct Interface {
-    static constexpr const char* name = "interface";
+    static constexpr MaterialType type = MaterialType::interface;
     ColorParam base;  // diffuse colour
     Phong rest{};     // all other parameters
     bool fresnel = true;
+    // What absorbs and has a priority is the medium inside.
+    static constexpr auto parameters =
+        std::tuple{parameter("base_color", &Interface::base),
+                   parameter("ambient", member_of(&Interface::rest, &Phong::ambient)),
+                   parameter("specular", member_of(&Interface::rest, &Phong::specular)),
+                   parameter("shininess", member_of(&Interface::rest, &Phong::shininess)),
+                   parameter("diffusion", member_of(&Interface::rest, &Phong::diffusion)),
+                   parameter("reflexion", member_of(&Interface::rest, &Phong::reflexion)),
+                   parameter("refraction", member_of(&Interface::rest, &Phong::refraction)),
+                   parameter("ior", member_of(&Interface::rest, &Phong::inside_ior)),
+                   parameter("outside_ior", member_of(&Interface::rest, &Phong::outside_ior)),
+                   parameter("absorption"),
+                   parameter("priority")};
 
     InterfaceBsdf at(const ShadingPoint& p) const { return {phong(p), p.front, fresnel}; }
+    bool mirrors() const { return rest.reflexion > 0 || rest.refraction > 0; }
+    // As of Glass. What has a priority knows what it touches, and needs no second index.
+    std::optional<float> medium_ior(bool has_priority) const
+    {
+        if (!(rest.refraction > 0)) return {};
+        return rest.inside_ior / (has_priority ? 1 : rest.outside_ior);
+    }
     Phong phong(const ShadingPoint& p) const
     {
         Phong all = rest;

@@ -3,6 +3,8 @@
 
 #include "core/warp.h"
 #include "materials/bsdf.h"
+#include "materials/material_type.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
 
@@ -39,10 +41,12 @@ struct LambertBsdf {
 static_assert(Bsdf<LambertBsdf>);
 
 struct Lambert {
-    static constexpr const char* name = "lambert";
+    static constexpr MaterialType type = MaterialType::lambert;
     ColorParam albedo;
+    static constexpr auto parameters = std::tuple{parameter("base_color", &Lambert::albedo)};
 
     LambertBsdf at(const ShadingPoint& p) const { return {p.base(albedo)}; }
+    static constexpr bool mirrors() { return false; }
     Phong phong(const ShadingPoint& p) const { return {.diffuse = p.base(albedo)}; }
 };
 

@@ -1,6 +1,6 @@
-// The list of materials. A new material is a header and an alternative of the variant; the tests in tests/materials
-// then cover it. A material is a set of parameters; at a hit it becomes a BSDF, a small value with all textures
-// evaluated, which may refer to the material.
+// The list of materials. A new material is a header, a name in materials/material_type.h and an alternative of the
+// variant; the tests in tests/materials then cover it. A material is a set of parameters; at a hit it becomes a BSDF, a
+// small value with all textures evaluated, which may refer to the material.
 #pragma once
 
 #include <variant>
@@ -27,6 +27,8 @@ using AnyBsdf = decltype(bsdf_of(std::declval<const Material&>()));
 struct Emission {
     ColorParam radiance;
     bool both_sides = false;  // false: only on the side of the geometric normal
+    static constexpr auto parameters =
+        std::tuple{parameter("emission", &Emission::radiance), parameter("emission_sides", &Emission::both_sides)};
 
     bool is_dark() const { return is_black(radiance.value); }
     // Radiance on the front or back side, from the texture's finest level, so that light sampling and BSDF sampling
@@ -46,9 +48,12 @@ struct MaterialTraits {
     uint32_t bump = no_texture;        // heights
     uint32_t normal_map = no_texture;  // normals, tangent space, encoded in [0, 1]
     float bump_scale = 1;              // slope of a step from black to white between neighbouring texels
-    uint16_t medium = no_medium;       // medium behind the surface, index in Scene::media
-    bool mirrors = false;              // it has a lobe around the mirror direction
-    bool reads_uv = false;             // some parameter, those of the BSDF included, has a texture
+    static constexpr auto parameters = std::tuple{
+        parameter("opacity", &MaterialTraits::opacity), parameter("bump_texture", &MaterialTraits::bump),
+        parameter("bump_scale", &MaterialTraits::bump_scale), parameter("normal_texture", &MaterialTraits::normal_map)};
+    uint16_t medium = no_medium;  // medium behind the surface, index in Scene::media
+    bool mirrors = false;         // it has a lobe around the mirror direction
+    bool reads_uv = false;        // some parameter, those of the BSDF included, has a texture
 
     bool tilts() const { return bump != no_texture || normal_map != no_texture; }
     bool has_holes() const { return opacity.texture != no_texture || opacity.value < 1; }
@@ -57,8 +62,27 @@ struct MaterialTraits {
 // A mix: at each point randomly one of two materials, `second` with probability `weight`, so that the mean is their
 // mix.
 struct Mix {
+    static constexpr MaterialType type = MaterialType::mix;
     uint32_t first = 0, second = 0;  // ids of materials
     FloatParam weight;
+    static constexpr auto parameters =
+        std::tuple{parameter("first"), parameter("second"), parameter("weight", &Mix::weight)};
 };
+
+// f.operator()<M>() for the struct of each type of material, that of the mix included.
+template <class F>
+constexpr void for_each_material_type(const F& f)
+{
+    [&]<class... M>(std::type_identity<std::variant<M...>>) {
+        (f.template operator()<M>(), ...);
+    }(std::type_identity<Material>{});
+    f.template operator()<Mix>();
+}
+// Every word of MaterialType is the type of one of them.
+static_assert([] {
+    size_t found = 0;
+    for_each_material_type([&]<class M> { found += size_t{1} << static_cast<size_t>(M::type); });
+    return found == (size_t{1} << material_type_names.size()) - 1;
+}());
 
 }  // namespace lancer

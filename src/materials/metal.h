@@ -6,7 +6,9 @@
 
 #include "materials/albedo_table.h"
 #include "materials/fresnel.h"
+#include "materials/material_type.h"
 #include "materials/microfacet.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
 
@@ -114,16 +116,21 @@ private:
 static_assert(Bsdf<MetalBsdf>);
 
 struct Metal {
-    static constexpr const char* name = "metal";
+    static constexpr MaterialType type = MaterialType::metal;
     ColorParam color;      // F0, by Schlick's approximation; with a conductor its tint
     FloatParam roughness;  // perceptual
     std::optional<Conductor> conductor{};
     const AlbedoTable* compensation = nullptr;  // AlbedoTable::white(): with multiple scattering
+    // eta and k make the conductor; what is not metallic is a plastic, in a mix with this.
+    static constexpr auto parameters =
+        std::tuple{parameter("base_color", &Metal::color), parameter("roughness", &Metal::roughness), parameter("eta"),
+                   parameter("k"), parameter("metallic", nullptr, 1.0f)};
 
     MetalBsdf at(const ShadingPoint& p) const
     {
         return {p.base(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
     }
+    static constexpr bool mirrors() { return true; }
     // Rough metal has a highlight instead of a mirror.
     Phong phong(const ShadingPoint& p) const
     {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "materials/bsdf.h"
+#include "materials/material_type.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
 
@@ -23,10 +25,12 @@ struct MirrorBsdf {
 static_assert(Bsdf<MirrorBsdf>);
 
 struct Mirror {
-    static constexpr const char* name = "mirror";
+    static constexpr MaterialType type = MaterialType::mirror;
     ColorParam tint;
+    static constexpr auto parameters = std::tuple{parameter("base_color", &Mirror::tint, Color{1, 1, 1})};
 
     MirrorBsdf at(const ShadingPoint& p) const { return {p.base(tint)}; }
+    static constexpr bool mirrors() { return true; }
     Phong phong(const ShadingPoint& p) const { return {.specular = p.base(tint), .diffusion = 0, .reflexion = 1}; }
 };
 

@@ -10,6 +10,8 @@
 
 #include <memory>
 
+#include "materials/material_type.h"
+#include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/plastic_coat.h"
 #include "materials/textures/texture.h"
@@ -76,19 +78,25 @@ private:
 static_assert(Bsdf<PlasticBsdf>);
 
 struct Plastic {
-    static constexpr const char* name = "plastic";
+    static constexpr MaterialType type = MaterialType::plastic;
     ColorParam base;
     FloatParam roughness;                       // of the coat, perceptual
     float ior;                                  // of the coat over that of the outside, on either side of the surface
     Color specular;                             // tint of what the coat reflects
     float mean_through;                         // mean_transmittance(ior)
     std::shared_ptr<const AlbedoTable> coat{};  // of ior; may be missing if the roughness is 0 everywhere
+    // What is metallic is a metal, in a mix with this.
+    static constexpr auto parameters =
+        std::tuple{parameter("base_color", &Plastic::base), parameter("roughness", &Plastic::roughness),
+                   parameter("ior", &Plastic::ior), parameter("specular", &Plastic::specular),
+                   parameter("metallic", nullptr, 0.0f)};
 
     PlasticBsdf at(const ShadingPoint& p) const
     {
         const float alpha = coat ? alpha_of_roughness(p.eval(roughness)) : 0;
         return {p.base(base), specular, ior, alpha, coat.get(), alpha == 0 ? mean_through : coat->mean_missing(alpha)};
     }
+    static constexpr bool mirrors() { return true; }
     Phong phong(const ShadingPoint& p) const
     {
         const float rough = highlight_of(p.eval(roughness));

@@ -19,20 +19,7 @@ Color mixed(const Scene& scene, uint32_t id, const ShadingPoint& point, const F&
 
 Color base_color_of(const Material& material, const ShadingPoint& point)
 {
-    return std::visit(
-        [&](const auto& m) {
-            // The parameter has different names in different materials.
-            if constexpr (requires { m.albedo; }) {
-                return point.base(m.albedo);
-            } else if constexpr (requires { m.base; }) {
-                return point.base(m.base);
-            } else if constexpr (requires { m.color; }) {
-                return point.base(m.color);
-            } else {
-                return point.base(m.tint);
-            }
-        },
-        material);
+    return std::visit([&](const auto& m) { return point.base(lancer::base_color_of(m)); }, material);
 }
 
 void add(double* sum, double x, double y, double z) { sum[0] += x, sum[1] += y, sum[2] += z; }

@@ -11,33 +11,43 @@ namespace {
 
 // Whether only bounce rays will be traced: a path tracer under a constant environment, as far as that is known before
 // all pictures are read.
-RayUse use_of_rays(const Scene& scene, const AnyIntegrator& integrator)
+RayUse use_of_rays(bool may_have_emitters, const AnyIntegrator& integrator)
 {
     const auto* path = std::get_if<Path>(&integrator);
-    const bool may_shine = !scene.point_lights.empty() || !scene.directional_lights.empty() ||
-                           scene.pending_environment || scene.pending_background ||
-                           std::any_of(scene.emission.begin(), scene.emission.end(),
-                                       [](const auto& emission) { return !emission.is_dark(); });
-    return path && !path->direct.always && !may_shine ? RayUse::bounces : RayUse::all;
+    return path && !path->direct.always && !may_have_emitters ? RayUse::bounces : RayUse::all;
 }
 
-// Builds the accelerator and resolves AccelKind::automatic. The scene must be at its final address.
-std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& settings)
+// Builds the accelerator and resolves AccelKind::automatic. The geometry must be at its final address.
+std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool may_have_emitters,
+                                               RenderSettings& settings)
 {
     if (settings.accel == AccelKind::automatic)
-        settings.accel = fastest_accelerator(scene.geometry, use_of_rays(scene, settings.integrator));
-    bind_alpha_test(scene);
-    return make_accelerator(settings.accel, scene.geometry, settings.isa);
+        settings.accel = fastest_accelerator(geometry, use_of_rays(may_have_emitters, settings.integrator));
+    return make_accelerator(settings.accel, geometry, settings.isa);
 }
 
 }  // namespace
 
-Renderer::Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics)
-    : scene_(std::move(scene)), settings_(settings), accel_(build_accelerator(scene_, settings_))
+Renderer::Renderer(SceneBuilder builder, const RenderSettings& settings, Diagnostics& diagnostics) : settings_(settings)
 {
-    Diagnostics unheard;
-    scene_.complete(diagnostics ? *diagnostics : unheard);
-    kernel_ = make_tile_kernel(scene_, *accel_, settings_.integrator, settings_.kernel);
+    accel_ = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    scene_ = builder.finish(diagnostics);
+    choose();
+}
+
+Renderer::Renderer(Scene scene, const RenderSettings& settings) : settings_(settings)
+{
+    auto placed = std::make_unique<Scene>(std::move(scene));
+    bind_alpha_test(*placed);
+    scene_ = std::move(placed);
+    accel_ = build_accelerator(scene_->geometry, scene_->has_emitters(), settings_);
+    choose();
+}
+
+void Renderer::choose()
+{
+    choice_ = choose_kernel(*scene_, settings_.integrator, settings_.kernel.profile);
+    kernel_ = make_tile_kernel(*scene_, *accel_, settings_.integrator, settings_.kernel, choice_);
 }
 
 Renderer::~Renderer() = default;
@@ -77,8 +87,8 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
 Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
                        const PathListener& listener) const
 {
-    return lancer::replay(scene_, *accel_, settings_.integrator, settings_.kernel, *plan(camera, width, height), camera,
-                          width, id, listener);
+    return lancer::replay(*scene_, *accel_, settings_.integrator, settings_.kernel, *plan(camera, width, height),
+                          camera, width, id, listener);
 }
 
 std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
@@ -97,8 +107,8 @@ std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_
     // that ask at once both find the same plan.
     const auto* path = std::get_if<Path>(&settings_.integrator);
     SamplingPlan plan =
-        path ? make_plan(scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
-    find_background_only(scene_, camera, width, height, plan);
+        path ? make_plan(*scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
+    find_background_only(*scene_, camera, width, height, plan);
     auto found = std::make_shared<const Piloted>(Piloted{camera, width, height, std::move(plan)});
     {
         const std::lock_guard lock(mutex_);

@@ -12,6 +12,7 @@
 #include "integrators/integrator.h"
 #include "render/estimators/pilot.h"
 #include "render/specialize.h"
+#include "scene/build/scene_builder.h"
 
 namespace lancer {
 
@@ -32,9 +33,10 @@ struct PassResult {
 
 class Renderer {
 public:
-    // Builds the accelerator, then completes the scene if its pictures are still being read. Problems with pictures go
-    // to diagnostics, if given. Throws Error (failed). Must be called inside with_threads.
-    Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics = nullptr);
+    // The first builds the accelerator while pictures are still being read, and then finishes the scene. Problems with
+    // pictures go to diagnostics. Both throw Error (failed) and must be called inside with_threads.
+    Renderer(SceneBuilder scene, const RenderSettings& settings, Diagnostics& diagnostics);
+    Renderer(Scene scene, const RenderSettings& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -56,16 +58,20 @@ public:
     std::shared_ptr<const SamplingPlan> plan(const Camera& camera, uint32_t width, uint32_t height) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const { return *scene_; }
     const Accelerator& accelerator() const { return *accel_; }
-    Profile profile() const { return profile_of(scene_, settings_.integrator, settings_.kernel.profile); }
+    const KernelChoice& kernel_choice() const { return choice_; }
+    Profile profile() const { return choice_.profile; }
     // Never automatic.
     AccelKind accelerator_kind() const { return settings_.accel; }
 
 private:
-    Scene scene_;
+    void choose();
+
+    std::unique_ptr<const Scene> scene_;
     RenderSettings settings_;
     std::unique_ptr<Accelerator> accel_;
+    KernelChoice choice_;
     TileKernel kernel_;
     mutable std::mutex mutex_;  // guards what follows
     // Unused workspaces: a thread takes one for each tile and returns it.

@@ -3,14 +3,6 @@
 namespace lancer {
 namespace {
 
-// Null if the scene is not so plain, or the path wants of it what is left out there.
-std::shared_ptr<const WideScene> wide_scene_for(const Scene& scene, const Path& path)
-{
-    if (scene.has_constant_environment() && path.direct.always) return {};
-    auto plain = WideScene::of(scene);
-    return plain ? std::make_shared<const WideScene>(std::move(*plain)) : nullptr;
-}
-
 auto* render_eight(Shading shading)
 {
     switch (shading) {
@@ -26,26 +18,27 @@ auto* render_eight(Shading shading)
 
 }  // namespace
 
-Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted)
+KernelChoice choose_kernel(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted)
 {
     const auto* path = std::get_if<Path>(&integrator);
-    if (wanted == Profile::all || !path || !wide_scene_for(scene, *path)) return Profile::all;
-    return Profile::wide;
+    if (wanted == Profile::all || !path) return {};
+    if (scene.has_constant_environment() && path->direct.always) return {};  // light sampling that the tables leave out
+    std::optional<WideScene> wide = WideScene::of(scene);
+    if (!wide) return {};
+    return {Profile::wide, std::make_shared<const WideScene>(std::move(*wide))};
 }
 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-                            const KernelSettings& settings)
+                            const KernelSettings& settings, const KernelChoice& choice)
 {
-    const Profile profile = profile_of(scene, integrator, settings.profile);
     return std::visit(
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
             if constexpr (std::is_same_v<Integrator, Path>)
-                if (profile == Profile::wide)
-                    return [&, plain = wide_scene_for(scene, concrete)](const SamplingPlan& plan, const Camera& camera,
-                                                                        Film& film, Tile tile, SampleRange samples,
-                                                                        Workspace& w, Counters& counters) {
-                        render_eight(plain->shading)(View{scene, plan}, accel, camera, settings, concrete, *plain, film,
-                                                     tile, samples, w, counters);
+                if (choice.wide)
+                    return [&, wide = choice.wide](const SamplingPlan& plan, const Camera& camera, Film& film,
+                                                   Tile tile, SampleRange samples, Workspace& w, Counters& counters) {
+                        render_eight(wide->shading)(View{scene, plan}, accel, camera, settings, concrete, *wide, film,
+                                                    tile, samples, w, counters);
                     };
             return [&](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters) {

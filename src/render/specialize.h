@@ -12,12 +12,18 @@ namespace lancer {
 using TileKernel =
     std::function<void(const SamplingPlan&, const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
 
-// The most specialised kernel variant that supports a complete scene, or the requested one if it does.
-Profile profile_of(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted = {});
+// A kernel variant, and the tables of the scene that it reads.
+struct KernelChoice {
+    Profile profile = Profile::all;
+    std::shared_ptr<const WideScene> wide{};  // null for Profile::all
+};
+// The most specialised kernel variant that supports a complete scene, or the requested one if it does. Building the
+// tables reads every material and light: it is done once per scene.
+KernelChoice choose_kernel(const Scene& scene, const AnyIntegrator& integrator, std::optional<Profile> wanted = {});
 
 // All references must outlive the returned kernel.
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
-                            const KernelSettings& settings);
+                            const KernelSettings& settings, const KernelChoice& choice);
 
 // Traces one sample with the bits of a render and returns its radiance. width: of the whole picture, pixels.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,

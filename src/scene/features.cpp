@@ -26,11 +26,9 @@ std::vector<bool> used_materials(const Scene& scene)
 
 void add_material(const Scene& scene, uint32_t id, Features& f)
 {
-    constexpr std::array kinds{Feature::lambert, Feature::mirror,  Feature::metal,
-                               Feature::glass,   Feature::plastic, Feature::interface};
-    static_assert(kinds.size() == std::variant_size_v<Material>);
     const bool is_mix = !scene.mix_of.empty() && scene.mix_of[id] != Scene::none;
-    f.add(is_mix ? Feature::mixes : kinds[scene.materials[id].index()]);
+    const MaterialType type = std::visit([](const auto& m) { return m.type; }, scene.materials[id]);
+    f.add(feature_of(is_mix ? MaterialType::mix : type));
     const MaterialTraits& traits = scene.traits[id];
     f.add(Feature::textures, traits.reads_uv);
     f.add(Feature::bump_maps, traits.bump != no_texture);
@@ -41,15 +39,45 @@ void add_material(const Scene& scene, uint32_t id, Features& f)
 
 void add_light(const Light& light, Features& f)
 {
-    constexpr std::array kinds{Feature::point_lights, Feature::directional_lights, Feature::sphere_lights,
-                               Feature::triangle_lights};
-    static_assert(kinds.size() + 1 == std::variant_size_v<Light>);
-    if (light.index() < kinds.size()) f.add(kinds[light.index()]);
-    const auto* triangle = std::get_if<TriangleLight>(&light);
-    f.add(Feature::shaped_triangle_lights, triangle && !(triangle->area > 0));
+    std::visit(
+        [&]<class L>(const L& l) {
+            if constexpr (std::is_same_v<L, TriangleLight>) {
+                f.add(Feature::triangle_lights);
+                f.add(Feature::shaped_triangle_lights, !(l.area > 0));
+            } else if constexpr (!std::is_same_v<L, EnvironmentLight>) {
+                f.add(feature_of(L::type));
+            }
+        },
+        light);
 }
 
 }  // namespace
+
+std::string name_of(Feature feature)
+{
+    constexpr std::array before{"spheres",  "planes",    "instances",   "vertex normals", "vertex colours",
+                                "textures", "bump maps", "normal maps", "opacity"};
+    constexpr std::array after{"triangle lights",
+                               "smooth or instanced triangle lights",
+                               "constant environment",
+                               "sky map",
+                               "background",
+                               "textured lights",
+                               "light tree",
+                               "terminator",
+                               "legacy"};
+    constexpr auto place = [](Feature f) { return static_cast<size_t>(f); };
+    static_assert(before.size() == place(Feature::materials));
+    static_assert(place(Feature::media) + 1 == place(Feature::lights));
+    static_assert(place(Feature::triangle_lights) + after.size() == place(Feature::count));
+    if (feature < Feature::materials) return before[place(feature)];
+    if (feature == feature_of(MaterialType::mix)) return "mixes";
+    if (feature < Feature::media) return std::string(material_type_names[place(feature) - place(Feature::materials)]);
+    if (feature == Feature::media) return "media";
+    if (feature < Feature::triangle_lights)
+        return std::string(light_type_names[place(feature) - place(Feature::lights)]) + " lights";
+    return after[place(feature) - place(Feature::triangle_lights)];
+}
 
 Features features_of(const Scene& scene)
 {

@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <string_view>
+#include <string>
+
+#include "materials/material_type.h"
+#include "scene/description/light.h"
 
 namespace lancer {
 
@@ -24,19 +27,11 @@ enum class Feature {
     bump_maps,
     normal_maps,
     cut_outs,
-    lambert,
-    mirror,
-    metal,
-    glass,
-    plastic,
-    interface,
-    mixes,
-    media,
+    materials,  // the first of one for each MaterialType
+    media = materials + material_type_names.size(),
     // lights
-    point_lights,
-    directional_lights,
-    sphere_lights,
-    triangle_lights,
+    lights,  // the first of one for each LightType but the environment
+    triangle_lights = lights + light_type_names.size() - 1,
     shaped_triangle_lights,  // smooth or instanced ones; their triangle is read when they are sampled
     constant_sky,
     sky_map,
@@ -48,36 +43,16 @@ enum class Feature {
     legacy,
     count
 };
-inline constexpr std::array<std::string_view, static_cast<size_t>(Feature::count)> feature_names{
-    "spheres",
-    "planes",
-    "instances",
-    "vertex normals",
-    "vertex colours",
-    "textures",
-    "bump maps",
-    "normal maps",
-    "opacity",
-    "lambert",
-    "mirror",
-    "metal",
-    "glass",
-    "plastic",
-    "interface",
-    "mixes",
-    "media",
-    "point lights",
-    "directional lights",
-    "sphere lights",
-    "triangle lights",
-    "smooth or instanced triangle lights",
-    "constant environment",
-    "sky map",
-    "background",
-    "textured lights",
-    "light tree",
-    "terminator",
-    "legacy"};
+constexpr Feature feature_of(MaterialType type)
+{
+    return static_cast<Feature>(static_cast<size_t>(Feature::materials) + static_cast<size_t>(type));
+}
+// type: not the environment.
+constexpr Feature feature_of(LightType type)
+{
+    return static_cast<Feature>(static_cast<size_t>(Feature::lights) + static_cast<size_t>(type));
+}
+std::string name_of(Feature feature);
 
 class Features {
 public:
@@ -85,6 +60,19 @@ public:
     constexpr Features(std::initializer_list<Feature> list)
     {
         for (const Feature f : list) bits_ |= bit(f);
+    }
+    // Of every type of material, and of light but the environment.
+    static constexpr Features all_materials()
+    {
+        Features f;
+        for (size_t i = 0; i < material_type_names.size(); ++i) f.add(feature_of(static_cast<MaterialType>(i)));
+        return f;
+    }
+    static constexpr Features all_lights()
+    {
+        Features f{Feature::triangle_lights, Feature::shaped_triangle_lights};
+        for (size_t i = 0; i + 1 < light_type_names.size(); ++i) f.add(feature_of(static_cast<LightType>(i)));
+        return f;
     }
     static constexpr Features all() { return Features((uint64_t{1} << static_cast<size_t>(Feature::count)) - 1); }
 

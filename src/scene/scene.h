@@ -48,6 +48,7 @@ struct MeshShading {
 
 class Background;
 class EnvironmentMap;
+class SceneBuilder;
 
 struct Scene {
     static constexpr uint32_t none = UINT32_MAX;
@@ -75,32 +76,13 @@ struct Scene {
     std::shared_ptr<const Background> background;             // added to both; null if it is constant
     std::shared_ptr<const EnvironmentMap> environment_table;  // sampling table of all of it; null: it is constant
     bool glow = false;                                        // see glow_of_lights()
-    std::vector<PointLight> point_lights;                     // as the description lists them
-    std::vector<DirectionalLight> directional_lights;         // likewise
+    std::vector<DeltaLight> delta_lights;                     // type by type, as the description lists them
 
     std::string file;  // of the description
     UnusedFeatures unused_features;
     Normalisation normalisation;
     Bounds bounds;  // of all but planes and giant spheres, scene units
 
-    // Pictures that are still being read; their textures are 1 until then.
-    struct Pending {
-        uint32_t texture;
-        TextureDescription what;
-        RasterFuture image;
-    };
-    std::vector<Pending> pending;
-    struct PendingEnvironment {
-        LightDescription what;
-        RasterFuture image;
-    };
-    std::optional<PendingEnvironment> pending_environment;
-    struct PendingBackground {
-        BackgroundDescription what;
-        RasterFuture sky, ground;
-    };
-    std::optional<PendingBackground> pending_background;
-    bool is_complete = false;
     bool has_normals = false;     // some mesh has corner normals
     bool has_tables = false;      // some mesh differs_by_triangle()
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
@@ -110,12 +92,9 @@ struct Scene {
 
     // Starts to build a scene: checks it, resolves names, normalises, and requests from `images` the pictures that the
     // scene uses, without waiting for them. Problems go to diagnostics; throws Error if there are errors.
-    static Scene begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
-    // Waits for the pictures, makes the textures and lists the lights. A picture that could not be read gives a
-    // warning, and its texture is 1; an environment or background that could not be read throws Error, as the picture
-    // would be black. The geometry does not change, so that an accelerator may already exist.
-    void complete(Diagnostics& diagnostics);
-    // begin() and complete().
+    static SceneBuilder begin(const SceneDescription& description, Diagnostics& diagnostics,
+                              const RasterSource& images = {});
+    // begin() and SceneBuilder::finish().
     static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
 
     uint32_t material_of(const Hit& hit) const
@@ -129,6 +108,8 @@ struct Scene {
     {
         return environment_light != none && lights.lights.size() == 1 && !environment_table;
     }
+    // Whether there is a delta light or a material that emits.
+    bool has_emitters() const;
     // Whether all rays that leave the scene have the same radiance, camera rays included.
     bool has_uniform_background() const { return !environment_map && !background && !glow; }
 

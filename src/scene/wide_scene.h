@@ -54,18 +54,14 @@ struct WideScene {
 
     // Features that each Shading supports, in addition to those of the previous one. `plain` supports either triangle
     // lights or a constant environment, not both.
-    static constexpr Features plain{Feature::vertex_normals, Feature::lambert, Feature::triangle_lights,
-                                    Feature::constant_sky, Feature::light_tree};
-    static constexpr Features textured{Feature::spheres,        Feature::planes,
-                                       Feature::instances,      Feature::textures,
-                                       Feature::bump_maps,      Feature::normal_maps,
-                                       Feature::vertex_colors,  Feature::cut_outs,
-                                       Feature::point_lights,   Feature::directional_lights,
-                                       Feature::sphere_lights,  Feature::shaped_triangle_lights,
-                                       Feature::sky_map,        Feature::background,
-                                       Feature::textured_lights};
-    static constexpr Features any{Feature::mirror,  Feature::metal,     Feature::glass,
-                                  Feature::plastic, Feature::interface, Feature::mixes};
+    static constexpr Features plain{Feature::vertex_normals, feature_of(MaterialType::lambert),
+                                    Feature::triangle_lights, Feature::constant_sky, Feature::light_tree};
+    static constexpr Features textured =
+        Features::all_lights() | Features{Feature::spheres,       Feature::planes,         Feature::instances,
+                                          Feature::textures,      Feature::bump_maps,      Feature::normal_maps,
+                                          Feature::vertex_colors, Feature::cut_outs,       Feature::sky_map,
+                                          Feature::background,    Feature::textured_lights};
+    static constexpr Features any = Features::all_materials();
 
     // The BSDFs of a material that are the same everywhere, for the back and the front side.
     struct Fixed {

@@ -192,7 +192,7 @@ TEST_F(SceneMistakes, UnknownChoices)
            {"[camera]\nup = \"x\"", "2:6: error: unknown up 'x' in [camera]; known: y, z"},
            {"[material.a]\ntype = \"galss\"\nior = 2",
             "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, mirror, metal, "
-            "glass, plastic, mix, interface"},
+            "glass, plastic, interface, mix"},
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
@@ -310,7 +310,7 @@ s.toml:5:7: error: 'spp' in [render] must be from 1 to 2147483647, not 0
 s.toml:6:1: error: [[light]] of type 'point' needs 'position'
 s.toml:8:13: error: 'intensity' in [[light]] must be finite, not nan
 s.toml:10:7: error: 'fov' in [camera] must be greater than 0 and less than 180, not 200
-s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, mix, interface)");
+s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, interface, mix)");
 }
 
 TEST_F(SceneMistakes, NamesCannotForgeLinesOrColours)

@@ -199,7 +199,9 @@ TEST_F(SceneMaterials, WhatIsNotSaidHasTheDefaultsOfItsType)
         EXPECT_EQ(m.ior, 1.5f);
         EXPECT_EQ(m.weight, 0.5f);
         EXPECT_EQ(m.specular, (Color{1, 1, 1}));
-        EXPECT_FALSE(m.metallic || m.eta || m.k || m.base_color_map || m.opacity_map || m.weight_map);
+        EXPECT_FALSE(m.eta || m.k || m.base_color_map || m.opacity_map || m.weight_map);
+        const bool is_metal = m.type == MaterialType::metal, may_be = is_metal || m.type == MaterialType::plastic;
+        EXPECT_EQ(m.metallic, may_be ? std::optional(is_metal ? 1.0f : 0.0f) : std::nullopt) << m.name;
     }
 }
 

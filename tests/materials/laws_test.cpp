@@ -19,7 +19,7 @@ struct Names {
     template <class M>
     static std::string GetName(int)
     {
-        return M::name;
+        return std::string(name_of(M::type));
     }
 };
 template <class M>

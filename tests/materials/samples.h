@@ -1,4 +1,5 @@
-// Parameter sets of every material, for the laws. A material without an overload here does not compile.
+// Parameter sets of every material, for the laws. One without sets of its own here has its defaults, and each of its
+// parameters at the ends of its range.
 #pragma once
 
 #include <string>
@@ -6,6 +7,8 @@
 #include <vector>
 
 #include "materials/material.h"
+#include "scene/build/material_builder.h"
+#include "scene/description/material.h"
 #include "scene/description/presets.h"
 #include "support/random.h"
 
@@ -23,7 +26,31 @@ struct Sample {
 };
 
 template <class M>
-std::vector<Sample<M>> samples() = delete;
+std::vector<Sample<M>> samples()
+{
+    std::vector<Sample<M>> all;
+    const auto add = [&](const std::string& name, const MaterialDescription& d) {
+        const Material made = MaterialBuilder({}).make(d, [](const TextureUse&) { return no_texture; });
+        all.push_back({name, std::get<M>(made), false, has_parameter(M::type, "absorption")});
+    };
+    add("default", default_description(M::type));
+    const auto add_with = [&](const auto& row, const std::string& name, const auto& value) {
+        MaterialDescription d = default_description(M::type);
+        row.value_of(d) = value;
+        add(std::string(row.key) + " " + name, d);
+    };
+    for_each_material_parameter([&](const auto& row) {
+        if (index_of_key(M::parameters, row.key) == std::tuple_size_v<decltype(M::parameters)>) return;
+        using Field = std::remove_cvref_t<decltype(row.value_of(std::declval<MaterialDescription&>()))>;
+        const float most = row.range == ParameterRange::unit ? 1 : 4;
+        for (const float x : {row.range == ParameterRange::positive ? 0.25f : 0, most / 2, most})
+            if constexpr (std::is_same_v<Field, float>)
+                add_with(row, std::to_string(x), x);
+            else if constexpr (std::is_same_v<Field, Color>)
+                add_with(row, std::to_string(x), Color{x, x / 2, x / 4});
+    });
+    return all;
+}
 
 template <>
 inline std::vector<Sample<Lambert>> samples<Lambert>()
@@ -204,7 +231,7 @@ void for_each_bsdf(const F& f)
 {
     for (const Sample<M>& s : samples<M>())
         for (const Place& p : places())
-            f(std::string(M::name) + " " + s.name + ", " + p.name, s, p, s.material.at(p.point));
+            f(std::string(name_of(M::type)) + " " + s.name + ", " + p.name, s, p, s.material.at(p.point));
 }
 
 // u and v of the extremes of their range, and in between.

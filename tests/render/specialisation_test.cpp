@@ -25,7 +25,7 @@ TEST(Specialisation, EveryProfileThatCoversASceneDrawsTheSameBits)
             const Rendered all = render(d, r);
             for (size_t i = 0; i < profile_names.size(); ++i) {
                 const auto profile = static_cast<Profile>(i);
-                if (profile == Profile::all || profile_of(scene, integrator, profile) != profile) continue;
+                if (profile == Profile::all || choose_kernel(scene, integrator, profile).profile != profile) continue;
                 r.settings.kernel.profile = profile;
                 const Rendered some = render(d, r);
                 EXPECT_TRUE(same_bits(all.film, some.film)) << name << ", " << profile_names[i];

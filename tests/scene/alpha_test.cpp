@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/accel.h"
+#include "scene/build/scene_builder.h"
 #include "support/chi_square.h"
 #include "support/significance.h"
 #include "support/stage.h"
@@ -170,11 +171,12 @@ TEST(Opacity, OfAPictureCutsCrispHoles)
 
     std::promise<std::shared_ptr<const Raster>> reading;
     Diagnostics diagnostics;
-    Scene scene = Scene::begin(d, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
-    bind_alpha_test(scene);
-    const auto embree = make_accelerator(AccelKind::embree, scene.geometry, "avx2");
+    SceneBuilder builder =
+        Scene::begin(d, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
+    const auto embree = make_accelerator(AccelKind::embree, builder.geometry(), "avx2");
     reading.set_value(std::make_shared<const Raster>(raster));
-    scene.complete(diagnostics);
+    const std::unique_ptr<const Scene> finished = builder.finish(diagnostics);
+    const Scene& scene = *finished;
     EXPECT_TRUE(diagnostics.warnings().empty());
 
     const Transform to_world = compose(to_transform(scene.normalisation), to_transform(placed));

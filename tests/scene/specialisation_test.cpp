@@ -184,22 +184,21 @@ TEST(Specialisation, LightsAndMaterialsAreCounted)
 // table, by name.
 std::map<std::string, size_t> tables_of_features(const Scene& s)
 {
-    std::map<std::string, size_t> t{
-        {"spheres", s.geometry.spheres.size() + s.sphere_material.size()},
-        {"lights of spheres", s.sphere_light.size()},
-        {"planes", s.geometry.planes.size() + s.plane_material.size()},
-        {"maps of planes", s.plane_maps.size()},
-        {"instances", s.geometry.instances.size() + s.instance_first_light.size()},
-        {"holes", s.geometry.alpha_test.passes_through != nullptr},
-        {"textures", s.textures.size()},
-        {"mixes", s.mixes.size() + s.mix_of.size()},
-        {"media", s.media.size()},
-        {"points and directions of light", s.point_lights.size() + s.directional_lights.size() + s.lights.deltas},
-        {"light tree", s.lights.tree != nullptr},
-        {"lights beside the tree", s.lights.far.size()},
-        {"environment", s.environment_map != nullptr},
-        {"table of the environment", s.environment_table != nullptr},
-        {"background", s.background != nullptr}};
+    std::map<std::string, size_t> t{{"spheres", s.geometry.spheres.size() + s.sphere_material.size()},
+                                    {"lights of spheres", s.sphere_light.size()},
+                                    {"planes", s.geometry.planes.size() + s.plane_material.size()},
+                                    {"maps of planes", s.plane_maps.size()},
+                                    {"instances", s.geometry.instances.size() + s.instance_first_light.size()},
+                                    {"holes", s.geometry.alpha_test.passes_through != nullptr},
+                                    {"textures", s.textures.size()},
+                                    {"mixes", s.mixes.size() + s.mix_of.size()},
+                                    {"media", s.media.size()},
+                                    {"points and directions of light", s.delta_lights.size() + s.lights.deltas},
+                                    {"light tree", s.lights.tree != nullptr},
+                                    {"lights beside the tree", s.lights.far.size()},
+                                    {"environment", s.environment_map != nullptr},
+                                    {"table of the environment", s.environment_table != nullptr},
+                                    {"background", s.background != nullptr}};
     for (const std::vector<uint8_t>& asked : s.geometry.alpha_test.meshes) t["triangles with holes"] += asked.size();
     for (const Mesh& m : s.geometry.meshes) t["normals of vertices"] += m.rows - 1;
     for (const MeshShading& m : s.shading) {

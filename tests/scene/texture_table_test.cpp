@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "scene/build/scene_builder.h"
 #include "support/scenes.h"
 
 namespace lancer {
@@ -86,11 +87,12 @@ TEST(TextureTable, OnePictureServesManyUsesAndIsThenFreed)
     chalk.opacity_map = picture("wall.png", 2, Channel::alpha);
     Pictures pictures;
     Diagnostics diagnostics;
-    Scene scene = Scene::begin(scene_of({chalk}), diagnostics, pictures.source());
+    SceneBuilder builder = Scene::begin(scene_of({chalk}), diagnostics, pictures.source());
     EXPECT_TRUE(pictures.is_kept("wall.png"));
-    ASSERT_EQ(scene.textures.size(), 2u);
-    EXPECT_EQ(color_of(scene, 0), (Color{1, 1, 1}));  // until it has arrived
-    scene.complete(diagnostics);
+    ASSERT_EQ(builder.unfinished().textures.size(), 2u);
+    EXPECT_EQ(color_of(builder.unfinished(), 0), (Color{1, 1, 1}));  // until it has arrived
+    const std::unique_ptr<const Scene> finished = builder.finish(diagnostics);
+    const Scene& scene = *finished;
     EXPECT_FALSE(pictures.is_kept("wall.png"));
     const uint32_t material = scene.sphere_material[0];
     EXPECT_FLOAT_EQ(color_of(scene, std::get<Lambert>(scene.materials[material]).albedo.texture).g, 0.2f);

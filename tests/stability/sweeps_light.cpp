@@ -40,7 +40,7 @@ Sweep over_height()
         d.spheres = {sphere_of({3, 0, 0}, 0.5), sphere_of({-3, 0, 0}, 0.5)};
         d.lights.push_back(light_of(LightType::point, {1, 1, 1}, {0.1, x, 0.2}));
         const Stage stage(d);
-        const PointLight& lamp = stage.scene.point_lights[0];
+        const auto& lamp = std::get<PointLight>(stage.scene.delta_lights[0]);
         const Plane& plane = stage.scene.geometry.planes[0];
         const double h = dot(plane.normal, to_double(lamp.position)) - plane.offset;
         const auto surface = stage.look(lamp.position, {0, -1, 0});

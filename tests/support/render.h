@@ -46,8 +46,8 @@ inline Rendered render(const SceneDescription& d, const RenderRequest& r)
             if (!r.traces_open_sky) return renderer.pass(camera, out.film, tiles, samples).counters;
             SamplingPlan plan = *renderer.plan(camera, r.width, r.height);
             plan.background_only.clear();
-            const TileKernel kernel =
-                make_tile_kernel(renderer.scene(), renderer.accelerator(), r.settings.integrator, r.settings.kernel);
+            const TileKernel kernel = make_tile_kernel(renderer.scene(), renderer.accelerator(), r.settings.integrator,
+                                                       r.settings.kernel, renderer.kernel_choice());
             Workspace w;
             Counters counters;
             for (const Tile& tile : tiles) kernel(plan, camera, out.film, tile, samples, w, counters);

@@ -65,13 +65,11 @@ public:
         actions.add(throughput * phong_.ambient);
         const uint32_t key = view_.alpha_key(sampler_, s_.depth, Dim::shadow_alpha);
         uint32_t i = 0;
-        // Positions and intensities are in scene units; the lights' colours are those of the file.
-        const auto scale = static_cast<float>(view_.scene.normalisation.scale);
-        for (const PointLight& light : view_.scene.point_lights)
-            add_light(normalize(light.position - surface_.p), light.intensity / (scale * scale), throughput, key + i++,
-                      actions);
-        for (const DirectionalLight& light : view_.scene.directional_lights)
-            add_light(light.wi, light.irradiance, throughput, key + i++, actions);
+        for (const DeltaLight& any : view_.scene.delta_lights) {
+            const UndimmedLight light =
+                std::visit([&](const auto& l) { return l.undimmed(surface_.p, view_.scene.normalisation.scale); }, any);
+            add_light(light.infinite ? light.way : normalize(light.way), light.color, throughput, key + i++, actions);
+        }
     }
 
 private:

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/description/material.h"
+
 namespace lancer {
 namespace {
 

@@ -16,6 +16,7 @@
 #include "io/obj/mesh.h"
 #include "io/obj/scan.h"
 #include "io/text_file.h"
+#include "scene/description/material.h"
 
 namespace lancer {
 namespace {

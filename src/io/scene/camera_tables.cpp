@@ -29,14 +29,17 @@ void check_view(const CameraDescription& camera, const TomlTable& table)
     }
 }
 
+// The keys that only some types of camera have.
+const std::vector<TypedKey> typed_keys{{"aperture", {"thin_lens"}}, {"focus", {"thin_lens"}}};
+
 CameraDescription read_camera(const TomlTable& table, const CameraDescription& base)
 {
     CameraDescription camera = base;
     camera.where = table.where();
-    const NameList types{"pinhole", "thin_lens"};
-    if (const std::optional<size_t> type = table.choice("type", types, base.type == CameraType::pinhole ? 0 : 1)) {
-        camera.type = *type == 0 ? CameraType::pinhole : CameraType::thin_lens;
-        table.reject_keys_of_other_types(types[*type], {{"aperture", {"thin_lens"}}, {"focus", {"thin_lens"}}});
+    const NameList types{camera_type_names.begin(), camera_type_names.end()};
+    if (const std::optional<size_t> type = table.choice("type", types, static_cast<size_t>(base.type))) {
+        camera.type = static_cast<CameraType>(*type);
+        table.reject_keys_of_other_types(types[*type], typed_keys);
     }
     const std::optional<Vec3d> position = table.vector("position"), target = table.vector("target");
     camera.position = position.value_or(camera.position);

@@ -1,48 +1,62 @@
 #include "io/scene/material_tables.h"
 
+#include <functional>
+
 #include "io/scene/texture_tables.h"
+#include "scene/description/material.h"
 #include "scene/description/presets.h"
 
 namespace lancer {
 namespace {
 
-const NameList type_names{"lambert", "mirror", "metal", "glass", "plastic", "mix", "interface"};  // as MaterialType
+NameList names_of_types() { return {material_type_names.begin(), material_type_names.end()}; }
 
-const NameList coloured{"lambert", "mirror", "metal", "glass", "plastic", "interface"};
-const NameList rough{"metal", "glass", "plastic"};
-const std::vector<TypedKey> typed_keys{{"base_color", coloured},
-                                       {"texture", coloured},
-                                       {"roughness", rough},
-                                       {"roughness_texture", rough},
-                                       {"metallic", {"metal", "plastic"}},
-                                       {"metallic_texture", {"metal", "plastic"}},
-                                       {"ior", {"glass", "plastic", "interface"}},
-                                       {"absorption", {"glass", "interface"}},
-                                       {"priority", {"glass", "interface"}},
-                                       {"eta", {"metal"}},
-                                       {"k", {"metal"}},
-                                       {"specular", {"plastic", "interface"}},
-                                       {"first", {"mix"}},
-                                       {"second", {"mix"}},
-                                       {"weight", {"mix"}},
-                                       {"weight_texture", {"mix"}},
-                                       {"ambient", {"interface"}},
-                                       {"shininess", {"interface"}},
-                                       {"diffusion", {"interface"}},
-                                       {"reflexion", {"interface"}},
-                                       {"refraction", {"interface"}},
-                                       {"outside_ior", {"interface"}}};
+// The keys that only some types have, those of their textures included.
+const std::vector<TypedKey>& typed_keys()
+{
+    static const std::vector<TypedKey> all = [] {
+        std::vector<TypedKey> keys;
+        for_each_material_parameter([&](const auto& row) {
+            NameList types;
+            for (const MaterialType type : types_with(row.key)) types.push_back(name_of(type));
+            if (types.empty()) return;
+            keys.push_back({row.key, types});
+            if constexpr (has_map<decltype(row)>) keys.push_back({row.map_key, types});
+        });
+        return keys;
+    }();
+    return all;
+}
 
-// What one table says of a material; what it does not say is empty.
+NumberRule rule_of(ParameterRange range)
+{
+    switch (range) {
+        case ParameterRange::unit:
+            return reflectance;
+        case ParameterRange::not_negative:
+            return brightness;
+        case ParameterRange::positive:
+            return index_of_refraction;
+        case ParameterRange::nonzero_vector:
+        case ParameterRange::finite:
+        case ParameterRange::million:
+        case ParameterRange::choice:
+        case ParameterRange::name:
+        case ParameterRange::texture:
+            break;
+    }
+    return float_range;
+}
+
+// What one table says of a material: its type, if it says one, and what it changes of a description.
 struct MaterialKeys {
     std::optional<MaterialType> type;
-    std::optional<Color> base_color, eta, k, specular, absorption, emission, ambient;
-    std::optional<float> roughness, metallic, ior, opacity, bump_scale, weight;
-    std::optional<float> shininess, diffusion, reflexion, refraction, outside_ior;
-    TextureUse base_color_map, roughness_map, metallic_map, opacity_map, bump_map, normal_map, emission_map, weight_map;
-    std::optional<int32_t> priority;
-    std::optional<bool> emission_both_sides;
-    std::optional<std::string> first, second;
+    std::vector<std::function<void(MaterialDescription&)>> changes;
+
+    void apply_to(MaterialDescription& m) const
+    {
+        for (const auto& change : changes) change(m);
+    }
 };
 
 class MaterialReader {
@@ -65,6 +79,10 @@ private:
     void read_override(const TomlTable& table);
     static MaterialDescription read_preset(const TomlTable& table);
     std::optional<std::string> read_name(const TomlTable& table, std::string_view key);
+    template <class Row>
+    void read_parameter(const TomlTable& table, const Row& row, MaterialKeys& keys);
+    template <class T, class Row>
+    std::optional<T> read_value(const TomlTable& table, const Row& row);
 
     const TomlTable& root_;
     const TextureTables textures_;
@@ -79,151 +97,93 @@ std::optional<std::string> MaterialReader::read_name(const TomlTable& table, std
     return name;
 }
 
+// T: the type of the field, without the option to be nothing.
+template <class T, class Row>
+std::optional<T> MaterialReader::read_value(const TomlTable& table, const Row& row)
+{
+    if constexpr (std::is_same_v<T, Color>) {
+        return table.color(row.key, rule_of(row.range));
+    } else if constexpr (std::is_same_v<T, float>) {
+        const std::optional<double> x = table.number(row.key, rule_of(row.range));
+        return x ? std::optional(static_cast<float>(*x)) : std::nullopt;
+    } else if constexpr (std::is_same_v<T, int32_t>) {
+        const std::optional<int64_t> n = table.integer(row.key, -1'000'000, 1'000'000);
+        return n ? std::optional(static_cast<int32_t>(*n)) : std::nullopt;
+    } else if constexpr (std::is_same_v<T, bool>) {
+        const std::optional<size_t> word =
+            table.has(row.key) ? table.choice(row.key, {row.words.begin(), row.words.end()}, 0) : std::nullopt;
+        return word ? std::optional(*word == 1) : std::nullopt;
+    } else {
+        static_assert(std::is_same_v<T, std::string>);
+        return read_name(table, row.key);
+    }
+}
+
+// A texture whose own number is not said is not dimmed by it.
+template <class Row>
+void MaterialReader::read_parameter(const TomlTable& table, const Row& row, MaterialKeys& keys)
+{
+    using Field = std::remove_cvref_t<decltype(row.value_of(std::declval<MaterialDescription&>()))>;
+    const auto change = [&](auto how) { keys.changes.emplace_back(std::move(how)); };
+    if constexpr (std::is_same_v<Field, TextureUse>) {
+        if (const TextureUse use = textures_.use(table, row.key, row.role))
+            change([row, use](MaterialDescription& m) { row.value_of(m) = use; });
+    } else {
+        if constexpr (has_map<Row>)
+            if (const TextureUse use = textures_.use(table, row.map_key, row.role))
+                change([row, use](MaterialDescription& m) {
+                    row.map_of(m) = use;
+                    set_to_one(row.value_of(m));
+                });
+        using Value = std::remove_cvref_t<decltype(value_in(std::declval<Field&>()))>;
+        if (const std::optional<Value> value = read_value<Value>(table, row))
+            change([row, value](MaterialDescription& m) { row.value_of(m) = *value; });
+    }
+}
+
 // usual: the type of a table that names none; nothing if it then depends on what the table is applied to.
 MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& also, std::optional<MaterialType> usual)
 {
     NameList known = also;
     known.push_back("type");
-    for (const TypedKey& k : typed_keys) known.push_back(k.key);
-    for (const char* key : {"opacity", "opacity_texture", "bump_texture", "bump_scale", "normal_texture", "emission",
-                            "emission_texture", "emission_sides"})
-        known.push_back(key);
+    for (const TypedKey& k : typed_keys()) known.push_back(k.key);
+    for_each_material_parameter([&](const auto& row) {
+        if (!types_with(row.key).empty()) return;
+        known.push_back(row.key);
+        if constexpr (has_map<decltype(row)>) known.push_back(row.map_key);
+    });
     table.allow(known);
 
     MaterialKeys keys;
     keys.type = usual;
     if (table.has("type")) {
-        const std::optional<size_t> type = table.choice("type", type_names, 0);
+        const std::optional<size_t> type = table.choice("type", names_of_types(), 0);
         keys.type = type ? std::optional(static_cast<MaterialType>(*type)) : std::nullopt;
     }
     if (keys.type) {
-        const std::string_view type = type_names[static_cast<size_t>(*keys.type)];
-        table.reject_keys_of_other_types(type, typed_keys);
-        if (*keys.type == MaterialType::mix)
-            for (const char* key : {"first", "second"}) table.require(key, type);
+        const std::string_view type = name_of(*keys.type);
+        table.reject_keys_of_other_types(type, typed_keys());
+        for_each_material_parameter([&](const auto& row) {
+            if (row.range == ParameterRange::name && has_parameter(*keys.type, row.key)) table.require(row.key, type);
+        });
         // Without a colour what it reflects would be black, which nobody means who gives a part of it.
         if (*keys.type == MaterialType::interface && !table.has("preset"))
             for (const char* key : {"shininess", "reflexion", "refraction"})
                 if (table.has(key) && !table.require("specular", type)) break;
         if (table.has("eta") != table.has("k")) table.require(table.has("k") ? "eta" : "k", type);
     }
-    const auto number = [&](std::string_view key, const NumberRule& rule) {
-        const std::optional<double> x = table.number(key, rule);
-        return x ? std::optional(static_cast<float>(*x)) : std::nullopt;
-    };
-    keys.base_color = table.color("base_color", reflectance);
-    keys.eta = table.color("eta", index_of_refraction);
-    keys.k = table.color("k", brightness);
-    keys.specular = table.color("specular", reflectance);
-    keys.absorption = table.color("absorption", brightness);
-    if (const auto n = table.integer("priority", -1'000'000, 1'000'000)) keys.priority = static_cast<int32_t>(*n);
-    keys.emission = table.color("emission", brightness);
-    keys.roughness = number("roughness", reflectance);
-    keys.metallic = number("metallic", reflectance);
-    keys.ior = number("ior", index_of_refraction);
-    keys.opacity = number("opacity", reflectance);
-    keys.bump_scale = number("bump_scale", float_range);
-    keys.weight = number("weight", reflectance);
-    keys.ambient = table.color("ambient", brightness);
-    keys.shininess = number("shininess", brightness);
-    keys.diffusion = number("diffusion", reflectance);
-    keys.reflexion = number("reflexion", reflectance);
-    keys.refraction = number("refraction", reflectance);
-    keys.outside_ior = number("outside_ior", index_of_refraction);
-    keys.base_color_map = textures_.use(table, "texture", TextureRole::color);
-    keys.roughness_map = textures_.use(table, "roughness_texture", TextureRole::number);
-    keys.metallic_map = textures_.use(table, "metallic_texture", TextureRole::number);
-    keys.opacity_map = textures_.use(table, "opacity_texture", TextureRole::opacity);
-    keys.bump_map = textures_.use(table, "bump_texture", TextureRole::number);
-    if (keys.bump_map && keys.bump_map->type == TextureType::checker)
-        table.error("bump_texture", " must be a picture: the squares of a checker have no slopes");
-    if (keys.bump_map && keys.bump_map->type == TextureType::grid)
-        table.error("bump_texture", " must be a picture: the bands of a grid have no slopes");
-    keys.normal_map = textures_.use(table, "normal_texture", TextureRole::normal);
-    keys.emission_map = textures_.use(table, "emission_texture", TextureRole::color);
-    keys.weight_map = textures_.use(table, "weight_texture", TextureRole::number);
-    if (table.has("emission_sides"))
-        if (const auto sides = table.choice("emission_sides", {"front", "both"}, 0))
-            keys.emission_both_sides = *sides == 1;
-    keys.first = read_name(table, "first");
-    keys.second = read_name(table, "second");
+    for_each_material_parameter([&](const auto& row) { read_parameter(table, row, keys); });
     return keys;
 }
 
-// Another type begins with its own defaults. The colour and the maps stay: they are what a mesh file knows best.
-void change_type(MaterialDescription& m, MaterialType type)
-{
-    const MaterialDescription fresh;
-    m.type = type;
-    m.ior = fresh.ior;
-    m.roughness = m.roughness_map ? 1 : fresh.roughness;
-    m.eta = m.k = {};
-    m.metallic = m.metallic_map ? std::optional(1.0f) : std::nullopt;
-    m.specular = fresh.specular;
-    m.phong = fresh.phong;
-    m.phong.inside_ior = fresh.ior;
-    m.absorption = fresh.absorption;
-    m.priority = fresh.priority;
-    m.weight = m.weight_map ? 1 : fresh.weight;
-}
-
-// What only an interface has; its index and its colour of reflection have the keys of other types.
-void apply_interface(const MaterialKeys& keys, Phong& p)
-{
-    p.ambient = keys.ambient.value_or(p.ambient);
-    p.specular = keys.specular.value_or(p.specular);
-    p.shininess = keys.shininess.value_or(p.shininess);
-    p.diffusion = keys.diffusion.value_or(p.diffusion);
-    p.reflexion = keys.reflexion.value_or(p.reflexion);
-    p.refraction = keys.refraction.value_or(p.refraction);
-    p.inside_ior = keys.ior.value_or(p.inside_ior);
-    p.outside_ior = keys.outside_ior.value_or(p.outside_ior);
-}
-
-// A texture whose own number is not said is not dimmed by it.
-void apply(const MaterialKeys& keys, MaterialDescription& m)
-{
-    const Color white{1, 1, 1};
-    const auto take_color = [&](const std::optional<Color>& said, const TextureUse& map, Color& value,
-                                TextureUse& value_map) {
-        if (map) value_map = map, value = white;
-        value = said.value_or(value);
-    };
-    const auto take_number = [](const std::optional<float>& said, const TextureUse& map, auto& value,
-                                TextureUse& value_map) {
-        if (map) value_map = map, value = 1;
-        if (said) value = *said;
-    };
-    take_color(keys.base_color, keys.base_color_map, m.base_color, m.base_color_map);
-    take_color(keys.emission, keys.emission_map, m.emission, m.emission_map);
-    take_number(keys.roughness, keys.roughness_map, m.roughness, m.roughness_map);
-    take_number(keys.metallic, keys.metallic_map, m.metallic, m.metallic_map);
-    take_number(keys.opacity, keys.opacity_map, m.opacity, m.opacity_map);
-    take_number(keys.weight, keys.weight_map, m.weight, m.weight_map);
-    if (keys.bump_map) m.bump_map = keys.bump_map;
-    if (keys.normal_map) m.normal_map = keys.normal_map;
-    m.bump_scale = keys.bump_scale.value_or(m.bump_scale);
-    m.ior = keys.ior.value_or(m.ior);
-    if (keys.eta && keys.k) m.eta = keys.eta, m.k = keys.k;
-    m.specular = keys.specular.value_or(m.specular);
-    m.absorption = keys.absorption.value_or(m.absorption);
-    if (keys.priority) m.priority = keys.priority;
-    m.emission_both_sides = keys.emission_both_sides.value_or(m.emission_both_sides);
-    m.first = keys.first.value_or(m.first);
-    m.second = keys.second.value_or(m.second);
-    apply_interface(keys, m.phong);
-}
-
-// What a material that names a preset starts from; else the defaults.
+// What a material that names a preset starts from.
 MaterialDescription MaterialReader::read_preset(const TomlTable& table)
 {
-    MaterialDescription fresh;
-    fresh.phong.inside_ior = fresh.ior;
     const std::optional<std::string> name = table.text("preset");
-    if (!name) return fresh;
+    if (!name) return {};
     if (const auto preset = find_preset(*name)) return *preset;
     table.error(table.where("preset"), "unknown preset " + in_quotes(*name) + suggestion(*name, names_of_presets()));
-    return fresh;
+    return {};
 }
 
 void MaterialReader::read_material(const std::string& name, const TomlTable& table)
@@ -231,16 +191,16 @@ void MaterialReader::read_material(const std::string& name, const TomlTable& tab
     const bool has_preset = table.has("preset");
     const MaterialKeys keys =
         read_keys(table, {"preset"}, has_preset ? MaterialType::interface : MaterialType::lambert);
-    MaterialDescription m = read_preset(table);
+    const MaterialType type = keys.type.value_or(MaterialType::lambert);
+    MaterialDescription m = has_preset ? read_preset(table) : default_description(type);
     m.name = name;
     m.where = table.where();
-    m.type = keys.type.value_or(m.type);
-    // What nobody tinted loses no light by its tint.
-    const bool is_tint = m.type == MaterialType::mirror || m.type == MaterialType::glass || keys.eta;
-    if (is_tint) m.base_color = {1, 1, 1};
-    apply(keys, m);
+    m.type = type;
+    // A conductor loses no light by its tint unless somebody says so.
+    if (table.has("eta")) m.base_color = {1, 1, 1};
+    keys.apply_to(m);
     if (has_preset && keys.type && *keys.type != MaterialType::interface)
-        table.error("preset", " needs type 'interface', not " + in_quotes(type_names[static_cast<size_t>(*keys.type)]));
+        table.error("preset", " needs type 'interface', not " + in_quotes(name_of(*keys.type)));
     scene_.materials.push_back(std::move(m));
 }
 
@@ -257,7 +217,7 @@ void MaterialReader::read_override(const TomlTable& table)
     change.change = [keys](const MaterialDescription& before) {
         MaterialDescription m = before;
         if (keys.type) change_type(m, *keys.type);
-        apply(keys, m);
+        keys.apply_to(m);
         return m;
     };
     scene_.overrides.push_back(std::move(change));

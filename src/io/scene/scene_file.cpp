@@ -13,6 +13,7 @@
 #include "io/scene/definition.h"
 #include "io/scene/scene_tables.h"
 #include "io/toml_file.h"
+#include "scene/description/material.h"
 
 namespace lancer {
 namespace {

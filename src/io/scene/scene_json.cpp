@@ -12,12 +12,23 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(Vec3d v) { return {v.x, v.y, v.z}; }
 Json json_of(Color c) { return {c.r, c.g, c.b}; }
+Json json_of(float x) { return x; }
+Json json_of(double x) { return x; }
+// Of what has a texture only the factor.
+Json json_of(const ColorParam& p) { return json_of(p.value); }
+Json json_of(const FloatParam& p) { return json_of(p.value); }
 // Rows of 3x4 numbers, for columns (x, y, z, 1).
 Json json_of(const Transform& t)
 {
     return {{t.x.x, t.y.x, t.z.x, t.translation.x},
             {t.x.y, t.y.y, t.z.y, t.translation.y},
             {t.x.z, t.y.z, t.z.z, t.translation.z}};
+}
+
+// Whether other renderers have a material that is exactly this one.
+bool is_exported(MaterialType type)
+{
+    return type == MaterialType::lambert || type == MaterialType::mirror || type == MaterialType::glass;
 }
 
 // What of a material cannot be said; empty: nothing.
@@ -30,24 +41,26 @@ std::string obstacle(const Scene& scene, uint32_t id)
     if (traits.has_holes()) return "lets rays through";
     if (traits.tilts()) return "has bumps";
     if (!is_even(scene.emission[id].radiance)) return "has a texture of emission";
-    if (const auto* lambert = std::get_if<Lambert>(&m)) return is_even(lambert->albedo) ? "" : "has a texture";
-    if (const auto* mirror = std::get_if<Mirror>(&m)) return is_even(mirror->tint) ? "" : "has a texture";
+    const MaterialType type = std::visit([](const auto& x) { return x.type; }, m);
+    if (!is_exported(type)) return "is of type " + std::string(name_of(type));
+    bool all_even = true;
+    std::visit(
+        [&](const auto& x) { for_each_textured_parameter(x, [&](auto& p) { all_even = all_even && is_even(p); }); }, m);
+    if (!all_even) return "has a texture";
     const auto* glass = std::get_if<Glass>(&m);
-    if (!glass) return std::visit([](const auto& x) { return std::string("is of type ") + x.name; }, m);
-    if (!is_even(glass->tint) || !is_even(glass->roughness)) return "has a texture";
-    return glass->roughness.value > 0 ? "is rough glass" : "";
+    return glass && glass->roughness.value > 0 ? "is rough glass" : "";
 }
 
 Json json_of_material(const Scene& scene, uint32_t id)
 {
     const Material& m = scene.materials[id];
-    Json json{{"name", scene.material_names[id]}, {"type", std::visit([](const auto& x) { return x.name; }, m)}};
-    if (const auto* lambert = std::get_if<Lambert>(&m)) json["base_color"] = json_of(lambert->albedo.value);
-    if (const auto* mirror = std::get_if<Mirror>(&m)) json["base_color"] = json_of(mirror->tint.value);
-    if (const auto* glass = std::get_if<Glass>(&m)) {
-        json["base_color"] = json_of(glass->tint.value);
-        json["ior"] = glass->ior;
-    }
+    Json json{{"name", scene.material_names[id]}};
+    std::visit(
+        [&](const auto& x) {
+            json["type"] = name_of(x.type);
+            for_each_parameter(x, [&](std::string_view key, const auto& p) { json[std::string(key)] = json_of(p); });
+        },
+        m);
     if (const Emission& e = scene.emission[id]; !e.is_dark()) {
         json["emission"] = json_of(e.radiance.value);
         json["emission_both_sides"] = e.both_sides;
@@ -57,14 +70,18 @@ Json json_of_material(const Scene& scene, uint32_t id)
 
 Json json_of_camera(const CameraDescription& c)
 {
-    Json json{{"type", c.type == CameraType::pinhole ? "pinhole" : "thin_lens"},
+    Json json{{"type", name_of(c.type)},
               {"position", json_of(c.position)},
               {"target", json_of(c.target)},
               {"up", json_of(c.up)},
               {"fov_deg", c.fov_deg}};
-    if (c.type == CameraType::thin_lens) {
-        json["aperture"] = c.aperture;
-        json["focus"] = c.focus.value_or(length(c.target - c.position));
+    switch (c.type) {
+        case CameraType::pinhole:
+            break;
+        case CameraType::thin_lens:
+            json["aperture"] = c.aperture;
+            json["focus"] = c.focus.value_or(length(c.target - c.position));
+            break;
     }
     return json;
 }
@@ -74,17 +91,15 @@ Json json_of_lights(const SceneDescription& d, const Scene& scene)
     Json lights = Json::array();
     for (const LightDescription& l : d.lights) {
         if (is_black(l.power)) continue;
-        if (l.type == LightType::point)
-            lights.push_back({{"type", "point"}, {"position", json_of(l.position)}, {"intensity", json_of(l.power)}});
-        if (l.type == LightType::directional)
-            lights.push_back({{"type", "directional"},
-                              {"direction", json_of(normalize(l.direction / max_component(abs(l.direction))))},
-                              {"irradiance", json_of(l.power)}});
-        if (l.type == LightType::sphere)
-            lights.push_back({{"type", "sphere"},
-                              {"center", json_of(l.position)},
-                              {"radius", l.radius},
-                              {"radiance", json_of(l.power)}});
+        if (l.type == LightType::environment) continue;
+        Json json{{"type", name_of(l.type)}};
+        for_each_parameter_of(l.type, [&](const auto& row) {
+            auto value = l.*row.field;
+            if constexpr (std::is_same_v<decltype(value), Vec3d>)
+                if (row.range == ParameterRange::nonzero_vector) value = normalize(value / max_component(abs(value)));
+            json[std::string(row.key)] = json_of(value);
+        });
+        lights.push_back(std::move(json));
     }
     // The sum of all that there are, and of a background of one colour.
     if (!is_black(scene.environment))
@@ -110,20 +125,24 @@ Json json_of_meshes(const SceneDescription& d, const std::vector<std::string>& f
 
 }  // namespace
 
-void check_exportable(const SceneDescription& d, const Scene& scene, const Switches& switches, Diagnostics& diagnostics)
+void check_exportable(const SceneDescription& d, const SceneBuilder& builder, const Switches& switches,
+                      Diagnostics& diagnostics)
 {
     const auto refuse = [&](const Location& where, const std::string& what) {
         diagnostics.error(where, what + ", which an exported scene cannot say");
     };
     const Location file{d.file, 0, 0};
+    const Scene& scene = builder.unfinished();
     for (uint32_t id = 0; id < scene.materials.size(); ++id)
         if (const std::string what = obstacle(scene, id); !what.empty())
             refuse(file, "material " + in_quotes(scene.material_names[id]) + " " + what);
     if (!scene.media.empty()) refuse(file, "a material absorbs or has a priority");
     for (size_t i = 0; i < d.meshes.size(); ++i)
         if (!scene.shading[i].colors.empty()) refuse(d.meshes[i].where, "a mesh has colours of its vertices");
-    if (const auto& pending = scene.pending_environment) refuse(pending->what.where, "the environment is a picture");
-    if (const auto& pending = scene.pending_background) refuse(pending->what.where, "the background is not one colour");
+    if (const auto& pending = builder.pending().environment)
+        refuse(pending->what.where, "the environment is a picture");
+    if (const auto& pending = builder.pending().background)
+        refuse(pending->what.where, "the background is not one colour");
     if (scene.glow) refuse(d.background->where, "lights are seen as discs");
     for (size_t i = 0; i < switch_names.size(); ++i) {
         const auto x = static_cast<Switch>(i);

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/switches.h"
-#include "scene/scene.h"
+#include "scene/build/scene_builder.h"
 
 namespace lancer {
 
@@ -23,7 +23,7 @@ struct ExportedView {
 };
 
 // An error for each thing that scene_json() has no words for. scene: begun from the description, which has a camera.
-void check_exportable(const SceneDescription& description, const Scene& scene, const Switches& switches,
+void check_exportable(const SceneDescription& description, const SceneBuilder& scene, const Switches& switches,
                       Diagnostics& diagnostics);
 
 // The text, schema "lancer.scene/1". mesh_files: of each mesh of the description, the file that write_obj() wrote; its

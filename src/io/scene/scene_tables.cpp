@@ -8,6 +8,7 @@
 
 #include "io/scene/background_tables.h"
 #include "io/scene/camera_tables.h"
+#include "io/scene/light_tables.h"
 #include "io/scene/material_tables.h"
 #include "io/scene/shape_tables.h"
 #include "scene/description/presets.h"
@@ -38,8 +39,6 @@ private:
     void read_mesh(const TomlTable& table);
     void read_instance(const TomlTable& table);
     void read_sphere(const TomlTable& table);
-    void read_light(const TomlTable& table);
-    void read_picture_of(const TomlTable& table, LightDescription& light);
     TransformDescription read_transform(const TomlTable& table);
     void check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
                     const std::string& none = "");
@@ -138,64 +137,6 @@ void SceneReader::read_sphere(const TomlTable& table)
     scene_.spheres.push_back(std::move(sphere));
 }
 
-void SceneReader::read_light(const TomlTable& table)
-{
-    const NameList types{"point", "directional", "sphere", "environment"};
-    const std::vector<TypedKey> keys{{"position", {"point"}},
-                                     {"intensity", {"point"}},
-                                     {"direction", {"directional"}},
-                                     {"irradiance", {"directional"}},
-                                     {"center", {"sphere"}},
-                                     {"radius", {"sphere"}},
-                                     {"radiance", {"sphere", "environment"}}};
-    const std::vector<TypedKey> of_pictures{
-        {"file", {"environment"}}, {"scale", {"environment"}}, {"rotate", {"environment"}}};
-    NameList known{"type"};
-    for (const auto* list : {&keys, &of_pictures})
-        for (const TypedKey& k : *list) known.push_back(k.key);
-    table.allow(known);
-
-    LightDescription light;
-    light.where = table.where();
-    const std::optional<size_t> type = table.require("type") ? table.choice("type", types, 0) : std::nullopt;
-    if (type) {
-        light.type = static_cast<LightType>(*type);
-        for (const auto* list : {&keys, &of_pictures}) table.reject_keys_of_other_types(types[*type], *list);
-        for (const auto& [key, owners] : keys) {
-            const bool is_mine = std::find(owners.begin(), owners.end(), types[*type]) != owners.end();
-            if (is_mine && !(key == "radiance" && table.has("file"))) table.require(key, types[*type]);
-        }
-    }
-    light.position = table.vector("position").value_or(table.vector("center").value_or(light.position));
-    light.radius = table.number("radius", above_zero).value_or(light.radius);
-    if (const std::optional<Vec3d> direction = table.vector("direction")) {
-        light.direction = *direction;
-        if (*direction == Vec3d{}) table.error("direction", " must not be the zero vector");
-    }
-    for (const char* key : {"intensity", "irradiance", "radiance"})
-        light.power = table.color(key, brightness).value_or(light.power);
-    if (table.has("file")) {
-        read_picture_of(table, light);
-    } else {
-        for (const char* key : {"scale", "rotate"})
-            if (type && light.type == LightType::environment && table.has(key)) table.error(key, " needs 'file'");
-    }
-    scene_.lights.push_back(light);
-}
-
-void SceneReader::read_picture_of(const TomlTable& table, LightDescription& light)
-{
-    if (table.has("radiance")) table.error("radiance", " cannot stand beside 'file'; 'scale' is a factor on a picture");
-    light.power = table.color("scale", brightness).value_or(Color{1, 1, 1});
-    light.rotate_deg = table.vector("rotate").value_or(light.rotate_deg);
-    const std::optional<std::string> name = table.text("file");
-    if (!name) return;
-    const AssetFolder::Found found = assets_.find(*name);
-    light.file = found.path;
-    if (!found.problem.empty())
-        table.error(table.where("file"), "picture " + in_quotes(*name) + " " + found.problem, found.kind);
-}
-
 void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& known, const std::string& what,
                              const std::string& none)
 {
@@ -220,7 +161,7 @@ std::vector<MeshFile> SceneReader::read()
     for (const TomlTable& instance : root_.tables("instance")) read_instance(instance);
     for (const TomlTable& sphere : root_.tables("sphere")) read_sphere(sphere);
     for (NameUse& use : read_shapes(root_, scene_)) material_uses_.push_back(std::move(use));
-    for (const TomlTable& light : root_.tables("light")) read_light(light);
+    for (const TomlTable& light : root_.tables("light")) scene_.lights.push_back(read_light(light, assets_));
     read_background(root_, assets_, scene_);
 
     NameList meshes;

@@ -8,7 +8,7 @@ Encoding encoding_for(TextureRole role) { return role == TextureRole::color ? En
 Channel channel_for(TextureRole role)
 {
     if (role == TextureRole::opacity) return Channel::automatic;
-    return role == TextureRole::number ? Channel::luminance : Channel::color;
+    return role == TextureRole::number || role == TextureRole::heights ? Channel::luminance : Channel::color;
 }
 
 }  // namespace
@@ -107,8 +107,12 @@ TextureUse TextureTables::use(const TomlTable& table, std::string_view key, Text
     } else {
         return {};
     }
-    if (result.texture.type == TextureType::waves && key != "bump_texture")
+    if (result.texture.type == TextureType::waves && role != TextureRole::heights)
         table.error(key, " must not be waves: they are heights, for 'bump_texture' alone");
+    if (result.texture.type == TextureType::checker && role == TextureRole::heights)
+        table.error(key, " must be a picture: the squares of a checker have no slopes");
+    if (result.texture.type == TextureType::grid && role == TextureRole::heights)
+        table.error(key, " must be a picture: the bands of a grid have no slopes");
     result.texture.use.encoding = result.encoding.value_or(encoding_for(role));
     result.texture.use.channel = result.channel.value_or(channel_for(role));
     return result.texture;

@@ -7,17 +7,9 @@
 
 #include "io/asset_path.h"
 #include "io/toml_reader.h"
-#include "scene/description/description.h"
+#include "scene/description/material.h"
 
 namespace lancer {
-
-// What a texture is used for decides what a scene file need not say of it.
-enum class TextureRole {
-    color,    // sRGB where the picture holds integers
-    normal,   // three numbers, linear
-    number,   // one number: the luminance, linear
-    opacity,  // one number: alpha where the picture has some
-};
 
 // The waves at a key: a list of [amplitude, direction, length, phase]; empty if there is none or it is wrong.
 std::vector<Wave> read_waves(const TomlTable& table, std::string_view key);

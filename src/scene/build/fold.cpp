@@ -8,25 +8,15 @@
 namespace lancer {
 namespace {
 
-// f(param) for every parameter of a material that may have a texture, whatever the material calls it.
-template <class M, class F>
-void for_params(M& m, const F& f)
-{
-    if constexpr (requires { m.albedo; }) f(m.albedo);
-    if constexpr (requires { m.base; }) f(m.base);
-    if constexpr (requires { m.color; }) f(m.color);
-    if constexpr (requires { m.tint; }) f(m.tint);
-    if constexpr (requires { m.roughness; }) f(m.roughness);
-}
-
-// The same for all that is looked up where a ray meets material `id`, but for bumps.
+// f(param) for all that is looked up where a ray meets material `id`, but for bumps.
 template <class F>
 void for_params(Scene& scene, uint32_t id, const F& f)
 {
-    std::visit([&](auto& m) { for_params(m, f); }, scene.materials[id]);
-    f(scene.emission[id].radiance);
-    f(scene.traits[id].opacity);
-    if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none) f(scene.mixes[scene.mix_of[id]].weight);
+    std::visit([&](auto& m) { for_each_textured_parameter(m, f); }, scene.materials[id]);
+    for_each_textured_parameter(scene.emission[id], f);
+    for_each_textured_parameter(scene.traits[id], f);
+    if (!scene.mix_of.empty() && scene.mix_of[id] != Scene::none)
+        for_each_textured_parameter(scene.mixes[scene.mix_of[id]], f);
 }
 
 std::optional<Color> value_of(const Texture& t)

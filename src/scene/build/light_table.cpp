@@ -50,8 +50,8 @@ public:
     {
         const double r = std::max(scene_.bounds.radius(), 1.0);
         disk_ = pi_d * r * r;
-        for (const PointLight& light : scene_.point_lights) add(light, 4 * pi_d * power_of(light.intensity));
-        for (const DirectionalLight& light : scene_.directional_lights) add(light, disk_ * power_of(light.irradiance));
+        for (const DeltaLight& any : scene_.delta_lights)
+            std::visit([&](const auto& light) { add(light, light.power(disk_)); }, any);
         scene_.lights.deltas = next();
         list_spheres();
         list_meshes();
@@ -151,8 +151,9 @@ private:
         parallel_for((next() + block - 1) / block, [&](size_t b) {
             const uint32_t begin = static_cast<uint32_t>(b) * block;
             for (uint32_t id = begin; id < std::min(begin + block, next()); ++id) {
-                if (is_far(scene_.lights.lights[id])) continue;
-                bounds[id] = std::visit([&](const auto& light) { return bounds_of(light); }, scene_.lights.lights[id]);
+                const std::optional<LightBounds> own = bounds_of(scene_.lights.lights[id]);
+                if (!own) continue;
+                bounds[id] = *own;
                 bounds[id].power = powers_[id];
             }
         });
@@ -162,25 +163,32 @@ private:
             scene_.lights.tree_share -= static_cast<double>(scene_.lights.pick.probability(id));
         scene_.lights.far = std::move(far);
     }
-    static bool is_far(const Light& light)
+    static bool is_far(const Light& any)
     {
-        return std::holds_alternative<DirectionalLight>(light) || std::holds_alternative<EnvironmentLight>(light);
+        return std::visit(
+            []<class L>(const L& light) {
+                if constexpr (is_delta_light<L>) return !light.bounds();
+                return std::is_same_v<L, EnvironmentLight>;
+            },
+            any);
     }
-    LightBounds bounds_of(const PointLight& light) const
+    // Nothing if it is infinitely far away.
+    std::optional<LightBounds> bounds_of(const Light& any) const
     {
-        LightBounds b;
-        b.normals.angle = pi_d;
-        b.box.grow(to_double(light.position));
-        return b;
+        return std::visit([&](const auto& light) { return bounds_of(light); }, any);
     }
-    LightBounds bounds_of(const SphereLight& light) const
+    template <class L>
+    requires is_delta_light<L>
+    static std::optional<LightBounds> bounds_of(const L& light) { return light.bounds(); }
+    static std::optional<LightBounds> bounds_of(const EnvironmentLight&) { return {}; }
+    std::optional<LightBounds> bounds_of(const SphereLight& light) const
     {
         LightBounds b;
         b.box = bounds(scene_.geometry.spheres[light.sphere]);
         b.normals.angle = pi_d;
         return b;
     }
-    LightBounds bounds_of(const TriangleLight& light) const
+    std::optional<LightBounds> bounds_of(const TriangleLight& light) const
     {
         const uint32_t material = scene_.shading[light.mesh].material_of(light.triangle);
         LightBounds b;
@@ -192,8 +200,6 @@ private:
         }
         return b;
     }
-    static LightBounds bounds_of(const DirectionalLight&) { return {}; }
-    static LightBounds bounds_of(const EnvironmentLight&) { return {}; }
 
     Scene& scene_;
     std::vector<double> powers_;  // of each light
@@ -201,26 +207,6 @@ private:
 };
 
 }  // namespace
-
-void receive_environment(Scene& scene, Diagnostics& diagnostics)
-{
-    if (!scene.pending_environment) return;
-    Scene::PendingEnvironment pending = *std::exchange(scene.pending_environment, {});
-    const LightDescription& light = pending.what;
-    try {
-        if (!pending.image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
-        std::shared_ptr<const Raster> picture = pending.image.get();
-        pending.image = {};  // the last to hold the picture shall be who makes texels of it
-        scene.environment_map =
-            std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
-    } catch (const Error& e) {
-        return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
-    }
-    scene.environment_table = scene.environment_map;
-    scene.environment = {};
-    if (const uint64_t bad = scene.environment_map->bad_texels())
-        diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);
-}
 
 void build_light_table(Scene& scene) { Lister(scene).list(); }
 

@@ -1,38 +1,40 @@
 #include "scene/build/material_builder.h"
 
+#include "scene/build/fill_parameters.h"
+
 namespace lancer {
 
 Material MaterialBuilder::make(const MaterialDescription& m, const std::function<uint32_t(const TextureUse&)>& id_of)
 {
-    const ColorParam base{m.base_color, id_of(m.base_color_map)};
-    switch (m.type) {
-        case MaterialType::mirror:
-            return Mirror{base};
-        case MaterialType::metal: {
-            Metal metal{base, {m.roughness, id_of(m.roughness_map)}};
-            if (m.eta && m.k) metal.conductor = make_conductor(*m.eta, *m.k);
-            if (options_.multiscatter) metal.compensation = &AlbedoTable::white();
-            return metal;
+    Material made;
+    for_each_material_type([&]<class M> {
+        if constexpr (!std::is_same_v<M, Mix>) {
+            if (M::type != m.type) return;
+            M& material = made.emplace<M>();
+            fill_parameters(material, m, id_of);
+            finish(material, m);
         }
-        case MaterialType::glass:
-            return Glass{base, m.ior, {m.roughness, id_of(m.roughness_map)}, options_.fresnel};
-        case MaterialType::plastic: {
-            Plastic plastic{.base = base,
-                            .roughness = {m.roughness, id_of(m.roughness_map)},
-                            .ior = m.ior,
-                            .specular = m.specular,
-                            .mean_through = mean_transmittance(m.ior)};
-            if (alpha_of_roughness(m.roughness) == 0) return plastic;
-            auto& coat = coats_[m.ior];
-            if (!coat) coat = std::make_shared<const AlbedoTable>(m.ior);
-            plastic.coat = coat;
-            return plastic;
-        }
-        case MaterialType::interface:
-            return Interface{base, m.phong, options_.fresnel};
-        default:
-            return Lambert{base};
-    }
+    });
+    return made;
 }
+
+void MaterialBuilder::finish(Metal& metal, const MaterialDescription& m)
+{
+    if (m.eta && m.k) metal.conductor = make_conductor(*m.eta, *m.k);
+    if (options_.multiscatter) metal.compensation = &AlbedoTable::white();
+}
+
+void MaterialBuilder::finish(Glass& glass, const MaterialDescription&) { glass.fresnel = options_.fresnel; }
+
+void MaterialBuilder::finish(Plastic& plastic, const MaterialDescription& m)
+{
+    plastic.mean_through = mean_transmittance(m.ior);
+    if (alpha_of_roughness(m.roughness) == 0) return;
+    auto& coat = coats_[m.ior];
+    if (!coat) coat = std::make_shared<const AlbedoTable>(m.ior);
+    plastic.coat = coat;
+}
+
+void MaterialBuilder::finish(Interface& interface, const MaterialDescription&) { interface.fresnel = options_.fresnel; }
 
 }  // namespace lancer

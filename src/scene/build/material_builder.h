@@ -1,4 +1,4 @@
-// From what is said of a material to what is rendered: the one place that knows which parameter goes where.
+// From what is said of a material to what is rendered: its parameters, and what is computed from them once.
 #pragma once
 
 #include <functional>
@@ -24,6 +24,16 @@ public:
     Material make(const MaterialDescription& description, const std::function<uint32_t(const TextureUse&)>& id_of);
 
 private:
+    // What a material has besides its parameters; one that has nothing needs no function here.
+    template <class M>
+    void finish(M&, const MaterialDescription&)
+    {
+    }
+    void finish(Metal& metal, const MaterialDescription& description);
+    void finish(Glass& glass, const MaterialDescription& description);
+    void finish(Plastic& plastic, const MaterialDescription& description);
+    void finish(Interface& interface, const MaterialDescription& description);
+
     MaterialOptions options_;
     std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // of each index, for rough plastics to share
 };

@@ -6,18 +6,12 @@
 #include <cmath>
 
 #include "core/names.h"
+#include "scene/build/fill_parameters.h"
 #include "scene/build/media.h"
 #include "scene/description/presets.h"
 
 namespace lancer {
 namespace {
-
-// Of a mix its parts decide.
-bool mirrors(const MaterialDescription& m)
-{
-    if (m.type == MaterialType::interface) return m.phong.reflexion > 0 || m.phong.refraction > 0;
-    return m.type != MaterialType::lambert && m.type != MaterialType::mix;
-}
 
 void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
 {
@@ -31,18 +25,29 @@ void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
 Texture make_formula(const TextureDescription& t, bool legacy)
 {
     const Vec2 scale = t.use.scale, offset = t.use.offset;
-    if (t.type == TextureType::waves) return Waves(t.waves, scale, offset, legacy);
-    if (t.type == TextureType::rim) return Rim{t.band_width, legacy};
-    if (t.type == TextureType::grid) return Grid{t.band, t.ground, t.band_width, scale, offset, legacy};
-    return Checker{.even = t.even, .odd = t.odd, .scale = scale, .offset = offset};
+    switch (t.type) {
+        case TextureType::waves:
+            return Waves(t.waves, scale, offset, legacy);
+        case TextureType::rim:
+            return Rim{t.band_width, legacy};
+        case TextureType::grid:
+            return Grid{t.band, t.ground, t.band_width, scale, offset, legacy};
+        case TextureType::checker:
+            return Checker{.even = t.even, .odd = t.odd, .scale = scale, .offset = offset};
+        case TextureType::image:
+            break;
+    }
+    return Checker{.even = {1, 1, 1}, .odd = {1, 1, 1}};
 }
 
 }  // namespace
 
-MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
+MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene,
+                             std::vector<PendingPictures::OfTexture>& pending, Diagnostics& diagnostics,
                              const RasterSource& images)
     : d_(description),
       scene_(scene),
+      pending_(pending),
       diagnostics_(diagnostics),
       images_(images),
       builder_({.multiscatter = description.render.is_on(Switch::multiscatter),
@@ -85,23 +90,22 @@ uint32_t MaterialTable::texture(const TextureUse& use)
         return id;
     }
     scene_.textures.emplace_back(Checker{.even = {1, 1, 1}, .odd = {1, 1, 1}});
-    scene_.pending.push_back({id, *use, images_ ? images_(use->file) : RasterFuture{}});
+    pending_.push_back({id, *use, images_ ? images_(use->file) : RasterFuture{}});
     return id;
 }
 
 uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& bsdf)
 {
+    const auto id_of = [&](const TextureUse& use) { return texture(use); };
     scene_.materials.push_back(bsdf);
-    scene_.emission.push_back(
-        {{m.emission, is_black(m.emission) ? no_texture : texture(m.emission_map)}, m.emission_both_sides});
+    Emission emission;
+    fill_parameters(emission, m, [&](const TextureUse& use) { return is_black(m.emission) ? no_texture : id_of(use); });
+    scene_.emission.push_back(emission);
     MaterialTraits traits;
-    traits.opacity = {m.opacity, texture(m.opacity_map)};
-    traits.bump = texture(m.bump_map);
-    traits.normal_map = texture(m.normal_map);
-    traits.bump_scale = m.bump_scale;
-    traits.mirrors = mirrors(m);
+    fill_parameters(traits, m, id_of);
+    traits.mirrors = std::visit([](const auto& b) { return b.mirrors(); }, bsdf);
     traits.reads_uv = reads_textures(m);
-    traits.medium = add_medium(m, scene_, diagnostics_);
+    traits.medium = add_medium(m, bsdf, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
     if (!scene_.mix_of.empty()) scene_.mix_of.push_back(Scene::none);
@@ -147,11 +151,9 @@ uint32_t MaterialTable::make(const MaterialDescription& m)
     if (m.type == MaterialType::mix)
         return add_mix(m, named(m.first, m.where), named(m.second, m.where), {m.weight, texture(m.weight_map)});
     if (m.type == MaterialType::interface) check_indices(m, diagnostics_);
-    const bool is_metal = m.type == MaterialType::metal;
-    const float metallic = m.metallic.value_or(is_metal ? 1.0f : 0.0f);
-    const bool has_metallic = is_metal || m.type == MaterialType::plastic;
-    if (!has_metallic || (metallic == (is_metal ? 1.0f : 0.0f) && !m.metallic_map))
-        return add_plain(m, builder_.make(m, id_of));
+    const std::optional<float> usual = default_description(m.type).metallic;
+    const float metallic = m.metallic.value_or(usual.value_or(0));
+    if (!usual || (metallic == *usual && !m.metallic_map)) return add_plain(m, builder_.make(m, id_of));
     MaterialDescription part = m;
     part.emission = {};
     for (TextureUse* use : {&part.emission_map, &part.bump_map, &part.normal_map, &part.opacity_map}) use->reset();

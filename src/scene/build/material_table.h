@@ -9,14 +9,16 @@
 
 #include "core/error.h"
 #include "scene/build/material_builder.h"
+#include "scene/build/pending_pictures.h"
 #include "scene/scene.h"
 
 namespace lancer {
 
 class MaterialTable {
 public:
-    MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
-                  const RasterSource& images);
+    // pending: where the pictures of textures are put that are still being read.
+    MaterialTable(const SceneDescription& description, Scene& scene, std::vector<PendingPictures::OfTexture>& pending,
+                  Diagnostics& diagnostics, const RasterSource& images);
 
     // The id of a material as it is described.
     uint32_t add(const MaterialDescription& material);  // again what there is: the same id
@@ -45,6 +47,7 @@ private:
 
     const SceneDescription& d_;
     Scene& scene_;
+    std::vector<PendingPictures::OfTexture>& pending_;
     Diagnostics& diagnostics_;
     const RasterSource& images_;
     MaterialBuilder builder_;

@@ -9,18 +9,34 @@ namespace lancer {
 
 bool matters(const Medium& m) { return m.priority || !is_black(m.absorption); }
 
-uint16_t add_medium(const MaterialDescription& m, Scene& scene, Diagnostics& diagnostics)
+namespace {
+
+// Of the medium inside, or nothing. A material that lists what a medium is must say its index.
+std::optional<float> medium_ior(const Material& bsdf, bool has_priority)
 {
-    const bool is_interface = m.type == MaterialType::interface && m.phong.refraction > 0;
-    if (m.type != MaterialType::glass && !is_interface) return no_medium;
+    return std::visit(
+        [&]<class M>(const M& m) -> std::optional<float> {
+            constexpr bool has_inside =
+                index_of_key(M::parameters, "absorption") < std::tuple_size_v<decltype(M::parameters)>;
+            if constexpr (has_inside) return m.medium_ior(has_priority);
+            return {};
+        },
+        bsdf);
+}
+
+}  // namespace
+
+uint16_t add_medium(const MaterialDescription& m, const Material& bsdf, Scene& scene, Diagnostics& diagnostics)
+{
+    const std::optional<float> ior = medium_ior(bsdf, m.priority.has_value());
+    if (!ior) return no_medium;
     const auto per_scene_unit = [&](float sigma) {
         return std::min(sigma / static_cast<float>(scene.normalisation.scale), std::numeric_limits<float>::max());
     };
     Medium medium{
         .absorption = {per_scene_unit(m.absorption.r), per_scene_unit(m.absorption.g), per_scene_unit(m.absorption.b)},
         .priority = m.priority};
-    // What has a priority knows what it touches, and needs no second index.
-    medium.ior = !is_interface ? m.ior : m.phong.inside_ior / (m.priority ? 1 : m.phong.outside_ior);
+    medium.ior = *ior;
     const auto refuse = [&](const char* why) {
         diagnostics.error(m.where, "material " + in_quotes(m.name) + " has " +
                                        (medium.priority ? "a 'priority'" : "'absorption'") + " and " + why);

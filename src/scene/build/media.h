@@ -9,8 +9,9 @@
 
 namespace lancer {
 
-// The id of what is behind a surface of this material, or none; listed in scene.media. Says what cannot be.
-uint16_t add_medium(const MaterialDescription& material, Scene& scene, Diagnostics& diagnostics);
+// The id of what is behind a surface of this material, or none; listed in scene.media. Says what cannot be. bsdf: of
+// the same material.
+uint16_t add_medium(const MaterialDescription& material, const Material& bsdf, Scene& scene, Diagnostics& diagnostics);
 
 // Whether it makes a difference to a ray that it is inside.
 bool matters(const Medium& medium);

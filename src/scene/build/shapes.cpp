@@ -6,6 +6,7 @@
 #include "core/hash.h"
 #include "core/names.h"
 #include "scene/build/material_table.h"
+#include "scene/description/material.h"
 
 namespace lancer {
 namespace {
@@ -15,10 +16,8 @@ const std::vector<Vec2> corner_uvs{{0, 1}, {1, 1}, {0, 0}};
 
 MaterialDescription clear_water()
 {
-    MaterialDescription m;
+    MaterialDescription m = default_description(MaterialType::glass);
     m.name = "water";
-    m.type = MaterialType::glass;
-    m.base_color = {1, 1, 1};
     m.ior = 1.33f;
     return m;
 }
@@ -59,13 +58,11 @@ std::vector<Wave> default_waves(bool legacy)
 
 std::optional<MaterialDescription> inside_out(MaterialDescription m)
 {
-    if (m.type == MaterialType::glass) {
-        m.ior = 1 / m.ior;
-    } else if (m.type == MaterialType::interface) {
+    if (!has_parameter(m.type, "absorption")) return {};
+    if (has_parameter(m.type, "outside_ior"))
         std::swap(m.phong.inside_ior, m.phong.outside_ior);
-    } else {
-        return {};
-    }
+    else
+        m.ior = 1 / m.ior;
     return m;
 }
 
@@ -95,6 +92,15 @@ std::shared_ptr<const MeshData> make_pyramid(Vec3d center, double side, Vec3d up
     return std::make_shared<const MeshData>(std::move(data));
 }
 
+// "glass or interface"
+static std::string types_with_inside()
+{
+    std::string names;
+    for (const MaterialType type : types_with("absorption"))
+        names += (names.empty() ? "" : " or ") + std::string(name_of(type));
+    return names;
+}
+
 uint32_t material_of(const SphereDescription& s, MaterialTable& materials, Diagnostics& diagnostics)
 {
     if (s.part != SphereDescription::Part::inside_of_bubble) return materials.named(s.material, s.where);
@@ -102,7 +108,7 @@ uint32_t material_of(const SphereDescription& s, MaterialTable& materials, Diagn
         const std::optional<MaterialDescription> turned = inside_out(m);
         if (!turned)
             diagnostics.error(s.where,
-                              "a bubble must be of a material of type glass or interface; " +
+                              "a bubble must be of a material of type " + types_with_inside() + "; " +
                                   (s.material.empty() ? "it has none" : in_quotes(s.material) + " is another"));
         return turned.value_or(m);
     });

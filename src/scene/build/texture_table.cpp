@@ -60,11 +60,11 @@ void warn(const std::string& file, const Report& r, Diagnostics& diagnostics)
 
 }  // namespace
 
-void receive_textures(Scene& scene, Diagnostics& diagnostics)
+void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pending, Diagnostics& diagnostics)
 {
-    std::vector<Outcome> outcomes(scene.pending.size());
-    parallel_for(scene.pending.size(), [&](size_t i) {
-        Scene::Pending& p = scene.pending[i];
+    std::vector<Outcome> outcomes(pending.size());
+    parallel_for(pending.size(), [&](size_t i) {
+        PendingPictures::OfTexture& p = pending[i];
         // Gone with the last texture that is made of it, so that pictures do not pile up.
         const RasterFuture image = std::move(p.image);
         try {
@@ -79,7 +79,7 @@ void receive_textures(Scene& scene, Diagnostics& diagnostics)
     std::vector<std::string> files;  // in the order of the scene
     std::map<std::string, Report> reports;
     for (size_t i = 0; i < outcomes.size(); ++i) {
-        const Scene::Pending& p = scene.pending[i];
+        const PendingPictures::OfTexture& p = pending[i];
         const auto [it, is_new] = reports.try_emplace(p.what.file);
         Report& r = it->second;
         if (is_new) {
@@ -93,7 +93,6 @@ void receive_textures(Scene& scene, Diagnostics& diagnostics)
         (take_bumps_away(scene, p.texture) ? r.gives_bumps : r.gives_numbers) = true;
     }
     for (const std::string& file : files) warn(file, reports[file], diagnostics);
-    scene.pending.clear();
 }
 
 }  // namespace lancer

@@ -1,12 +1,13 @@
 // Makes the textures of a scene from the pictures that it asked for.
 #pragma once
 
+#include "scene/build/pending_pictures.h"
 #include "scene/scene.h"
 
 namespace lancer {
 
-// Waits for scene.pending and empties it. A picture that could not be read is a warning and leaves a texture of 1, or
-// no bumps.
-void receive_textures(Scene& scene, Diagnostics& diagnostics);
+// Waits for the pictures and takes them. One that could not be read is a warning and leaves a texture of 1, or no
+// bumps.
+void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pending, Diagnostics& diagnostics);
 
 }  // namespace lancer

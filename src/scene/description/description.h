@@ -14,89 +14,12 @@
 #include "core/error.h"
 #include "core/switches.h"
 #include "core/vec.h"
-#include "materials/phong.h"
 #include "materials/textures/texture.h"
 #include "scene/description/background.h"
+#include "scene/description/light.h"
+#include "scene/description/material.h"
 
 namespace lancer {
-
-enum class TextureType { image, checker, grid, rim, waves };
-
-// A texture as it is used in one place.
-struct TextureDescription {
-    Location where;
-    TextureType type = TextureType::image;
-    std::string file;               // image: path as found on disk
-    ImageUse use;                   // image; scale and offset also of the others but rim
-    Color even{1, 1, 1}, odd{};     // checker
-    Color band{1, 1, 1}, ground{};  // grid
-    float band_width = 0.05f;       // grid, rim; in [0, 1]
-    std::vector<Wave> waves{};      // waves
-
-    // Whether both make the same texture.
-    friend bool operator==(const TextureDescription& a, const TextureDescription& b)
-    {
-        return a.type == b.type && a.file == b.file && a.use == b.use && a.even == b.even && a.odd == b.odd &&
-               a.band == b.band && a.ground == b.ground && a.band_width == b.band_width && a.waves == b.waves;
-    }
-};
-using TextureUse = std::optional<TextureDescription>;
-
-enum class MaterialType { lambert, mirror, metal, glass, plastic, mix, interface };
-
-// What a material says, each parameter with its default. A texture multiplies the number it belongs to.
-struct MaterialDescription {
-    std::string name;
-    Location where;
-    MaterialType type = MaterialType::lambert;
-    Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
-    TextureUse base_color_map{};
-    float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
-    Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
-    std::optional<int32_t> priority{};  // glass, interface: over other media in the same place
-    float roughness = 0;                // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
-    TextureUse roughness_map{};
-    std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
-    std::optional<float> metallic{};  // metal, plastic: part of metal in a mix of both, in [0, 1]
-    TextureUse metallic_map{};
-    Color specular{1, 1, 1};  // plastic: tint of the coat's reflection; in [0, 1]
-    float opacity = 1;        // part of the rays that are stopped, in [0, 1]
-    TextureUse opacity_map{};
-    TextureUse bump_map{};    // heights
-    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels; a factor on waves
-    TextureUse normal_map{};  // tangent space, y along +v
-    Color emission{};         // radiance
-    TextureUse emission_map{};
-    bool emission_both_sides = false;  // else only on the side of the normal
-    std::string first{}, second{};     // mix: names of [material.NAME]
-    float weight = 0.5f;               // mix: of the second
-    TextureUse weight_map{};
-    Phong phong{};  // interface; its diffuse colour is base_color
-
-    // Said at the same place, with the same name, and the same.
-    friend bool operator==(const MaterialDescription&, const MaterialDescription&) = default;
-};
-
-// Every texture that a material may have.
-inline std::array<const TextureUse*, 8> textures_of(const MaterialDescription& m)
-{
-    return {&m.base_color_map, &m.roughness_map, &m.metallic_map, &m.opacity_map,
-            &m.bump_map,       &m.normal_map,    &m.emission_map, &m.weight_map};
-}
-inline bool reads_textures(const MaterialDescription& m)
-{
-    for (const TextureUse* use : textures_of(m))
-        if (*use) return true;
-    return false;
-}
-
-// [[material_override]]: the materials of mesh files whose name matches get what is said here.
-struct MaterialOverride {
-    Location where;
-    std::string match;     // shell pattern: *, ?, [...]
-    std::string material;  // if not empty: a [material.NAME] that takes their place
-    std::function<MaterialDescription(const MaterialDescription&)> change;  // else: the changed description
-};
 
 // One mesh file after loading: validated, triangulated, still in double and in the file's units.
 struct MeshData {
@@ -167,21 +90,9 @@ struct PlaneDescription {
     std::vector<Wave> waves{};  // water; empty: default_waves()
 };
 
-enum class LightType { point, directional, sphere, environment };
-
-struct LightDescription {
-    Location where;
-    LightType type = LightType::point;
-    Vec3d position{};           // point; center of sphere
-    Vec3d direction{0, -1, 0};  // directional: the way that the light goes; finite, not zero, need not be unit
-    double radius = 1;          // sphere
-    Color power{};              // intensity (point), irradiance on a surface that faces it (directional), radiance
-                                // (sphere, environment; with a file its factor); finite, >= 0
-    std::string file{};         // environment: latitude-longitude picture; empty: constant
-    Vec3d rotate_deg{0, 0, 0};  // environment with a file: about x, then y, then z
-};
-
 enum class CameraType { pinhole, thin_lens };
+inline constexpr std::array<std::string_view, 2> camera_type_names{"pinhole", "thin_lens"};
+constexpr std::string_view name_of(CameraType type) { return camera_type_names[static_cast<size_t>(type)]; }
 
 struct CameraDescription {
     std::string name;  // empty: the [camera] itself

@@ -194,14 +194,14 @@ Color glow_of_lights(const Scene& scene, Vec3 org, Vec3 dir)
         const float part = 1 - angle * static_cast<float>(180 / pi_d) / 4;
         if (part > 0) sum += color * (part * part);
     };
-    for (const DirectionalLight& light : scene.directional_lights) add(light.wi, light.irradiance);
-    // Intensities as the file says them, whatever the scene was scaled by.
-    const auto s2 = static_cast<float>(scene.normalisation.scale * scene.normalisation.scale);
-    for (const PointLight& light : scene.point_lights) {
-        const Vec3 d = light.position - org;
-        const float distance = length(d);
-        if (distance > 0) add(d / distance, light.intensity / s2);
-    }
+    // Those infinitely far away first: sums of floats depend on the order.
+    for (const bool far : {true, false})
+        for (const DeltaLight& any : scene.delta_lights) {
+            const UndimmedLight light =
+                std::visit([&](const auto& l) { return l.undimmed(org, scene.normalisation.scale); }, any);
+            const float distance = light.infinite ? 1 : length(light.way);
+            if (light.infinite == far && distance > 0) add(light.way / distance, light.color);
+        }
     return sum;
 }
 
@@ -264,29 +264,6 @@ std::shared_ptr<const EnvironmentMap> make_background_table(const Scene& scene)
     const auto floor = static_cast<float>(least * total / (double{width} * height));
     return std::make_shared<const EnvironmentMap>(std::make_shared<const Raster>(std::move(raster)), Color{1, 1, 1},
                                                   Color{floor, floor, floor}, Vec3d{z_up ? 90.0 : 0.0, 0, 0});
-}
-
-void receive_background(Scene& scene, Diagnostics& diagnostics)
-{
-    if (!scene.pending_background) return;
-    Scene::PendingBackground pending = *std::exchange(scene.pending_background, {});
-    const BackgroundDescription& what = pending.what;
-    const auto receive = [&](const BackgroundPicture& picture, RasterFuture& image) -> std::shared_ptr<const Raster> {
-        if (picture.file.empty()) return {};
-        try {
-            if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
-            return image.get();
-        } catch (const Error& e) {
-            diagnostics.error(picture.where, std::string("background not read: ") + e.what(), e.kind());
-            return {};
-        }
-    };
-    const auto sky = receive(what.sky_picture, pending.sky), ground = receive(what.ground_picture, pending.ground);
-    if ((!sky && !what.sky_picture.file.empty()) || (!ground && !what.ground_picture.file.empty())) return;
-    scene.background = std::make_shared<const Background>(what, sky.get(), ground.get(), scene.legacy);
-    if (const uint64_t bad = scene.background->bad_texels())
-        diagnostics.warning(what.where, "a texel of the background is negative or not finite: taken for black", bad);
-    scene.environment_table = make_background_table(scene);
 }
 
 }  // namespace lancer

@@ -58,8 +58,4 @@ Color glow_of_lights(const Scene& scene, Vec3 org, Vec3 dir);
 // The sampling table of everything at infinity: environment and background together.
 std::shared_ptr<const EnvironmentMap> make_background_table(const Scene& scene);
 
-// Waits for the pictures of the background, makes Scene::background and, after receive_environment(), the table.
-// Pictures that cannot be read are errors.
-void receive_background(Scene& scene, Diagnostics& diagnostics);
-
 }  // namespace lancer

@@ -16,18 +16,11 @@ namespace {
 ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
 
 // Each samples as seen from `org`, the origin of the shadow ray.
-std::optional<LightSample> sample(const Scene&, const PointLight& light, const Surface&, Vec3 org, Vec2)
+template <class L>
+requires is_delta_light<L> std::optional<LightSample> sample(const Scene&, const L& light, const Surface&, Vec3 org,
+                                                             Vec2)
 {
-    const Vec3 d = light.position - org;
-    const float d2 = dot(d, d);
-    if (!(d2 > 0)) return {};
-    return LightSample{
-        .wi = d / std::sqrt(d2), .point = light.position, .radiance = light.intensity / d2, .pdf = 1, .delta = true};
-}
-
-std::optional<LightSample> sample(const Scene&, const DirectionalLight& light, const Surface&, Vec3, Vec2)
-{
-    return LightSample{.wi = light.wi, .infinite = true, .radiance = light.irradiance, .pdf = 1, .delta = true};
+    return light.sample(org);
 }
 
 // Radiance of a point of a light towards one side. uv(): of the point; only called for textures.

@@ -9,6 +9,9 @@
 #include "core/color.h"
 #include "core/distribution.h"
 #include "core/vec.h"
+#include "scene/lights/directional.h"
+#include "scene/lights/light_sample.h"
+#include "scene/lights/point.h"
 
 namespace lancer {
 
@@ -16,15 +19,17 @@ class LightTree;
 struct Scene;
 struct Surface;
 
-struct PointLight {
-    Vec3 position;
-    Color intensity;  // per square scene unit
-};
-struct DirectionalLight {
-    Vec3 wi;           // towards the light, unit
-    Color irradiance;  // on a surface that faces it
-};
+// Delta lights, which no ray can hit, in the order in which the table has them. Each has
+//   make(description, normalisation)   from a LightDescription
+//   sample(org)                        as sample_light(), seen from org; nothing if no light arrives
+//   power(area)                        for the selection: emitted luminance in scene units; a light at infinity
+//                                      illuminates `area`
+//   bounds()                           for the light tree; nothing if the light is at infinity
+//   undimmed(org, scale)               see UndimmedLight; scale: of the normalisation
+using DeltaLight = std::variant<PointLight, DirectionalLight>;
+
 struct SphereLight {
+    static constexpr LightType type = LightType::sphere;
     uint32_t sphere;  // index; its material has the emission
 };
 struct TriangleLight {
@@ -37,8 +42,11 @@ struct EnvironmentLight {};  // all of Scene::radiance_from(), by Scene::environ
 
 using Light = std::variant<PointLight, DirectionalLight, SphereLight, TriangleLight, EnvironmentLight>;
 
+template <class L>
+inline constexpr bool is_delta_light = std::is_constructible_v<DeltaLight, L>;
+
 struct LightTable {
-    std::vector<Light> lights;  // point and directional ones first
+    std::vector<Light> lights;  // delta lights first
     uint32_t deltas = 0;        // number of these
     Discrete pick;              // selection by power
     // With many lights, those with a position are selected by a tree, whose indices are those of `lights`. Lights at
@@ -46,16 +54,6 @@ struct LightTable {
     std::shared_ptr<const LightTree> tree;  // null: all lights by power
     std::vector<uint32_t> far;              // lights at infinity; only set with a tree
     double tree_share = 0;                  // probability of using the tree
-};
-
-struct LightSample {
-    Vec3 wi;                  // unit, from the surface to the light
-    Vec3 point{}, p_error{};  // on the light; unused if infinite
-    Vec3 n{};                 // normal of the light there, for the offset of the shadow ray's end; 0 for a point light
-    bool infinite = false;
-    Color radiance;      // unoccluded radiance; for a delta light the irradiance on a surface that faces it
-    float pdf = 0;       // per solid angle, including the selection; 1 x selection for a delta light
-    bool delta = false;  // BSDF sampling cannot hit it
 };
 
 // Selects a light by power or by the tree and samples a point on it, as seen from the side of from.n. Returns nothing

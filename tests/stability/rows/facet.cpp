@@ -142,7 +142,7 @@ double worst_of(size_t pairs, const std::function<void(const std::string&, doubl
             const double larger = std::max(there, back);
             if (larger > 1e-30) most = std::max(most, std::abs(there - back) / larger);
         }
-        tell(std::string(M::name) + " " + s.name, most);
+        tell(std::string(std::string(name_of(M::type))) + " " + s.name, most);
         worst = std::max(worst, most);
     }
     return worst;
@@ -153,7 +153,7 @@ Outcome reciprocity(const Setup& setup)
     Outcome out;
     const size_t pairs = setup.scaled(8000, 1000000, 1000000);
     const auto over = [&]<class M>(M*) {
-        out.measures.push_back(at_most(M::name,
+        out.measures.push_back(at_most(std::string(name_of(M::type)),
                                        worst_of<M>(pairs,
                                                    [&](const std::string& name, double worst) {
                                                        if (worst > 1e-5) out.measures.push_back(told(name, worst));

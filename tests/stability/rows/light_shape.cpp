@@ -52,7 +52,7 @@ struct Flux {
 Flux flux_of(double height, size_t count)
 {
     const Stage stage(lamp_over_plane(height));
-    const PointLight& lamp = stage.scene.point_lights[0];
+    const auto& lamp = std::get<PointLight>(stage.scene.delta_lights[0]);
     const Plane& plane = stage.scene.geometry.planes[0];
     const Vec3d at = to_double(lamp.position);
     // As high as float leaves it.

@@ -1,0 +1,49 @@
+#include "scene/build/receive_environment.h"
+
+#include <utility>
+
+#include "scene/environment/background.h"
+#include "scene/environment/environment.h"
+
+namespace lancer {
+
+void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, Diagnostics& diagnostics)
+{
+    const LightDescription& light = pending.what;
+    try {
+        if (!pending.image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+        std::shared_ptr<const Raster> picture = pending.image.get();
+        pending.image = {};  // the last to hold the picture shall be who makes texels of it
+        scene.environment_map =
+            std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
+    } catch (const Error& e) {
+        return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
+    }
+    scene.environment_table = scene.environment_map;
+    scene.environment = {};
+    if (const uint64_t bad = scene.environment_map->bad_texels())
+        diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);
+}
+
+void receive_background(Scene& scene, PendingPictures::OfBackground pending, Diagnostics& diagnostics)
+{
+    const BackgroundDescription& what = pending.what;
+    const auto receive = [&](const BackgroundPicture& picture, RasterFuture& image) -> std::shared_ptr<const Raster> {
+        if (picture.file.empty()) return {};
+        try {
+            if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+            return image.get();
+        } catch (const Error& e) {
+            diagnostics.error(picture.where, std::string("background not read: ") + e.what(), e.kind());
+            return {};
+        }
+    };
+    const auto sky = receive(what.sky_picture, pending.sky), ground = receive(what.ground_picture, pending.ground);
+    if ((!sky && !what.sky_picture.file.empty()) || (!ground && !what.ground_picture.file.empty())) return;
+    scene.background = std::make_shared<const Background>(what, sky.get(), ground.get(), scene.legacy);
+    if (const uint64_t bad = scene.background->bad_texels())
+        diagnostics.warning(what.where, "a texel of the background is negative or not finite: taken for black", bad);
+    scene.environment_table = make_background_table(scene);
+}
+
+}  // namespace lancer

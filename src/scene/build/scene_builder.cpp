@@ -1,0 +1,286 @@
+#include "scene/build/scene_builder.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/names.h"
+#include "core/srgb.h"
+#include "scene/alpha_test.h"
+#include "scene/build/fold.h"
+#include "scene/build/light_table.h"
+#include "scene/build/material_table.h"
+#include "scene/build/mesh_tables.h"
+#include "scene/build/receive_environment.h"
+#include "scene/build/shapes.h"
+#include "scene/build/texture_table.h"
+
+namespace lancer {
+namespace {
+
+constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyond 1.8e18, and squares must stay finite
+
+// One run over a description: fills a scene and what is still missing of it.
+class Builder {
+public:
+    Builder(const SceneDescription& d, Diagnostics& diagnostics, const RasterSource& images, Scene& scene,
+            PendingPictures& pending)
+        : d_(d),
+          diagnostics_(diagnostics),
+          images_(images),
+          placement_(d),
+          scene_(scene),
+          pending_(pending),
+          materials_(d, scene, pending.textures, diagnostics, images)
+    {
+    }
+
+    void build()
+    {
+        scene_.file = d_.file;
+        scene_.terminator_fix = d_.render.is_on(Switch::terminator);
+        scene_.soft_shadows = d_.render.is_on(Switch::soft_shadows);
+        scene_.light_tree = d_.render.is_on(Switch::light_tree);
+        scene_.legacy = d_.render.is_on(Switch::legacy);
+        scene_.normalisation = normalise(frame());
+        add_spheres();
+        add_planes();
+        for (uint32_t i = 0; i < d_.meshes.size(); ++i) add_mesh(i);
+        add_instances();
+        scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
+        add_given_lights();
+        if (d_.background) add_background(*d_.background);
+        materials_.finish();
+        diagnostics_.throw_if_errors();
+    }
+
+private:
+    // What the normalisation looks at: the subject, and where there is none, whatever has a place.
+    Bounds frame() const
+    {
+        Bounds b = subject_bounds(d_);
+        if (b.extent() > 0) return b;
+        for (const auto& l : d_.lights)
+            for_each_parameter_of(l.type, [&](const auto& row) {
+                if (row.key == "position") b.grow(l.position);
+            });
+        if (d_.camera) {
+            b.grow(d_.camera->position);
+            b.grow(d_.camera->target);
+        }
+        return b;
+    }
+
+    void check_near(Vec3d p, const Location& where, const char* what)
+    {
+        if (!is_finite(p) || max_component(abs(p)) > far_limit)
+            diagnostics_.error(where, std::string(what) + " lies too far from the rest of the scene");
+    }
+    void add_spheres()
+    {
+        const auto add = [&](Vec3d center, double radius, uint32_t material) {
+            scene_.geometry.spheres.push_back(
+                {scene_.normalisation.to_scene(center), radius * scene_.normalisation.scale});
+            scene_.sphere_material.push_back(material);
+            return scene_.geometry.spheres.back();
+        };
+        for (const auto& s : d_.spheres) {
+            const Sphere added = add(s.center, s.radius, material_of(s, materials_, diagnostics_));
+            check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, s.where, "this sphere");
+        }
+        for (const auto& l : d_.lights) {
+            if (l.type != LightType::sphere || is_black(l.power)) continue;
+            const Sphere added =
+                add(l.position, l.radius,
+                    materials_.add({.name = "light", .where = l.where, .base_color = {}, .emission = l.power}));
+            check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, l.where, "this light");
+        }
+    }
+    void add_planes()
+    {
+        for (const auto& p : d_.planes) {
+            const Vec3d n = normalize(p.normal), point = scene_.normalisation.to_scene(p.point);
+            check_near(point, p.where, "this plane");
+            scene_.geometry.planes.push_back({n, dot(n, point)});
+            scene_.plane_material.push_back(material_of(p, scene_.legacy, materials_));
+            scene_.plane_maps.push_back(make_plane_map(p));
+        }
+    }
+    void add_mesh(uint32_t index)
+    {
+        const MeshDescription& m = d_.meshes[index];
+        const MeshData& data = *m.data;
+        const bool instanced = placement_.instanced[index];
+        // An instanced mesh is kept in a frame of its own, as near to 1 as the scene is.
+        const Normalisation own = instanced ? normalise(bounds_of(data)) : Normalisation{};
+        const Transform place =
+            instanced ? to_transform(own) : compose(to_transform(scene_.normalisation), to_transform(m.transform));
+        own_.push_back(own);
+
+        Mesh mesh;
+        mesh.instanced = instanced;
+        MeshShading shading;
+        if (m.bands) {
+            shading.material = materials_.banded(m.material, *m.bands, TextureType::rim, m.where);
+        } else if (!m.material.empty()) {
+            shading.material = materials_.named(m.material, m.where);
+        } else {
+            std::vector<uint32_t> ids;
+            for (const auto& description : data.materials) ids.push_back(materials_.add_from_file(description));
+            if (ids.size() == 1 || data.face_material.empty()) {
+                shading.material = ids.empty() ? materials_.named("", m.where) : ids[0];
+            } else {
+                std::vector<uint32_t> of_faces(data.face_material.size());
+                std::transform(data.face_material.begin(), data.face_material.end(), of_faces.begin(),
+                               [&](uint32_t f) { return ids[f]; });
+                set_materials(shading, of_faces);
+            }
+        }
+        fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading,
+                    scene_.unused_features);
+        for (size_t i = 0; i < mesh.vertices(); ++i)
+            if (const Vec3& p = mesh.vertex(i);
+                !is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
+                diagnostics_.error(m.where, "this mesh lies too far from the rest of the scene");
+                break;
+            }
+        // A mirroring map turns the winding round, not the side that a face shows.
+        if (place.determinant() < 0)
+            for (auto* triangles : {&mesh.triangles, &shading.normals.triangles, &shading.uv_triangles.all()})
+                for (auto& t : *triangles) std::swap(t[1], t[2]);
+        scene_.has_normals |= !shading.normals.empty();
+        scene_.geometry.meshes.push_back(std::move(mesh));
+        scene_.shading.push_back(std::move(shading));
+    }
+    static std::vector<Color> linear_colors(const MeshData& data, VertexColors meaning)
+    {
+        if (meaning == VertexColors::none) return {};
+        std::vector<Color> colors = data.colors;
+        if (meaning == VertexColors::linear) return colors;
+        const auto decoded = [](float x) { return static_cast<float>(linear_from_srgb(static_cast<double>(x))); };
+        for (Color& c : colors) c = {decoded(c.r), decoded(c.g), decoded(c.b)};
+        return colors;
+    }
+    void add_instances()
+    {
+        for (const auto& i : d_.instances) {
+            const auto it = placement_.by_name.find(i.mesh);
+            if (it == placement_.by_name.end()) {
+                std::vector<std::string> known;
+                for (const auto& m : placement_.by_name) known.push_back(m.first);
+                diagnostics_.error(i.where, "unknown mesh '" + i.mesh + "'" + suggestion(i.mesh, known));
+                continue;
+            }
+            const Transform to_file = compose(to_transform(i.transform), to_transform(d_.meshes[it->second].transform));
+            const Transform to_world =
+                compose(compose(to_transform(scene_.normalisation), to_file), inverse(to_transform(own_[it->second])));
+            check_near(to_world.translation, i.where, "this instance");
+            scene_.geometry.instances.push_back({it->second, to_world, inverse(to_world)});
+        }
+    }
+
+    void add_given_lights()
+    {
+        for (const auto& l : d_.lights) {
+            if (is_black(l.power)) {
+                scene_.unused_features.add("lights without power", 1);
+                continue;
+            }
+            for_each_parameter_of(l.type, [&](const auto& row) {
+                if (row.key == "position") check_near(scene_.normalisation.to_scene(l.position), l.where, "this light");
+            });
+            if (l.type == LightType::environment) add_environment(l);
+        }
+        add_delta_lights(std::type_identity<DeltaLight>{});
+    }
+    template <class... L>
+    void add_delta_lights(std::type_identity<std::variant<L...>>)
+    {
+        const auto add = [&]<class Of>(std::type_identity<Of>) {
+            for (const auto& l : d_.lights)
+                if (l.type == Of::type && !is_black(l.power))
+                    scene_.delta_lights.push_back(Of::make(l, scene_.normalisation));
+        };
+        (add(std::type_identity<L>{}), ...);
+    }
+    // Constant ones add up; of pictures there can be one.
+    void add_environment(const LightDescription& l)
+    {
+        if (l.file.empty()) {
+            scene_.environment += l.power;
+        } else if (pending_.environment) {
+            diagnostics_.error(l.where, "a second environment with a file; the first stands at " +
+                                            to_string(pending_.environment->what.where));
+        } else {
+            pending_.environment = {l, images_ ? images_(l.file) : RasterFuture{}};
+        }
+    }
+
+    void add_background(const BackgroundDescription& b)
+    {
+        scene_.glow = b.glow;
+        if (b.sky == SkyType::color && b.ground == GroundType::none) {
+            scene_.environment += b.sky_color * b.strength;
+            return;
+        }
+        const auto ask = [&](const BackgroundPicture& p) {
+            return p.file.empty() || !images_ ? RasterFuture{} : images_(p.file);
+        };
+        pending_.background = {b, ask(b.sky_picture), ask(b.ground_picture)};
+    }
+
+    const SceneDescription& d_;
+    Diagnostics& diagnostics_;
+    const RasterSource& images_;
+    Placement placement_;
+    Scene& scene_;
+    PendingPictures& pending_;
+    MaterialTable materials_;
+    std::vector<Normalisation> own_;  // of each mesh
+};
+
+}  // namespace
+
+SceneBuilder::SceneBuilder(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+    : scene_(std::make_unique<Scene>())
+{
+    Builder(description, diagnostics, images, *scene_, pending_).build();
+    bind_alpha_test(*scene_);
+}
+
+bool SceneBuilder::may_have_emitters() const
+{
+    return scene_->has_emitters() || pending_.environment || pending_.background;
+}
+
+void SceneBuilder::complete(Diagnostics& diagnostics)
+{
+    Scene& s = *scene_;
+    receive_textures(s, std::exchange(pending_.textures, {}), diagnostics);
+    share_texels(s);
+    fold_constants(s);
+    drop_unread_uvs(s);
+    if (pending_.environment) receive_environment(s, *std::exchange(pending_.environment, {}), diagnostics);
+    if (pending_.background) receive_background(s, *std::exchange(pending_.background, {}), diagnostics);
+    diagnostics.throw_if_errors();
+    build_light_table(s);
+    s.has_tables =
+        std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
+    bool emits = !s.lights.lights.empty();
+    for (const uint32_t m : s.plane_material) emits = emits || !s.emission[m].is_dark();
+    if (!emits) diagnostics.warning({s.file, 0, 0}, "nothing emits light: the picture will be black");
+}
+
+std::unique_ptr<const Scene> SceneBuilder::finish(Diagnostics& diagnostics)
+{
+    complete(diagnostics);
+    return std::move(scene_);
+}
+
+Scene SceneBuilder::finish_by_value(Diagnostics& diagnostics)
+{
+    complete(diagnostics);
+    scene_->geometry.alpha_test = {};  // which refer to where it stands
+    return std::move(*std::exchange(scene_, nullptr));
+}
+
+}  // namespace lancer

@@ -1,0 +1,196 @@
+// What a scene file can say of a material: a field for each parameter, and below one row for each key, with its range
+// and the texture that may multiply it. Which type of material has which of them, and with which default, stands beside
+// the struct of each material (materials/parameter.h). Scene files, overrides, the list of pictures and the table of
+// docs/scene-format.md, which a test compares, go over these rows.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "core/color.h"
+#include "core/error.h"
+#include "materials/material_type.h"
+#include "materials/parameter.h"
+#include "materials/phong.h"
+#include "scene/description/parameter_range.h"
+#include "scene/description/texture.h"
+
+namespace lancer {
+
+// What a material says, each parameter with its default. A texture multiplies the number it belongs to. Every
+// parameter has a row below.
+struct MaterialDescription {
+    std::string name;
+    Location where;
+    MaterialType type = MaterialType::lambert;
+    Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
+    TextureUse base_color_map{};
+    float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
+    Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
+    std::optional<int32_t> priority{};  // glass, interface: over other media in the same place
+    float roughness = 0;                // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
+    TextureUse roughness_map{};
+    std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
+    std::optional<float> metallic{};  // metal, plastic: part of metal in a mix of both, in [0, 1]
+    TextureUse metallic_map{};
+    Color specular{1, 1, 1};  // plastic: tint of the coat's reflection; in [0, 1]
+    float opacity = 1;        // part of the rays that are stopped, in [0, 1]
+    TextureUse opacity_map{};
+    TextureUse bump_map{};    // heights
+    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels; a factor on waves
+    TextureUse normal_map{};  // tangent space, y along +v
+    Color emission{};         // radiance
+    TextureUse emission_map{};
+    bool emission_both_sides = false;  // else only on the side of the normal
+    std::string first{}, second{};     // mix: names of [material.NAME]
+    float weight = 0.5f;               // mix: of the second
+    TextureUse weight_map{};
+    // interface; its diffuse colour is base_color, what the file calls ior is its inside_ior.
+    Phong phong{.inside_ior = 1.5f};
+
+    // Said at the same place, with the same name, and the same.
+    friend bool operator==(const MaterialDescription&, const MaterialDescription&) = default;
+};
+
+// [[material_override]]: the materials of mesh files whose name matches get what is said here.
+struct MaterialOverride {
+    Location where;
+    std::string match;     // shell pattern: *, ?, [...]
+    std::string material;  // if not empty: a [material.NAME] that takes their place
+    std::function<MaterialDescription(const MaterialDescription&)> change;  // else: the changed description
+};
+
+// What a texture is used for; it decides what a scene file need not say of it.
+enum class TextureRole {
+    none,
+    color,    // sRGB where the picture holds integers
+    normal,   // three numbers, linear
+    number,   // one number: the luminance, linear
+    opacity,  // one number: alpha where the picture has some
+    heights,  // one number, of which only the slope counts
+};
+
+// Value, Map: pointers to members of MaterialDescription, or functions of it that return one by reference.
+template <class Value, class Map>
+struct MaterialParameter {
+    std::string_view key;
+    Value value;
+    ParameterRange range;
+    TextureRole role;          // of the texture
+    std::string_view map_key;  // empty: no texture multiplies it
+    Map map;
+    std::array<std::string_view, 2> words;  // of a choice
+
+    constexpr auto& value_of(auto& description) const { return std::invoke(value, description); }
+    constexpr auto& map_of(auto& description) const { return std::invoke(map, description); }
+};
+template <class Row>
+inline constexpr bool has_map = !std::is_same_v<decltype(std::declval<Row>().map), std::nullptr_t>;
+
+namespace material_rows {
+
+template <class Value>
+constexpr MaterialParameter<Value, std::nullptr_t> number(std::string_view key, Value value, ParameterRange range,
+                                                          std::array<std::string_view, 2> words = {})
+{
+    return {key, value, range, TextureRole::none, {}, nullptr, words};
+}
+template <class Value, class Map>
+constexpr MaterialParameter<Value, Map> mapped(std::string_view key, Value value, ParameterRange range,
+                                               std::string_view map_key, Map map, TextureRole role)
+{
+    return {key, value, range, role, map_key, map, {}};
+}
+template <class Value>
+constexpr MaterialParameter<Value, std::nullptr_t> image(std::string_view key, Value value, TextureRole role)
+{
+    return {key, value, ParameterRange::texture, role, {}, nullptr, {}};
+}
+
+using M = MaterialDescription;
+using enum ParameterRange;
+
+// The interface keeps its own in Phong's model.
+inline constexpr auto ior = [](auto& m) -> auto&
+{
+    return m.type == MaterialType::interface ? m.phong.inside_ior : m.ior;
+};
+inline constexpr auto specular = [](auto& m) -> auto&
+{
+    return m.type == MaterialType::interface ? m.phong.specular : m.specular;
+};
+
+inline constexpr std::tuple all{
+    mapped("base_color", &M::base_color, unit, "texture", &M::base_color_map, TextureRole::color),
+    mapped("roughness", &M::roughness, unit, "roughness_texture", &M::roughness_map, TextureRole::number),
+    mapped("metallic", &M::metallic, unit, "metallic_texture", &M::metallic_map, TextureRole::number),
+    number("ior", ior, positive),
+    number("absorption", &M::absorption, not_negative),
+    number("priority", &M::priority, million),
+    number("eta", &M::eta, positive),
+    number("k", &M::k, not_negative),
+    number("specular", specular, unit),
+    number("first", &M::first, name),
+    number("second", &M::second, name),
+    mapped("weight", &M::weight, unit, "weight_texture", &M::weight_map, TextureRole::number),
+    number("ambient", member_of(&M::phong, &Phong::ambient), not_negative),
+    number("shininess", member_of(&M::phong, &Phong::shininess), not_negative),
+    number("diffusion", member_of(&M::phong, &Phong::diffusion), unit),
+    number("reflexion", member_of(&M::phong, &Phong::reflexion), unit),
+    number("refraction", member_of(&M::phong, &Phong::refraction), unit),
+    number("outside_ior", member_of(&M::phong, &Phong::outside_ior), positive),
+    mapped("opacity", &M::opacity, unit, "opacity_texture", &M::opacity_map, TextureRole::opacity),
+    image("bump_texture", &M::bump_map, TextureRole::heights),
+    number("bump_scale", &M::bump_scale, finite),
+    image("normal_texture", &M::normal_map, TextureRole::normal),
+    mapped("emission", &M::emission, not_negative, "emission_texture", &M::emission_map, TextureRole::color),
+    number("emission_sides", &M::emission_both_sides, choice, {"front", "both"})};
+
+}  // namespace material_rows
+
+inline constexpr const auto& material_parameters = material_rows::all;
+
+// A field that may be nothing, as the value that it then has; any other field as it is.
+template <class T>
+constexpr T& value_in(T& field)
+{
+    return field;
+}
+template <class T>
+constexpr T& value_in(std::optional<T>& field)
+{
+    return *field;
+}
+// What a texture that stands alone multiplies.
+inline void set_to_one(Color& color) { color = {1, 1, 1}; }
+inline void set_to_one(float& number) { number = 1; }
+inline void set_to_one(std::optional<float>& number) { number = 1.0f; }
+
+// f(row) for each.
+template <class F>
+constexpr void for_each_material_parameter(const F& f)
+{
+    std::apply([&](const auto&... row) { (f(row), ...); }, material_parameters);
+}
+
+// Every texture that a material may have.
+std::vector<const TextureUse*> textures_of(const MaterialDescription& material);
+bool reads_textures(const MaterialDescription& material);
+
+// The types that have a parameter, in their order; empty: all of them.
+std::vector<MaterialType> types_with(std::string_view key);
+bool has_parameter(MaterialType type, std::string_view key);
+
+// A material of a type that says nothing of itself.
+MaterialDescription default_description(MaterialType type);
+// Makes it one of another type, which begins with its own defaults: a number with a texture is then 1. The base colour
+// and all textures stay, as does what materials of all types have: a mesh file knows these best.
+void change_type(MaterialDescription& material, MaterialType type);
+
+}  // namespace lancer

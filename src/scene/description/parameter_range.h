@@ -1,0 +1,19 @@
+// What the numbers of scene files may be.
+#pragma once
+
+namespace lancer {
+
+// Of a number, or of each channel of a colour.
+enum class ParameterRange {
+    unit,          // from 0 to 1
+    not_negative,  // 0 or more
+    positive,      // more than 0
+    nonzero_vector,
+    finite,
+    million,  // an integer from -1000000 to 1000000
+    choice,   // one of two words, false or true
+    name,     // that of a material, required
+    texture,  // one itself
+};
+
+}  // namespace lancer
