@@ -22,7 +22,7 @@ RayUse use_of_rays(const Scene& scene, const AnyIntegrator& integrator)
 }
 
 // Builds the accelerator and resolves AccelKind::automatic. The scene must be at its final address.
-std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& settings)
+std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RendererConfig& settings)
 {
     if (settings.accel == AccelKind::automatic)
         settings.accel = fastest_accelerator(scene.geometry, use_of_rays(scene, settings.integrator));
@@ -32,7 +32,7 @@ std::unique_ptr<Accelerator> build_accelerator(Scene& scene, RenderSettings& set
 
 }  // namespace
 
-Renderer::Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics)
+Renderer::Renderer(Scene scene, const RendererConfig& settings, Diagnostics* diagnostics)
     : scene_(std::move(scene)), settings_(settings), accel_(build_accelerator(scene_, settings_))
 {
     Diagnostics unheard;

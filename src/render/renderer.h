@@ -6,21 +6,13 @@
 #include <mutex>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
-#include "integrators/integrator.h"
+#include "render/config.h"
 #include "render/estimators/pilot.h"
 #include "render/specialize.h"
 
 namespace lancer {
-
-struct RenderSettings {
-    AnyIntegrator integrator = Path{};
-    AccelKind accel = AccelKind::automatic;
-    std::string isa = "avx2";
-    KernelSettings kernel;
-};
 
 // Result of a pass.
 struct PassResult {
@@ -34,7 +26,7 @@ class Renderer {
 public:
     // Builds the accelerator, then completes the scene if its pictures are still being read. Problems with pictures go
     // to diagnostics, if given. Throws Error (failed). Must be called inside with_threads.
-    Renderer(Scene scene, const RenderSettings& settings, Diagnostics* diagnostics = nullptr);
+    Renderer(Scene scene, const RendererConfig& settings, Diagnostics* diagnostics = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -64,7 +56,7 @@ public:
 
 private:
     Scene scene_;
-    RenderSettings settings_;
+    RendererConfig settings_;
     std::unique_ptr<Accelerator> accel_;
     TileKernel kernel_;
     mutable std::mutex mutex_;  // guards what follows

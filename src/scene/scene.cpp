@@ -21,18 +21,23 @@ constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyon
 
 class Builder {
 public:
-    Builder(const SceneDescription& d, Diagnostics& diagnostics, const RasterSource& images)
-        : d_(d), diagnostics_(diagnostics), images_(images), placement_(d), materials_(d, scene_, diagnostics, images)
+    Builder(const SceneDescription& d, const RenderSettings& settings, Diagnostics& diagnostics,
+            const RasterSource& images)
+        : d_(d),
+          diagnostics_(diagnostics),
+          images_(images),
+          placement_(d),
+          materials_(d, settings, scene_, diagnostics, images)
     {
+        scene_.terminator_fix = settings.terminator;
+        scene_.soft_shadows = settings.soft_shadows;
+        scene_.light_tree = settings.light_tree;
+        scene_.legacy = settings.legacy;
     }
 
     Scene build()
     {
         scene_.file = d_.file;
-        scene_.terminator_fix = d_.render.is_on(Switch::terminator);
-        scene_.soft_shadows = d_.render.is_on(Switch::soft_shadows);
-        scene_.light_tree = d_.render.is_on(Switch::light_tree);
-        scene_.legacy = d_.render.is_on(Switch::legacy);
         scene_.normalisation = normalise(frame());
         add_spheres();
         add_planes();
@@ -226,14 +231,16 @@ private:
 
 }  // namespace
 
-Scene Scene::begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+Scene Scene::begin(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                   const RasterSource& images)
 {
-    return Builder(description, diagnostics, images).build();
+    return Builder(description, settings, diagnostics, images).build();
 }
 
-Scene Scene::build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+Scene Scene::build(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                   const RasterSource& images)
 {
-    Scene scene = begin(description, diagnostics, images);
+    Scene scene = begin(description, settings, diagnostics, images);
     scene.complete(diagnostics);
     return scene;
 }

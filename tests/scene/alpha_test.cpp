@@ -170,7 +170,8 @@ TEST(Opacity, OfAPictureCutsCrispHoles)
 
     std::promise<std::shared_ptr<const Raster>> reading;
     Diagnostics diagnostics;
-    Scene scene = Scene::begin(d, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
+    Scene scene =
+        Scene::begin(d, d.render, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
     bind_alpha_test(scene);
     const auto embree = make_accelerator(AccelKind::embree, scene.geometry, "avx2");
     reading.set_value(std::make_shared<const Raster>(raster));

@@ -15,8 +15,8 @@ namespace lancer {
 
 class MaterialTable {
 public:
-    MaterialTable(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics,
-                  const RasterSource& images);
+    MaterialTable(const SceneDescription& description, const RenderSettings& settings, Scene& scene,
+                  Diagnostics& diagnostics, const RasterSource& images);
 
     // The id of a material as it is described.
     uint32_t add(const MaterialDescription& material);  // again what there is: the same id
