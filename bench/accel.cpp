@@ -315,8 +315,8 @@ void measure_seam(const std::string& mesh, const RaySet& set, const Geometry& g,
 
 void measure_mesh(const MeshChoice& choice, const Options& options, Report& report)
 {
-    PictureOptions picture;
-    picture.size = {640, 480};
+    RenderSettings picture;
+    picture.give(&RenderSettings::size, {640, 480});
     const Stage stage(choice.load(), picture);
     const Geometry& g = stage.scene.geometry;
     measure_builds(choice.name, g, 1, options, report);

@@ -9,17 +9,20 @@
 #include "harness/scenes.h"
 #include "harness/stage.h"
 #include "report/metrics/statistics.h"
+#include "scene/description/render_options.h"
 
 namespace lancer::bench {
 namespace {
 
-constexpr std::array estimators{Switch::nee,   Switch::mis,    Switch::always_nee, Switch::light_tree,
-                                Switch::split, Switch::roulette};
+// An estimator is a switch that leaves the mean of the picture alone.
+using Estimator = const RenderOption*;
+bool RenderSettings::*field_of(Estimator e) { return std::get<SwitchField>(e->field).member; }
+bool is_on_by_default(Estimator e) { return RenderSettings{}.*field_of(e); }
 
 // Pictures by one setting of the switches, a pair with new random numbers each round.
 class Drawn {
 public:
-    Drawn(const SceneDescription& description, const PictureOptions& picture, uint32_t spp)
+    Drawn(const SceneDescription& description, const RenderSettings& picture, uint32_t spp)
         : description_(&description), picture_(picture), spp_(spp)
     {
     }
@@ -29,7 +32,7 @@ public:
     {
         double ns = 0;
         const auto draw = [&] {
-            picture_.seed = seed_++;
+            picture_.give(&RenderSettings::seed, seed_++);
             const Stage stage(*description_, picture_);
             const double start = all_ns();
             Film film = stage.draw(spp_);
@@ -44,48 +47,43 @@ public:
 
 private:
     const SceneDescription* description_;
-    PictureOptions picture_;
+    RenderSettings picture_;
     uint32_t spp_;
     uint64_t seed_ = 0;
     std::vector<Pair> pairs_;
 };
 
-PictureOptions switched(PictureOptions picture, Switch s, bool on)
+RenderSettings switched_over(RenderSettings picture, Estimator e)
 {
-    picture.switches[static_cast<size_t>(s)] = on;
+    picture.give(field_of(e), !is_on_by_default(e));
     return picture;
 }
 
-PictureOptions switched_over(const PictureOptions& picture, Switch s)
+// None, for the default of all, and the estimators that change the picture at all when they are switched over.
+std::vector<Estimator> that_matter(const SceneDescription& description, const RenderSettings& picture)
 {
-    return switched(picture, s, !Switches::default_of(s));
-}
-
-// The default of all, and the estimators that change the picture at all when they are switched over.
-std::vector<std::optional<Switch>> that_matter(const SceneDescription& description, const PictureOptions& picture)
-{
-    std::vector<std::optional<Switch>> matter{std::nullopt};
-    const auto draw = [&](const PictureOptions& by) { return Stage(description, by).draw(1); };
+    std::vector<Estimator> matter{nullptr};
+    const auto draw = [&](const RenderSettings& by) { return Stage(description, by).draw(1); };
     const Film usual = draw(picture);
-    for (const Switch s : estimators)
-        if (differing_pixels(usual, draw(switched_over(picture, s))) > 0) matter.push_back(s);
+    for (const RenderOption& option : render_options())
+        if (option.is_switch() && option.bias.effect.empty() &&
+            differing_pixels(usual, draw(switched_over(picture, &option))) > 0)
+            matter.push_back(&option);
     return matter;
 }
 
-void measure(const std::string& name, const SceneDescription& description, const PictureOptions& picture,
+void measure(const std::string& name, const SceneDescription& description, const RenderSettings& picture,
              const Options& options, Report& report)
 {
     const uint32_t spp = samples_per_block;
-    const std::vector<std::optional<Switch>> matter = that_matter(description, picture);
+    const std::vector<Estimator> matter = that_matter(description, picture);
     std::vector<Drawn> drawn;
     std::vector<Contestant> contestants;
     drawn.reserve(matter.size());
-    for (const std::optional<Switch> s : matter) {
-        Drawn& d = drawn.emplace_back(description, s ? switched_over(picture, *s) : picture, spp);
-        const double samples = 2.0 * (*picture.size)[0] * (*picture.size)[1] * spp;
-        contestants.push_back({s ? std::string(switch_names[static_cast<size_t>(*s)]) : "default", samples, {}, [&d] {
-                                   return d.next_pair();
-                               }});
+    for (const Estimator e : matter) {
+        Drawn& d = drawn.emplace_back(description, e ? switched_over(picture, e) : picture, spp);
+        const double samples = 2.0 * picture.size.width * picture.size.height * spp;
+        contestants.push_back({e ? std::string(e->name) : "default", samples, {}, [&d] { return d.next_pair(); }});
     }
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
 
@@ -104,7 +102,7 @@ void measure(const std::string& name, const SceneDescription& description, const
         row["threads"] = options.threads;
         row["mesh"] = name, row["way"] = contestants[i].name;
         row["error"] = median(errors[i]);
-        if (matter[i]) row["switched"] = Switches::default_of(*matter[i]) ? "off" : "on";
+        if (matter[i]) row["switched"] = is_on_by_default(matter[i]) ? "off" : "on";
         add_ratio(row, contestants[0].name, timings[0], timings[i], 1);
         if (i > 0) {
             std::vector<double> gains, less;
@@ -138,10 +136,12 @@ int main(int argc, char** argv)
                 const uint32_t height = options.full ? 192 : 96;
                 for (const BenchScene& scene : choose_scenes(options))
                     measure(scene.name, scene.load(), scene.options(height), options, report);
-                lancer::PictureOptions picture;
-                picture.size = {height * 4 / 3, height}, picture.max_depth = 4;
+                lancer::RenderSettings picture;
+                picture.give(&lancer::RenderSettings::size, {height * 4 / 3, height});
+                picture.give(&lancer::RenderSettings::max_depth, 4);
                 // Where all paths are single, the price of a sample is that of the estimator.
-                const lancer::PictureOptions unsplit = switched(picture, lancer::Switch::split, false);
+                lancer::RenderSettings unsplit = picture;
+                unsplit.give(&lancer::RenderSettings::split, false);
                 const auto lit = [&](const std::string& name, const auto& scene_of) {
                     if (options.wants(name)) measure(name, scene_of(10'000), picture, options, report);
                     if (options.wants(name + "-unsplit"))

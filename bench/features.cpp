@@ -40,14 +40,13 @@ uint64_t bytes_of(const Stage& stage, const Film& film)
     return bytes + bytes_of(film.pixels) + bytes_of(film.aovs) + bytes_of(film.wanted) + bytes_of(film.replicates);
 }
 
-PictureOptions options_for(std::optional<std::string> filter = "box")
+RenderSettings small_picture()
 {
-    PictureOptions p;
-    p.size = {{96, 72}};
-    p.filter = std::move(filter);
-    p.accel = "embree";  // the same whatever the number of triangles
-    p.threads = 1;
-    return p;
+    RenderSettings s;
+    s.give(&RenderSettings::size, {96, 72});
+    s.give(&RenderSettings::filter, FilterKind::box);
+    s.give(&RenderSettings::accel, AccelKind::embree);  // the same whatever the number of triangles
+    return s;
 }
 
 constexpr uint32_t spp = 4;
@@ -57,14 +56,14 @@ struct Picture {
     std::unique_ptr<Renderer> renderer;  // instead of the stage's, if it is forced to something
     Film film{0, 0, {}};
 
-    Picture(const SceneDescription& d, const PictureOptions& options, std::optional<Profile> profile)
+    Picture(const SceneDescription& d, const RenderSettings& options, std::optional<Profile> profile)
         : stage(std::make_unique<Stage>(d, options)), film(stage->film())
     {
         if (!profile) return;
-        RenderSettings settings = stage->render;
+        RendererConfig settings = stage->config;
         settings.kernel.profile = profile;
         Diagnostics unheard;
-        renderer = std::make_unique<Renderer>(Scene::build(d, unheard), settings);
+        renderer = std::make_unique<Renderer>(Scene::build(d, d.render, unheard), settings);
     }
     double samples() const { return static_cast<double>(film.width) * film.height * spp; }
     // From an empty film, with all that was asked of it.
@@ -76,7 +75,7 @@ struct Picture {
     }
 };
 
-double milliseconds_to_build(const SceneDescription& d, const PictureOptions& options)
+double milliseconds_to_build(const SceneDescription& d, const RenderSettings& options)
 {
     std::vector<double> times;
     for (int i = 0; i < 5; ++i) {
@@ -90,7 +89,7 @@ double milliseconds_to_build(const SceneDescription& d, const PictureOptions& op
 void measure_unseen(const Base& base, const Feature& feature, const Options& options, Report& report)
 {
     SceneDescription with = base.description;
-    PictureOptions picture = options_for(), with_picture = picture;
+    RenderSettings picture = small_picture(), with_picture = picture;
     Film none(0, 0, {});
     feature.bring(with, with_picture, none);
     Picture chosen(base.description, picture, {}), all(base.description, picture, Profile::all),
@@ -125,14 +124,14 @@ struct Way {
 struct Pictured {
     const Stage& stage;
     const SamplingPlan& plan;
-    const Path path = std::get<Path>(stage.render.integrator);
+    const Path path = std::get<Path>(stage.config.integrator);
 
     template <class V>
     Way way(const std::string& name, const Calls& calls = {}, const std::string& than = "everything") const
     {
         return {name, than, [this, calls](Film& film, const Tile& tile, uint32_t end, Workspace& w) {
                     Counters counters;
-                    render_tile(V{view(calls)}, stage.renderer.accelerator(), stage.camera, stage.render.kernel, path,
+                    render_tile(V{view(calls)}, stage.renderer.accelerator(), stage.camera, stage.config.kernel, path,
                                 film, tile, SampleRange{0, end}, w, counters, NoListener{});
                 }};
     }
@@ -153,15 +152,15 @@ struct Pictured {
         return {"product", {}, [this](Film& film, const Tile& tile, uint32_t end, Workspace& w) {
                     Counters counters;
                     Kernels<Path>::render(View{stage.scene, plan}, stage.renderer.accelerator(), stage.camera,
-                                          stage.render.kernel, path, film, tile, SampleRange{0, end}, w, counters);
+                                          stage.config.kernel, path, film, tile, SampleRange{0, end}, w, counters);
                 }};
     }
 };
 
 void measure_unused(const Base& base, const Options& options, Report& report)
 {
-    PictureOptions small = options_for();  // short runs take turns more often; valgrind takes a hundred times as long
-    small.size = is_under_valgrind() ? std::array{24u, 18u} : std::array{48u, 36u};
+    RenderSettings small = small_picture();  // short runs take turns more often; valgrind takes a hundred times as long
+    small.give(&RenderSettings::size, is_under_valgrind() ? PictureSize{24, 18} : PictureSize{48, 36});
     const Picture picture(base.description, small, {});
     const Stage& stage = *picture.stage;
     const auto plan = stage.renderer.plan(stage.camera, picture.film.width, picture.film.height);
@@ -224,7 +223,7 @@ void measure_unused(const Base& base, const Options& options, Report& report)
 
 void measure_saved(const Base& base, const Options& options, Report& report)
 {
-    const Picture chosen(base.description, options_for(), {}), all(base.description, options_for(), Profile::all);
+    const Picture chosen(base.description, small_picture(), {}), all(base.description, small_picture(), Profile::all);
     const std::vector<Timing> timings =
         take_turns({{"all", all.samples(), [&] { all.draw(); }}, {"chosen", chosen.samples(), [&] { chosen.draw(); }}},
                    options.repetitions, 1);
@@ -242,7 +241,7 @@ void measure_scene(const SharedRoom& room, const Options& options, Report& repor
     if (file.empty() || !options.wants(room.name)) return;
     const double start = wall_ns();
     const SceneDescription description = load_description(file);
-    const Picture picture(description, options_for(), {});
+    const Picture picture(description, small_picture(), {});
     const double seconds = 1e-9 * (wall_ns() - start);
     Json& row = report.add("features", joined({"scene", room.name}));
     row["mesh"] = room.name;

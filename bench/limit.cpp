@@ -62,7 +62,7 @@ void add_share(Json& row, std::span<const RenderTime> renders)
 void measure_scene(const BenchScene& scene, const Options& options, Report& report)
 {
     const SceneDescription description = scene.load();
-    PictureOptions picture = scene.options(options.full ? 192 : 96);
+    RenderSettings picture = scene.options(options.full ? 192 : 96);
     const Stage stage(description, picture);
     const uint32_t spp = samples_per_block;
     const Geometry& g = stage.scene.geometry;
@@ -75,7 +75,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     const Counted rays = split(recording);
     const std::optional<BareLoop> loop = BareLoop::make(description, stage, bare);
 
-    const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
+    const double samples = static_cast<double>(stage.settings.size.width) * stage.settings.size.height * spp;
     std::vector<Hit> hits(rays.closest.size());
     std::vector<uint8_t> occluded(rays.any.size());
     std::vector<RenderTime> clocked;  // of each round, the one to warm up before them
@@ -103,7 +103,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     std::optional<Pair> rendered, looped;
     std::array<double, 2> error{};
     if (loop) {
-        picture.seed = 1;
+        picture.give(&RenderSettings::seed, 1);
         rendered = {stage.draw(spp), Stage(description, picture).draw(spp)};
         looped = {loop->render(spp, 0), loop->render(spp, 1)};
         const std::vector<Color> mean = mean_of(std::array<const Pair*, 2>{&*rendered, &*looped});

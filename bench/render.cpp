@@ -56,12 +56,12 @@ struct Painter {
 void measure_scene(const BenchScene& scene, const Options& options, Report& report)
 {
     const SceneDescription description = scene.load();
-    PictureOptions picture = scene.options(scene.reference_height ? scene.reference_height : 180);
+    RenderSettings picture = scene.options(scene.reference_height ? scene.reference_height : 180);
     std::vector<Painter> painters;
     for (const AccelName& a : accelerators) {
         const std::string name(a.name);
         if (!options.wants_accel(name)) continue;
-        picture.accel = name;
+        picture.give(&RenderSettings::accel, a.kind);
         auto stage = std::make_unique<Stage>(description, picture);
         Film film = stage->film();
         Painter painter{name, std::move(stage), std::move(film), options.full ? 64u : 16u};

@@ -118,10 +118,10 @@ private:
     AllSeries series_;
 };
 
-PictureOptions small_picture()
+RenderSettings small_picture()
 {
-    PictureOptions o;
-    o.size = {320, 240};
+    RenderSettings o;
+    o.give(&RenderSettings::size, {320, 240});
     return o;
 }
 
@@ -157,12 +157,12 @@ void scale_lights(const Options& options, Report& report)
     if (!options.wants("lights")) return;
     AllSeries series;
     for (uint32_t lights = 1; lights <= 10'000; lights *= 10) {
-        PictureOptions picture = small_picture();
-        picture.size = {160, 120};
-        picture.max_depth = 4;
+        RenderSettings picture = small_picture();
+        picture.give(&RenderSettings::size, {160, 120});
+        picture.give(&RenderSettings::max_depth, 4);
         const Stage stage(box_of_lamps(lights), picture);
         const uint32_t spp = 4;
-        const double samples = double(stage.settings.width) * stage.settings.height * spp;
+        const double samples = double(stage.settings.size.width) * stage.settings.size.height * spp;
         const Contestant draw{"embree", samples, [&] {
                                   Film film = stage.film();
                                   stage.renderer.pass(stage.camera, film, stage.tiles(), {0, spp});

@@ -30,7 +30,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     const Stage stage(scene.load(), scene.options(options.full ? 384 : 192));
     const uint32_t spp = samples_per_block;
     const unsigned all = available_threads();
-    const double samples = static_cast<double>(stage.settings.width) * stage.settings.height * spp;
+    const double samples = static_cast<double>(stage.settings.size.width) * stage.settings.size.height * spp;
     std::vector<unsigned> threads{1, all, all};  // of each contestant
     std::vector<Contestant> contestants{{"one", samples, [&] { draw(stage, spp, 1); }},
                                         {"all", samples, [&] { draw(stage, spp, all); }},

@@ -120,8 +120,8 @@ Color BareLoop::direct(Vec3 p, Vec3 error, Vec3 n, const Sampler& sampler, uint3
 
 Color BareLoop::sample(uint32_t x, uint32_t y, uint32_t index, uint64_t seed) const
 {
-    const KernelSettings& k = stage_->render.kernel;
-    const Sampler sampler(k.sampler, seed, uint64_t{y} * stage_->settings.width + x, index, 0);
+    const KernelSettings& k = stage_->config.kernel;
+    const Sampler sampler(k.sampler, seed, uint64_t{y} * stage_->settings.size.width + x, index, 0);
     const Vec2 offset = k.filter.sample(sampler.get2(0, Dim::pixel));
     Ray ray = stage_->camera.ray({static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y},
                                  sampler.get2(0, Dim::lens));

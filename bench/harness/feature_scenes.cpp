@@ -4,6 +4,7 @@
 
 #include "harness/generate.h"
 #include "harness/meshes.h"
+#include "render/aov.h"
 
 namespace lancer::bench {
 namespace {
@@ -72,7 +73,7 @@ Base make_base(const std::string& name, uint64_t triangles)
 
 std::vector<Feature> features()
 {
-    const auto scene = [](auto f) { return [f](SceneDescription& d, PictureOptions&, Film&) { f(d); }; };
+    const auto scene = [](auto f) { return [f](SceneDescription& d, RenderSettings&, Film&) { f(d); }; };
     const auto material = [&](MaterialType type, float roughness = 0) {
         return scene([=](SceneDescription& d) {
             add_speck(d, [=](MaterialDescription& m) { m.type = type, m.roughness = roughness; });
@@ -122,11 +123,12 @@ std::vector<Feature> features()
         {"constant environment", light(LightType::environment)},
         {"thin lens",
          scene([](SceneDescription& d) { d.camera->type = CameraType::thin_lens, d.camera->aperture = 1e-9; })},
-        {"wide filter", [](SceneDescription&, PictureOptions& p, Film&) { p.filter = "blackman-harris"; }},
-        {"AOVs", [](SceneDescription&, PictureOptions&, Film& f) { f.keep_aovs(layout_of(all_aovs())); }},
+        {"wide filter", [](SceneDescription&, RenderSettings& p,
+                           Film&) { p.give(&RenderSettings::filter, FilterKind::blackman_harris); }},
+        {"AOVs", [](SceneDescription&, RenderSettings&, Film& f) { f.keep_aovs(layout_of(all_aovs())); }},
         {"replicates",
-         [](SceneDescription&, PictureOptions& p, Film& f) {
-             p.replicates = 4;
+         [](SceneDescription&, RenderSettings& p, Film& f) {
+             p.give(&RenderSettings::replicates, 4);
              f.replicates.resize(4 * f.pixels.size());
          }},
     };

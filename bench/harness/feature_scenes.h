@@ -20,7 +20,7 @@ Base make_base(const std::string& name, uint64_t triangles);
 
 struct Feature {
     std::string name;
-    std::function<void(SceneDescription&, PictureOptions&, Film&)> bring;  // called for a film of no pixels, too
+    std::function<void(SceneDescription&, RenderSettings&, Film&)> bring;  // called for a film of no pixels, too
 };
 
 std::vector<Feature> features();

@@ -56,7 +56,7 @@ private:
 RenderTime clock_render(const Stage& stage, uint32_t spp)
 {
     const Clocked accel(stage.renderer.accelerator());
-    const TileKernel kernel = make_tile_kernel(stage.scene, accel, stage.renderer.integrator(), stage.render.kernel,
+    const TileKernel kernel = make_tile_kernel(stage.scene, accel, stage.renderer.integrator(), stage.config.kernel,
                                                stage.renderer.kernel_choice());
     Film film = stage.film();
     const auto known = stage.renderer.plan(stage.camera, film.width, film.height);

@@ -6,7 +6,6 @@
 #include "app/exit_code.h"
 #include "app/options/option_parser.h"
 #include "app/options/option_values.h"
-#include "app/options/settings.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "harness/machine.h"
@@ -29,7 +28,7 @@ bool parse(int argc, char** argv, const std::string& name, const std::string& de
     p.values("--only", "NAME", "Only this mesh or scene; may be given several times",
              [&](const std::string& text) { o.only.push_back(text); });
     p.values("--accel", "NAME", "Only this accelerator; may be given several times",
-             [&](const std::string& text) { o.accels.push_back(to_name("--accel", text, accel_names)); });
+             [&](const std::string& text) { o.accels.emplace_back(name_of(to_enum<AccelKind>("--accel", text))); });
     p.values("--mesh", "FILE", "A mesh (.obj) to measure besides; may be given several times",
              [&](const std::string& text) { o.meshes.push_back(text); });
     p.value("--cache", "FOLDER", "Where meshes are unpacked (build/bench-cache)",

@@ -94,8 +94,8 @@ Recording record(const Stage& stage, const AnyIntegrator& integrator, std::span<
 {
     Counters counters;
     Recorder recorder(stage.renderer.accelerator(), counters);
-    const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.render.kernel,
-                                               choose_kernel(stage.scene, integrator, stage.render.kernel.profile));
+    const TileKernel kernel = make_tile_kernel(stage.scene, recorder, integrator, stage.config.kernel,
+                                               choose_kernel(stage.scene, integrator, stage.config.kernel.profile));
     Film film = stage.film();
     const auto known = stage.renderer.plan(stage.camera, film.width, film.height);
     const SamplingPlan& plan = *known;

@@ -13,11 +13,11 @@ BenchScene own_scene(const std::string& name, double aspect)
     return {name, aspect, {}, [name] { return load_description(scene_file(name)); }};
 }
 
-PictureOptions anchor_options(uint32_t max_depth)
+RenderSettings anchor_options(uint32_t max_depth)
 {
-    PictureOptions o;
-    o.max_depth = max_depth;
-    o.filter = "box";
+    RenderSettings o;
+    o.give(&RenderSettings::max_depth, max_depth);
+    o.give(&RenderSettings::filter, FilterKind::box);
     return o;
 }
 
@@ -57,10 +57,10 @@ SceneDescription load_grey_room(const std::string& file, const SharedRoom& room)
 
 }  // namespace
 
-PictureOptions BenchScene::options(uint32_t height) const
+RenderSettings BenchScene::options(uint32_t height) const
 {
-    PictureOptions o = picture;
-    o.size = {static_cast<uint32_t>(std::lround(aspect * height)), height};
+    RenderSettings o = picture;
+    o.give(&RenderSettings::size, {static_cast<uint32_t>(std::lround(aspect * height)), height});
     return o;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/options/options.h"
 #include "harness/program.h"
 #include "scene/description/description.h"
 
@@ -16,14 +15,14 @@ namespace lancer::bench {
 struct BenchScene {
     std::string name;
     double aspect;           // of the picture, width over height
-    PictureOptions picture;  // what its scene file does not say
+    RenderSettings picture;  // what overrides its scene file
     std::function<SceneDescription()> load;
     // Two independent pictures of it by another renderer, and the height that they have; empty if there are none.
     std::array<std::string, 2> references{};
     uint32_t reference_height = 0;
 
     // The options for a picture of this height.
-    PictureOptions options(uint32_t height) const;
+    RenderSettings options(uint32_t height) const;
 };
 
 // All that the options want.

@@ -5,30 +5,27 @@
 namespace lancer::bench {
 namespace {
 
-Renderer renderer_of(const SceneDescription& description, const Settings& settings, const RenderSettings& render,
+Renderer renderer_of(const SceneDescription& description, const RenderSettings& settings, const RendererConfig& config,
                      const RasterSource& images)
 {
     Diagnostics diagnostics;
-    SceneDescription said = description;
-    // Where Scene::begin looks for them.
-    for (size_t i = 0; i < switch_names.size(); ++i)
-        said.render.set(static_cast<Switch>(i), settings.switches[static_cast<Switch>(i)]);
-    return Renderer(Scene::begin(said, diagnostics, images), render, diagnostics);
+    return Renderer(Scene::begin(description, settings, diagnostics, images), config, diagnostics);
 }
 
 }  // namespace
 
-Stage::Stage(const SceneDescription& description, const PictureOptions& options)
-    : Stage(description, resolve_settings(options, description.render), std::make_unique<ImageSource>(1))
+Stage::Stage(const SceneDescription& description, const RenderSettings& command_line)
+    : Stage(description, resolve_settings(command_line, description.render), std::make_unique<ImageSource>(1))
 {
 }
 
-Stage::Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images)
-    : settings(s),
-      render(to_render_settings(settings, RenderOptions{}.batch)),
-      renderer(renderer_of(description, settings, render, images->source())),
+Stage::Stage(const SceneDescription& description, const RenderSettings& resolved, std::unique_ptr<ImageSource> images)
+    : settings(resolved),
+      config(configure(settings, RenderOptions{}.batch)),
+      renderer(renderer_of(description, settings, config, images->source())),
       scene(renderer.scene()),
-      camera(description.camera.value(), scene.normalisation, settings.width, settings.height, settings.grid)
+      camera(description.camera.value(), scene.normalisation, settings.size.width, settings.size.height,
+             pixel_grid(settings))
 {
 }
 
@@ -39,12 +36,11 @@ Film Stage::draw(uint32_t spp) const
     return drawn;
 }
 
-SceneDescription load_description(const std::string& file, const PictureOptions& options)
+SceneDescription load_description(const std::string& file, const RenderSettings& command_line)
 {
     Diagnostics diagnostics;
     SceneDescription d = load_scene({.file = file, .asset_root = {}, .definitions = {}, .camera = {}}, diagnostics);
-    const Settings s = resolve_settings(options, d.render);
-    complete_scene(d, double(s.width) / s.height);
+    complete_scene(d, aspect_of(resolve_settings(command_line, d.render).size));
     return d;
 }
 

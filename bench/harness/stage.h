@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/options/options.h"
 #include "app/options/settings.h"
 #include "io/image/source.h"
 #include "render/renderer.h"
@@ -14,29 +15,31 @@ namespace lancer::bench {
 class Stage {
 public:
     // Throws Error, also for what is wrong with the pictures of the scene. Call inside with_threads.
-    Stage(const SceneDescription& description, const PictureOptions& options);
+    // command_line: what overrides [render] of the description.
+    Stage(const SceneDescription& description, const RenderSettings& command_line);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
 private:
-    Stage(const SceneDescription& description, const Settings& s, std::unique_ptr<ImageSource> images);
+    Stage(const SceneDescription& description, const RenderSettings& resolved, std::unique_ptr<ImageSource> images);
 
 public:
-    const Settings settings;
-    const RenderSettings render;
+    const RenderSettings settings;
+    const RendererConfig config;
     const Renderer renderer;
     const Scene& scene;
     const Camera camera;
 
     // The whole picture, in tiles as the program makes them.
-    std::vector<Tile> tiles() const { return make_tiles(settings.crop, RenderOptions{}.tile); }
-    Film film() const { return {settings.width, settings.height, settings.crop}; }
+    std::vector<Tile> tiles() const { return make_tiles(whole(), RenderOptions{}.tile); }
+    Film film() const { return {settings.size.width, settings.size.height, whole()}; }
+    Tile whole() const { return {0, 0, settings.size.width, settings.size.height}; }
     // The picture at so many samples per pixel.
     Film draw(uint32_t spp) const;
 };
 
 // A scene file or a mesh as the program would take it. Throws Error, also if it is not there.
-SceneDescription load_description(const std::string& file, const PictureOptions& options = {});
+SceneDescription load_description(const std::string& file, const RenderSettings& command_line = {});
 // A mesh alone, whatever its materials grey and without holes, under a sky and a sun. Without a camera it is seen
 // whole.
 SceneDescription describe_mesh(const MeshData& mesh, const std::optional<CameraDescription>& camera = {});

@@ -38,17 +38,16 @@ private:
     void run()
     {
         SceneDescription description = load_scene(options_.scene, problems_);
-        PictureOptions picture;
-        picture.threads = options_.threads;
-        const Settings settings = resolve_settings(picture, description.render);
+        const RenderSettings settings = resolve_settings({}, description.render);
+        const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
-        complete_scene(description, double(settings.width) / settings.height);
-        with_threads(settings.threads, [&] {
-            ImageSource images(settings.threads);
-            SceneBuilder scene = Scene::begin(description, problems_, images.source());
+        complete_scene(description, aspect_of(settings.size));
+        with_threads(threads, [&] {
+            ImageSource images(threads);
+            SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
             check_texture_coordinates(description, scene.unfinished(), problems_);
-            const Renderer renderer(std::move(scene), to_render_settings(settings, 1), problems_);
+            const Renderer renderer(std::move(scene), configure(settings, 1), problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
         });
     }

@@ -38,7 +38,6 @@ void refuse_input_as_output(const SceneDescription& scene, const std::vector<std
 void write_all(const ExportOptions& options, const Prepared& p)
 {
     const SceneDescription& d = p.description;
-    const Settings& s = p.settings;
     std::vector<std::string> names, paths;
     for (size_t i = 0; i < d.meshes.size(); ++i) names.push_back("mesh_" + std::to_string(i) + ".obj");
     for (const std::string& name : names) paths.push_back(std::filesystem::path(options.folder) / name);
@@ -51,8 +50,7 @@ void write_all(const ExportOptions& options, const Prepared& p)
     for (size_t i = 0; i < names.size(); ++i)
         write_obj(files.emplace_back(paths[i]), *d.meshes[i].data,
                   [&](uint32_t triangle) { return p.scene->unfinished().shading[i].material_of(triangle); });
-    const ExportedView view{s.width, s.height, s.max_depth, s.integrator, s.filter, s.switches};
-    const std::string text = scene_json(d, p.scene->unfinished(), view, names);
+    const std::string text = scene_json(d, p.scene->unfinished(), p.settings, names);
     files.emplace_back(paths.back()).write(text.data(), text.size());
     for (AtomicFile& file : files) file.finish();
     for (AtomicFile& file : files) file.commit();
@@ -66,8 +64,8 @@ int run_export(int argc, char** argv)
     if (!options) return exit_done;
     Diagnostics diagnostics;
     Prepared p = load_prepared(options->picture, diagnostics, false);
-    with_threads(p.settings.threads, [&] { begin_prepared(p, diagnostics); });
-    check_exportable(p.description, *p.scene, p.settings.switches, diagnostics);
+    with_threads(p.threads, [&] { begin_prepared(p, diagnostics); });
+    check_exportable(p.description, *p.scene, p.settings, diagnostics);
     diagnostics.throw_if_errors();
     for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
     write_all(*options, p);

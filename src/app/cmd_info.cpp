@@ -229,15 +229,13 @@ int print_scene(const InfoOptions& options)
 {
     Diagnostics diagnostics;
     const SceneDescription description = load_scene(options.scene, diagnostics);
-    PictureOptions picture;
-    picture.scene = options.scene;
-    picture.threads = options.threads;
-    const Settings settings = resolve_settings(picture, description.render);
+    const RenderSettings settings = resolve_settings({}, description.render);
+    const unsigned threads = options.threads.value_or(available_threads());
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
-    complete_scene(completed, double(settings.width) / settings.height);
-    with_threads(settings.threads, [&] {
-        ImageSource images(settings.threads);
-        const Renderer renderer(Scene::begin(completed, diagnostics, images.source()), to_render_settings(settings, 1),
+    complete_scene(completed, aspect_of(settings.size));
+    with_threads(threads, [&] {
+        ImageSource images(threads);
+        const Renderer renderer(Scene::begin(completed, settings, diagnostics, images.source()), configure(settings, 1),
                                 diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         print_field("kernel", std::string(name_of(renderer.profile())));

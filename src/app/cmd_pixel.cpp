@@ -100,19 +100,20 @@ int run_pixel(int argc, char** argv)
     if (!options) return exit_done;
     Diagnostics diagnostics;
     Prepared p = load_prepared(options->picture, diagnostics, true);
-    const Settings& s = p.settings;
-    if (options->x >= s.width || options->y >= s.height)
+    const uint32_t width = p.settings.size.width, height = p.settings.size.height;
+    if (options->x >= width || options->y >= height)
         throw Error(
             ErrorKind::usage, {},
-            format_text("pixel %u %u lies outside of the picture of %ux%u", options->x, options->y, s.width, s.height));
-    with_threads(s.threads, [&] {
+            format_text("pixel %u %u lies outside of the picture of %ux%u", options->x, options->y, width, height));
+    with_threads(p.threads, [&] {
         begin_prepared(p, diagnostics);
         const auto made = make_renderer(p, options->picture, 1, diagnostics);
         const Renderer& renderer = *made;
-        const Camera camera(*p.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
+        const Camera camera(*p.description.camera, renderer.scene().normalisation, width, height,
+                            pixel_grid(p.settings));
         Report report(renderer, p.description);
         const Color radiance =
-            renderer.replay(camera, s.width, s.height, {options->x, options->y, options->sample}, report.listener());
+            renderer.replay(camera, width, height, {options->x, options->y, options->sample}, report.listener());
         print_result("radiance " + to_text(radiance) +
                      (is_finite(radiance) ? "" : ": not finite, dropped from pictures"));
     });

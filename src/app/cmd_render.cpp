@@ -19,6 +19,7 @@
 #include "core/parallel.h"
 #include "geometry/embree/embree.h"
 #include "io/atomic_file.h"
+#include "render/aov.h"
 #include "report/metrics/error_estimate.h"
 #include "scene/camera.h"
 
@@ -46,7 +47,7 @@ private:
     void write_snapshot(const Film& film, Progress& progress);
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
-    std::string settings_hash(uint32_t spp) const;
+    std::string hash_with(uint32_t spp) const;
     void write(const Film& film);
     void write_stats();
     void print_settings() const;
@@ -59,7 +60,8 @@ private:
     Signals signals_;
     Diagnostics diagnostics_;
     Prepared prepared_;
-    Settings settings_;
+    RenderSettings settings_;  // resolved
+    Tile crop_;
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
@@ -83,22 +85,19 @@ void Run::load()
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     refuse_input_as_output(options_, prepared_.description);
     settings_ = prepared_.settings;
-    if ((options_.time || options_.error) && !options_.picture.spp) settings_.spp = unlimited_spp;
-    settings_.tonemap = options_.tonemap.value_or(settings_.tonemap);
-    if (options_.crop) {
-        settings_.crop = *options_.crop;
-        if (settings_.crop.x1 > settings_.width || settings_.crop.y1 > settings_.height)
-            throw Error(ErrorKind::usage, {},
-                        format_text("--crop: reaches beyond the picture of %ux%u", settings_.width, settings_.height));
-    }
+    const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
+    if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
+    const uint32_t width = settings_.size.width, height = settings_.size.height;
+    crop_ = options_.crop.value_or(Tile{0, 0, width, height});
+    if (crop_.x1 > width || crop_.y1 > height)
+        throw Error(ErrorKind::usage, {}, format_text("--crop: reaches beyond the picture of %ux%u", width, height));
     log_.emplace(options_);
-    if (log_->is_wanted()) log_->require_size(to_image(Film(settings_.width, settings_.height, settings_.crop)));
+    if (log_->is_wanted()) log_->require_size(to_image(Film(width, height, crop_)));
     log_->warn_of_shared_samples(settings_.seed);
 }
 
 void Run::describe(const Renderer& renderer)
 {
-    const Settings& s = settings_;
     stats_.context = {.version = LANCER_VERSION,
                       .embree = embree_version(),
                       .parallel = parallel_version(),
@@ -122,31 +121,20 @@ void Run::describe(const Renderer& renderer)
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
-    stats_.settings = {.width = s.width,
-                       .height = s.height,
-                       .spp = s.spp,
-                       .replicates = s.replicates,
-                       .max_depth = max_depth_of(renderer.integrator()),
-                       .threads = s.threads,
+    stats_.settings = {.render = settings_,
+                       .crop = crop_,
+                       .threads = prepared_.threads,
                        .tile = options_.tile,
                        .batch = options_.batch,
-                       .crop = s.crop,
-                       .seed = s.seed,
-                       .integrator = s.integrator,
-                       .sampler = s.sampler,
-                       .filter = s.filter,
-                       .accel = s.accel,
-                       .isa = s.isa,
                        .kernel = std::string(name_of(kernel)),
-                       .switches = s.switches,
-                       .biases = biases_of(renderer.integrator()),
-                       .hash = settings_hash(s.spp)};
+                       .hash = hash_with(settings_.spp)};
 }
 
-std::string Run::settings_hash(uint32_t spp) const
+std::string Run::hash_with(uint32_t spp) const
 {
-    return to_hex(hash_bytes(reproducing_options(settings_) + " --camera " + options_.picture.scene.camera + " --spp " +
-                             std::to_string(spp)));
+    RenderSettings settings = settings_;
+    settings.spp = spp;
+    return settings_hash(settings, options_.picture.scene.camera);
 }
 
 void Run::estimate_error(const Film& film)
@@ -185,22 +173,23 @@ void Run::end_pass(const Film& film, bool complete, SampleRange range, const Ren
 void Run::end_at(Stop stop, uint32_t spp)
 {
     stats_.partial = false;
-    if (stop != Stop::samples) stats_.stopped_by = stop == Stop::time ? "time" : "error";
+    if (stop != Stop::samples) stats_.stopped_by = name_of(stop);
     if (stop == Stop::samples && settings_.spp != unlimited_spp) return;
-    stats_.settings.spp = spp;
-    stats_.settings.hash = settings_hash(spp);
+    stats_.settings.render.spp = spp;
+    stats_.settings.hash = hash_with(spp);
 }
 
 void Run::render(const Renderer& renderer)
 {
-    const Settings& s = settings_;
-    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, s.width, s.height, s.grid);
-    Film film(s.width, s.height, s.crop);
+    const RenderSettings& s = settings_;
+    const uint32_t width = s.size.width, height = s.size.height;
+    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, width, height, pixel_grid(s));
+    Film film(width, height, crop_);
     film.keep_aovs(layout_of(options_.aovs));
-    if (s.switches[Switch::stop]) film.wanted.resize(film.pixels.size());
+    if (s.stop) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
-    const std::vector<Tile> tiles = make_tiles(s.crop, options_.tile);
+    const std::vector<Tile> tiles = make_tiles(crop_, options_.tile);
     LiveView live_view(options_, film, stats_.scene.warnings);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
@@ -256,7 +245,7 @@ void Run::render(const Renderer& renderer)
         }
         // Now, as finding it out is part of the first pass.
         progress.clear();
-        if (options_.verbose) print_sampling_plan(renderer, *renderer.plan(camera, s.width, s.height));
+        if (options_.verbose) print_sampling_plan(renderer, *renderer.plan(camera, width, height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (!has_samples()) return;
@@ -265,8 +254,8 @@ void Run::render(const Renderer& renderer)
 
 void Run::write(const Film& film)
 {
-    write_outputs(options_, settings_.tonemap, film, aov_planes(film, options_.aovs, normalisation_),
-                  make_metadata(stats_));
+    write_outputs(options_, options_.tonemap.value_or(usual_tonemap(settings_)), film,
+                  aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
 }
 
 void Run::write_snapshot(const Film& film, Progress& progress)
@@ -292,7 +281,7 @@ void Run::print_settings() const
                     "materials",
                     c.file.c_str(), c.triangles, c.meshes, c.instances, c.spheres, c.planes, c.lights, c.materials));
     print_note(reproducing_options(settings_) +
-               format_text(" --spp %u --threads %u", settings_.spp, settings_.threads));
+               format_text(" --spp %u --threads %u", settings_.spp, prepared_.threads));
 }
 
 void Run::print_specialisation() const
@@ -338,7 +327,7 @@ void Run::print_summary() const
                            c.bounce_rays, c.shadow_rays, stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0) +
                error);
     if (!stats_.stopped_by.empty())
-        print_note(format_text("stopped by --%s at %u spp", stats_.stopped_by.c_str(), stats_.settings.spp));
+        print_note(format_text("stopped by --%s at %u spp", stats_.stopped_by.c_str(), stats_.settings.render.spp));
     if (const auto& m = log_->last())
         print_note(format_text("against %s: rmse %.3g, relmse %.3g, without the worst 0.1 %% of pixels %.3g",
                                options_.reference.c_str(), m->rmse, m->relmse, m->relmse_trimmed));
@@ -352,13 +341,13 @@ int Run::execute()
 {
     probe_outputs(options_);
     load();
-    with_threads(settings_.threads, [&] {
+    with_threads(prepared_.threads, [&] {
         timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
         prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
         const auto renderer = timed("build accelerator", [&] {
             return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_);
         });
-        settings_.accel = name_of(renderer->accelerator_kind());  // not automatic any more
+        settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe(*renderer);
         if (options_.verbose) print_settings(), print_specialisation();
         render(*renderer);
@@ -374,8 +363,7 @@ int Run::execute()
     if (!stats_.partial) return exit_done;
     print_problem(format_text(
         "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)",
-        static_cast<double>(stats_.samples) / (static_cast<double>(settings_.crop.width()) * settings_.crop.height()),
-        settings_.spp));
+        static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp));
     return exit_interrupted;
 }
 

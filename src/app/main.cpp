@@ -25,13 +25,14 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 7> commands{{{"render", run_render},
+constexpr std::array<Command, 8> commands{{{"render", run_render},
                                            {"check", run_check},
                                            {"info", run_info},
                                            {"compare", run_compare},
                                            {"pixel", run_pixel},
                                            {"export", run_export},
-                                           {"study", run_study}}};
+                                           {"study", run_study},
+                                           {"options", run_options}}};
 
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
@@ -43,6 +44,7 @@ const char* const help =
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
     "  lancer study STUDY -o FOLDER              error against run time: methods on scenes, as one HTML page\n"
     "  lancer export SCENE -o FOLDER             write a scene for other renderers: JSON and plain meshes\n"
+    "  lancer options [--biases]                 print the table of render settings, or of what biases pictures\n"
     "  lancer SCENE ...                          the same as lancer render SCENE ...\n"
     "  lancer COMMAND --help                     the options of a command\n"
     "  lancer --version                          the versions of the program and its libraries\n\n"

@@ -29,17 +29,14 @@ auto with_warnings(const Diagnostics& diagnostics, F&& f)
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet)
 {
     Prepared p;
-    const unsigned threads = options.threads.value_or(available_threads());
-    p.images = std::make_unique<ImageSource>(threads);
+    p.threads = options.threads.value_or(available_threads());
+    p.images = std::make_unique<ImageSource>(p.threads);
     const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.images->request(file)); };
     with_warnings(diagnostics, [&] {
-        with_threads(threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
+        with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
-    p.settings = resolve_settings(options, p.description.render);
-    // Where Scene::begin looks for them.
-    for (size_t i = 0; i < switch_names.size(); ++i)
-        p.description.render.set(static_cast<Switch>(i), p.settings.switches[static_cast<Switch>(i)]);
-    const std::string added = complete_scene(p.description, double(p.settings.width) / p.settings.height);
+    p.settings = resolve_settings(options.render, p.description.render);
+    const std::string added = complete_scene(p.description, aspect_of(p.settings.size));
     if (!added.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
                    added);
@@ -48,7 +45,7 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 
 void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    with_warnings(diagnostics, [&] { p.scene.emplace(p.description, diagnostics, p.images->source()); });
+    with_warnings(diagnostics, [&] { p.scene.emplace(p.description, p.settings, diagnostics, p.images->source()); });
     p.early.clear();  // what the scene did not ask for again it does not use
 }
 
@@ -56,7 +53,7 @@ std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& optio
                                         Diagnostics& diagnostics)
 {
     auto renderer = with_warnings(diagnostics, [&] {
-        return std::make_unique<Renderer>(std::move(*p.scene), to_render_settings(p.settings, batch), diagnostics);
+        return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics);
     });
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));

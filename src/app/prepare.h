@@ -13,7 +13,8 @@
 namespace lancer {
 
 struct Prepared {
-    Settings settings;
+    RenderSettings settings;  // resolved
+    unsigned threads = 1;
     SceneDescription description;         // with a camera
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does

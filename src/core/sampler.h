@@ -10,11 +10,10 @@
 
 #include "core/hash.h"
 #include "core/lanes/lanes.h"
+#include "core/sampler_kind.h"
 #include "core/vec.h"
 
 namespace lancer {
-
-enum class SamplerKind { sobol, independent };
 
 // Each purpose has a group of three numbers: (u, v) by get2 and w by get1. get2 computes an even group and the next one
 // together, as most callers use both.

@@ -55,18 +55,4 @@ AccelKind fastest_accelerator(const Geometry& g, RayUse use)
                                                                                        : AccelKind::embree;
 }
 
-std::string_view name_of(AccelKind kind)
-{
-    for (const AccelName& a : accelerators)
-        if (a.kind == kind) return a.name;
-    return "auto";
-}
-
-AccelKind accelerator_of(std::string_view name)
-{
-    for (const AccelName& a : accelerators)
-        if (a.name == name) return a.kind;
-    return AccelKind::automatic;
-}
-
 }  // namespace lancer

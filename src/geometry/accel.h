@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/accel_kind.h"
 #include "geometry/geometry.h"
 
 namespace lancer {
@@ -48,22 +49,6 @@ public:
     virtual AccelStats stats() const = 0;
 };
 
-// automatic: the one that fastest_accelerator() returns.
-enum class AccelKind { automatic, embree, list, list8, box, median, bvh2, bvh8 };
-
-// All accelerators.
-struct AccelName {
-    std::string_view name;
-    AccelKind kind;
-    bool tries_all = false;  // tests every triangle for each ray
-};
-inline constexpr std::array accelerators{
-    AccelName{"embree", AccelKind::embree},     AccelName{"list", AccelKind::list, true},
-    AccelName{"list8", AccelKind::list8, true}, AccelName{"box", AccelKind::box, true},
-    AccelName{"median", AccelKind::median},     AccelName{"bvh2", AccelKind::bvh2},
-    AccelName{"bvh8", AccelKind::bvh8},
-};
-
 // Rays that a renderer traces besides camera rays.
 enum class RayUse { all, bounces };  // bounces: no shadow rays
 
@@ -72,9 +57,6 @@ enum class RayUse { all, bounces };  // bounces: no shadow rays
 // instances; bvh8 also for bounce rays in one to four million small triangles, where it hides memory latency; else
 // Embree. Must not be called inside a parallel loop.
 AccelKind fastest_accelerator(const Geometry& geometry, RayUse use = RayUse::all);
-// Name of an accelerator, "auto" for automatic; and the reverse, automatic for unknown names.
-std::string_view name_of(AccelKind kind);
-AccelKind accelerator_of(std::string_view name);
 
 // Builds an accelerator. isa: instruction set of Embree, one of sse2, sse4.2, avx, avx2, avx512; it is fixed because
 // others round differently. Throws Error (failed) if the structure cannot be built. Must not be called inside a

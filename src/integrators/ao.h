@@ -6,11 +6,12 @@
 #include "core/warp.h"
 #include "integrators/path_actions.h"
 #include "integrators/view.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
 struct AmbientOcclusion {
-    static constexpr const char* name = "ao";
+    static constexpr IntegratorKind kind = IntegratorKind::ao;
 
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

@@ -29,16 +29,18 @@ void for_each_integrator(const F& f)
     for_each_integrator(f, std::make_index_sequence<std::variant_size_v<AnyIntegrator>>{});
 }
 
-}  // namespace
-
-std::vector<std::string_view> names_of_integrators()
+// Whether each name that a user may choose has an integrator.
+template <size_t... i>
+constexpr bool has_all_kinds(std::index_sequence<i...>)
 {
-    std::vector<std::string_view> names;
-    for_each_integrator([&]<class Integrator>(const Integrator&) {
-        if (!is_legacy<Integrator>()) names.push_back(Integrator::name);
-    });
-    return names;
+    for (size_t kind = 0; kind < enum_names<IntegratorKind>.size(); ++kind)
+        if (!((std::variant_alternative_t<i, AnyIntegrator>::kind == static_cast<IntegratorKind>(kind)) || ...))
+            return false;
+    return true;
 }
+static_assert(has_all_kinds(std::make_index_sequence<std::variant_size_v<AnyIntegrator>>{}));
+
+}  // namespace
 
 bool knows_legacy()
 {
@@ -47,20 +49,12 @@ bool knows_legacy()
     return found;
 }
 
-bool is_classic(std::string_view name)
-{
-    bool found = false;
-    for_each_integrator([&]<class Integrator>(const Integrator&) {
-        found = found || (name == Integrator::name && std::is_base_of_v<Classic, Integrator>);
-    });
-    return found;
-}
-
-AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings)
+AnyIntegrator make_integrator(const RenderSettings& settings)
 {
     AnyIntegrator found;
     for_each_integrator([&]<class Integrator>(Integrator integrator) {
-        if (name != Integrator::name || (is_legacy<Integrator>() && !settings.switches[Switch::legacy])) return;
+        static_assert(is_classic(Integrator::kind) == std::is_base_of_v<Classic, Integrator>);
+        if (settings.integrator != Integrator::kind || (is_legacy<Integrator>() && !settings.legacy)) return;
         if constexpr (requires { integrator.take(settings); }) integrator.take(settings);
         found = integrator;
     });
@@ -79,16 +73,14 @@ uint32_t max_depth_of(const AnyIntegrator& integrator)
         integrator);
 }
 
-std::vector<std::string> biases_of(const AnyIntegrator& integrator)
+std::span<const IntegratorBias> biases_of(IntegratorKind kind)
 {
-    return std::visit(
-        []<class Integrator>(const Integrator&) -> std::vector<std::string> {
-            if constexpr (requires { Integrator::biases; })
-                return {Integrator::biases.begin(), Integrator::biases.end()};
-            else
-                return {};
-        },
-        integrator);
+    std::span<const IntegratorBias> found;
+    for_each_integrator([&]<class Integrator>(const Integrator&) {
+        if constexpr (requires { Integrator::biases; })
+            if (kind == Integrator::kind) found = Integrator::biases;
+    });
+    return found;
 }
 
 }  // namespace lancer

@@ -1,13 +1,12 @@
-// The list of integrators. A new integrator is a header, an alternative of the variant below and a file
-// render/kernel/NAME.cpp. The command line, the scene files and the tests use this list.
+// The list of integrators. A new integrator is a header, an alternative of the variant below, a value of IntegratorKind
+// with its name (scene/description/render_settings.h) and a file render/kernel/NAME.cpp.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <span>
 #include <variant>
-#include <vector>
 
 #include "integrators/ao.h"
+#include "integrators/bias.h"
 #include "integrators/classic/random_decision.h"
 #include "integrators/classic/whitted.h"
 #include "integrators/legacy/path.h"
@@ -25,19 +24,13 @@ using AnyIntegrator = std::variant<Path, Direct, Whitted, RandomDecision, Ambien
 // Whether this build contains the classic integrators and --legacy.
 bool knows_legacy();
 
-// Whether an integrator is whitted or random-decision. With --legacy all others are replaced by LegacyPath.
-bool is_classic(std::string_view name);
-
-// The first is the default.
-std::vector<std::string_view> names_of_integrators();
-
-// name: one of names_of_integrators().
-AnyIntegrator make_integrator(std::string_view name, const IntegratorSettings& settings);
+// The integrator that the settings select, with their parameters.
+AnyIntegrator make_integrator(const RenderSettings& settings);
 
 // Maximal number of surface vertices of a path; 0: no limit.
 uint32_t max_depth_of(const AnyIntegrator& integrator);
 
-// Biases of the integrator, as entries of the bias ledger.
-std::vector<std::string> biases_of(const AnyIntegrator& integrator);
+// Biases of the integrator, whatever its settings.
+std::span<const IntegratorBias> biases_of(IntegratorKind kind);
 
 }  // namespace lancer

@@ -163,6 +163,14 @@ std::optional<double> TomlTable::number(std::string_view key, const NumberRule& 
     return value ? number(*value, key, rule) : std::nullopt;
 }
 
+std::optional<double> TomlTable::number(std::string_view key, double low, double high) const
+{
+    const std::optional<double> x = number(key, any_number);
+    if (!x || (*x >= low && *x <= high)) return x;
+    error(key, " must be from " + to_text(low) + " to " + to_text(high) + ", not " + to_text(*x));
+    return {};
+}
+
 std::optional<Vec3d> TomlTable::vector(std::string_view key, const NumberRule& rule) const
 {
     const TomlValue* value = find(key);

@@ -120,6 +120,7 @@ public:
     // From low to high, both included.
     std::optional<int64_t> integer(std::string_view key, int64_t low, int64_t high) const;
     std::optional<double> number(std::string_view key, const NumberRule& rule) const;
+    std::optional<double> number(std::string_view key, double low, double high) const;  // as integer()
     std::optional<Vec3d> vector(std::string_view key, const NumberRule& rule = any_number) const;
     std::optional<Vec3d> number_or_vector(std::string_view key, const NumberRule& rule) const;
     std::optional<Vec2> number_or_pair(std::string_view key) const;  // in the range of float

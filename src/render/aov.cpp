@@ -38,7 +38,7 @@ struct Channels {
     std::string_view names;
     std::optional<AovSum> sum{}, count{};
 };
-constexpr std::array<Channels, aov_names.size()> channels_of_aovs{{
+constexpr std::array<Channels, enum_names<Aov>.size()> channels_of_aovs{{
     {"RGB", AovSum::albedo, AovSum::samples},
     {"XYZ", AovSum::normal, AovSum::samples},
     {"Z", AovSum::depth, AovSum::hits},
@@ -93,7 +93,7 @@ Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& p
 std::vector<Aov> all_aovs()
 {
     std::vector<Aov> all;
-    for (size_t i = 0; i < aov_names.size(); ++i) all.push_back(static_cast<Aov>(i));
+    for (size_t i = 0; i < enum_names<Aov>.size(); ++i) all.push_back(static_cast<Aov>(i));
     return all;
 }
 
@@ -154,7 +154,7 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
         for (size_t i = 0; i < names.size(); ++i) {
             const std::string suffix = aov == Aov::material ? "ID" : std::string(1, names[i]);
             ImagePlane& plane = planes.emplace_back();
-            plane.name = std::string(aov_names[static_cast<size_t>(aov)]) + "." + suffix;
+            plane.name = std::string(name_of(aov)) + "." + suffix;
             plane.values.reserve(film.pixels.size());
             for (size_t k = 0; k < film.pixels.size(); ++k)
                 plane.values.push_back(static_cast<float>(value_of(aov, i, film, k, normalisation)));

@@ -3,19 +3,14 @@
 // number of threads, tiles, batches and passes.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "core/film.h"
 #include "core/image.h"
+#include "render/aov_kind.h"
 #include "render/workspace.h"
 
 namespace lancer {
-
-enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat, samples };
-// In the order of Aov.
-inline constexpr std::array<std::string_view, 10> aov_names{"albedo",   "normal",   "depth", "position", "uv",
-                                                            "material", "variance", "mask",  "flat",     "samples"};
 
 // Albedo under uniform illumination; of a mix, mixed.
 Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point);

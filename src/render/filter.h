@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "core/lanes/vec.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
-
-enum class FilterKind { box, gaussian, blackman_harris, narrow_gaussian, centre };
 
 class Filter {
 public:

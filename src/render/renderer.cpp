@@ -19,7 +19,7 @@ RayUse use_of_rays(bool may_have_emitters, const AnyIntegrator& integrator)
 
 // Builds the accelerator and resolves AccelKind::automatic. The geometry must be at its final address.
 std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool may_have_emitters,
-                                               RenderSettings& settings)
+                                               RendererConfig& settings)
 {
     if (settings.accel == AccelKind::automatic)
         settings.accel = fastest_accelerator(geometry, use_of_rays(may_have_emitters, settings.integrator));
@@ -28,14 +28,14 @@ std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool ma
 
 }  // namespace
 
-Renderer::Renderer(SceneBuilder builder, const RenderSettings& settings, Diagnostics& diagnostics) : settings_(settings)
+Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnostics& diagnostics) : settings_(settings)
 {
     accel_ = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
     scene_ = builder.finish(diagnostics);
     choose();
 }
 
-Renderer::Renderer(Scene scene, const RenderSettings& settings) : settings_(settings)
+Renderer::Renderer(Scene scene, const RendererConfig& settings) : settings_(settings)
 {
     auto placed = std::make_unique<Scene>(std::move(scene));
     bind_alpha_test(*placed);

@@ -6,22 +6,14 @@
 #include <mutex>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
-#include "integrators/integrator.h"
+#include "render/config.h"
 #include "render/estimators/pilot.h"
 #include "render/specialize.h"
 #include "scene/build/scene_builder.h"
 
 namespace lancer {
-
-struct RenderSettings {
-    AnyIntegrator integrator = Path{};
-    AccelKind accel = AccelKind::automatic;
-    std::string isa = "avx2";
-    KernelSettings kernel;
-};
 
 // Result of a pass.
 struct PassResult {
@@ -35,8 +27,8 @@ class Renderer {
 public:
     // The first builds the accelerator while pictures are still being read, and then finishes the scene. Problems with
     // pictures go to diagnostics. Both throw Error (failed) and must be called inside with_threads.
-    Renderer(SceneBuilder scene, const RenderSettings& settings, Diagnostics& diagnostics);
-    Renderer(Scene scene, const RenderSettings& settings);
+    Renderer(SceneBuilder scene, const RendererConfig& settings, Diagnostics& diagnostics);
+    Renderer(Scene scene, const RendererConfig& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -69,7 +61,7 @@ private:
     void choose();
 
     std::unique_ptr<const Scene> scene_;
-    RenderSettings settings_;
+    RendererConfig settings_;
     std::unique_ptr<Accelerator> accel_;
     KernelChoice choice_;
     TileKernel kernel_;

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/description/render_options.h"
+
 namespace lancer {
 namespace {
 
@@ -18,11 +20,16 @@ Json or_null(const std::optional<double>& x) { return x ? Json(*x) : Json(nullpt
 Json context_of(const RunStats& s)
 {
     const RunStats::Context& c = s.context;
-    return {{"version", c.version},          {"embree", c.embree},
-            {"parallel", c.parallel},        {"compiler", c.compiler},
-            {"build_type", c.build_type},    {"instructions", c.instructions},
-            {"isa", s.settings.isa},         {"cpu", c.cpu},
-            {"threads", s.settings.threads}, {"load_average", or_null(c.load_average)},
+    return {{"version", c.version},
+            {"embree", c.embree},
+            {"parallel", c.parallel},
+            {"compiler", c.compiler},
+            {"build_type", c.build_type},
+            {"instructions", c.instructions},
+            {"isa", std::string(name_of(s.settings.render.isa))},
+            {"cpu", c.cpu},
+            {"threads", s.settings.threads},
+            {"load_average", or_null(c.load_average)},
             {"command_line", c.command_line}};
 }
 
@@ -49,33 +56,34 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"warnings", s.warnings}};
 }
 
-Json switches_of(const Switches& switches)
+Json json_of(const RenderSettings& settings, const RenderOption& option)
 {
-    Json json;
-    for (size_t i = 0; i < switch_names.size(); ++i) json[switch_names[i]] = switches[static_cast<Switch>(i)];
-    return json;
+    return std::visit(
+        [&]<class Field>(const Field& field) -> Json {
+            if constexpr (requires { settings.*field.member + 1; })  // a number, true or false
+                return settings.*field.member;
+            else
+                return value_text(settings, option);
+        },
+        option.field);
 }
 
+// Switches stand in an object of their own, and a size is two numbers.
 Json settings_of(const RunStats::SettingsUsed& s)
 {
-    return {{"width", s.width},
-            {"height", s.height},
-            {"crop", {s.crop.x0, s.crop.y0, s.crop.x1, s.crop.y1}},
-            {"spp", s.spp},
-            {"replicates", s.replicates},
-            {"seed", s.seed},
-            {"integrator", s.integrator},
-            {"max_depth", s.max_depth},
-            {"switches", switches_of(s.switches)},
-            {"sampler", s.sampler},
-            {"filter", s.filter},
-            {"accel", s.accel},
-            {"isa", s.isa},
-            {"kernel", s.kernel},
-            {"threads", s.threads},
-            {"tile", s.tile},
-            {"batch", s.batch},
-            {"hash", s.hash}};
+    Json json{{"width", s.render.size.width}, {"height", s.render.size.height}}, switches;
+    for (const RenderOption& option : render_options()) {
+        if (std::holds_alternative<SizeField>(option.field)) continue;
+        (option.is_switch() ? switches : json)[std::string(option.name)] = json_of(s.render, option);
+    }
+    json["switches"] = switches;
+    json["crop"] = {s.crop.x0, s.crop.y0, s.crop.x1, s.crop.y1};
+    json["kernel"] = s.kernel;
+    json["threads"] = s.threads;
+    json["tile"] = s.tile;
+    json["batch"] = s.batch;
+    json["hash"] = s.hash;
+    return json;
 }
 
 Json rays_of(const RunStats& s)

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/film.h"
-#include "core/switches.h"
 #include "render/workspace.h"
 #include "report/metrics/statistics.h"
+#include "scene/description/render_settings.h"
 #include "scene/specialisation.h"
 
 namespace lancer {
@@ -28,14 +28,11 @@ struct RunStats {
         std::vector<UnusedFeature> unused_features;
     };
     struct SettingsUsed {
-        uint32_t width = 0, height = 0, spp = 0, replicates = 1, max_depth = 0, threads = 0, tile = 0, batch = 0;
+        RenderSettings render;  // resolved
         Tile crop;
-        uint64_t seed = 0;
-        std::string integrator, sampler, filter, accel, isa;
+        uint32_t threads = 0, tile = 0, batch = 0;
         std::string kernel;  // see Profile
-        Switches switches;
-        std::vector<std::string> biases;  // of the integrator, whatever its settings
-        std::string hash;                 // of all that decides the value of a pixel, but the scene
+        std::string hash;    // of all that decides the value of a pixel, but the scene
     };
     struct Phase {
         std::string name;

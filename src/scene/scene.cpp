@@ -8,14 +8,16 @@
 
 namespace lancer {
 
-SceneBuilder Scene::begin(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+SceneBuilder Scene::begin(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                          const RasterSource& images)
 {
-    return {description, diagnostics, images};
+    return {description, settings, diagnostics, images};
 }
 
-Scene Scene::build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+Scene Scene::build(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                   const RasterSource& images)
 {
-    return begin(description, diagnostics, images).finish_by_value(diagnostics);
+    return begin(description, settings, diagnostics, images).finish_by_value(diagnostics);
 }
 
 bool Scene::has_emitters() const

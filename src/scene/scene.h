@@ -88,14 +88,16 @@ struct Scene {
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
     bool light_tree = true;       // see LightTable::tree
     bool soft_shadows = true;     // else sphere lights are sampled at their centres
-    bool legacy = false;          // see Switch::legacy
+    bool legacy = false;          // see RenderSettings::legacy
 
     // Starts to build a scene: checks it, resolves names, normalises, and requests from `images` the pictures that the
-    // scene uses, without waiting for them. Problems go to diagnostics; throws Error if there are errors.
-    static SceneBuilder begin(const SceneDescription& description, Diagnostics& diagnostics,
-                              const RasterSource& images = {});
+    // scene uses, without waiting for them. settings: resolved; [render] of the description is not used. Problems go to
+    // diagnostics; throws Error if there are errors.
+    static SceneBuilder begin(const SceneDescription& description, const RenderSettings& settings,
+                              Diagnostics& diagnostics, const RasterSource& images = {});
     // begin() and SceneBuilder::finish().
-    static Scene build(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images = {});
+    static Scene build(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                       const RasterSource& images = {});
 
     uint32_t material_of(const Hit& hit) const
     {

@@ -48,6 +48,8 @@ TEST_F(Wrong, Options)
     expect_usage({"--sampler", "sobel"}, "did you mean 'sobol'?");
     expect_usage({"--accel", "embre"}, "did you mean 'embree'?");
     expect_usage({"--isa", "avx3"}, "did you mean 'avx'?");
+    expect_usage({"--set", "nea=true"}, "--set: unknown name 'nea'; did you mean 'nee'? known: nee, mis, direct");
+    expect_usage({"--set", "common=true"}, "--set: unknown name 'common'; known: nee, mis, direct");
     expect_usage({"--set", "nne=false"}, "did you mean 'nee'?");
     expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
     expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
@@ -95,8 +97,9 @@ TEST_F(Wrong, ScenesAndMeshes)
     expect_fault({"typo.toml"}, 65,
                  "typo.toml:3:1: error: unknown key 'positon' in [camera]; did you mean 'position'?");
     write("name.toml", "version = 1\n[render]\nintegrator = \"pth\"\nfilter = \"bx\"\n[[sphere]]\nradius = 1\n");
-    expect_fault({"name.toml"}, 65, "name.toml:2:1: error: unknown integrator 'pth' in [render]; did you mean 'path'?");
-    expect_fault({"name.toml"}, 65, "unknown filter 'bx' in [render]");
+    expect_fault({"name.toml"}, 65,
+                 "name.toml:3:14: error: unknown integrator 'pth' in [render]; did you mean 'path'?");
+    expect_fault({"name.toml"}, 65, "name.toml:4:10: error: unknown filter 'bx' in [render]; did you mean 'box'?");
     write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     expect_fault({"index.obj"}, 65, "index.obj:4");
     ASSERT_EQ(mkfifo(file("pipe.toml").c_str(), 0600), 0);

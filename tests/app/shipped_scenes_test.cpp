@@ -55,7 +55,7 @@ TEST_P(Shipped, LooksTheSameToEveryIntegrator)
             if (c.name.find('.') != std::string::npos) all.push_back(read_exr_channel(file("a.exr"), c.name));
         return all;
     };
-    const auto names = names_of_integrators();
+    const auto& names = enum_names<IntegratorKind>;
     const auto first = channels(names[0]);
     ASSERT_EQ(first.size(), 17u);
     for (size_t i = 1; i < names.size(); ++i) {

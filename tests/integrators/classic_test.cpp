@@ -102,7 +102,7 @@ TEST(Whitted, FollowsTwoMirrorsFacingEachOther)
     expect_all_equal(shoot(d, shot), {seen(tint.r), seen(tint.g), seen(tint.b)}, gamma(500), "250 mirrors");
     shot.integrator = of_depth<Whitted>(249);
     expect_all_equal(shoot(d, shot), {0, 0, 0}, 0, "one vertex too few");
-    d.render.set(Switch::legacy, true);
+    d.render.legacy = true;
     Whitted course = of_depth<Whitted>(251);
     course.legacy = true;
     shot.integrator = course;
@@ -180,7 +180,7 @@ TEST_P(OfDepth, RandomDecisionHasTheMeanOfTheTree)
 {
     const auto [depth, legacy] = GetParam();
     SceneDescription d = gallery();
-    d.render.set(Switch::legacy, legacy);
+    d.render.legacy = legacy;
     Whitted tree = of_depth<Whitted>(depth);
     RandomDecision walk = of_depth<RandomDecision>(depth);
     tree.legacy = walk.legacy = legacy;

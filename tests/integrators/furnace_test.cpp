@@ -129,7 +129,7 @@ TEST(SkyFurnace, MirrorAndGlassAreInvisibleInEverySample)
 double brightness_of_ball(const MaterialDescription& m, DirectLight how)
 {
     SceneDescription d = under_sky(m, 0);
-    d.render.set(Switch::multiscatter, true);
+    d.render.multiscatter = true;
     d.camera->fov_deg = 28;  // nothing but the ball, to its edge
     const Film film = shoot(d, {.integrator = Path{.direct = how}, .width = 16, .height = 16, .spp = 128});
     return tally(film).mean / static_cast<double>(luminance(sky));

@@ -151,7 +151,7 @@ TEST(Glossy, InterpolatedNormalsAreTheSameByAllWays)
         for (const bool terminator : {false, true}) {
             if (terminator && m.type != MaterialType::plastic) continue;
             SceneDescription d = ball_on_floor(m, m);
-            d.render.set(Switch::terminator, terminator);
+            d.render.terminator = terminator;
             MeshData coarse = *make_uv_sphere(4, 6, 0, m);
             for (const Vec3d& p : coarse.positions) coarse.normals.push_back(to_float(normalize(p + Vec3d{0, 0.3, 0})));
             coarse.normal_triangles = coarse.triangles;

@@ -131,11 +131,7 @@ TEST(LegacyPath, EndsAfterFiveVerticesUnlessToldOtherwise)
 {
     const SceneDescription d = matt_room();
     const auto make = [](uint32_t depth) {
-        return std::get<LegacyPath>(make_integrator("path", {.max_depth = depth, .switches = [] {
-                                                                 Switches s;
-                                                                 s.set(Switch::legacy, true);
-                                                                 return s;
-                                                             }()}));
+        return std::get<LegacyPath>(make_integrator({.max_depth = depth, .legacy = true}));
     };
     const Film usual = shoot_room(d, make(0), 4);
     EXPECT_TRUE(same_bits(usual, shoot_room(d, make(5), 4)));

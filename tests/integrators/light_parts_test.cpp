@@ -8,25 +8,19 @@
 namespace lancer {
 namespace {
 
-Switches with(std::initializer_list<std::pair<Switch, bool>> said)
+using Part = bool RenderSettings::*;
+constexpr std::array<Part, 3> parts{&RenderSettings::emitters, &RenderSettings::direct, &RenderSettings::indirect};
+
+RenderSettings only(Part part)
 {
-    Switches s;
-    for (const auto& [which, on] : said) s.set(which, on);
+    RenderSettings s;
+    for (const Part p : parts) s.*p = p == part;
     return s;
 }
 
-Switches only(Switch part)
+Film shoot_with(const SceneDescription& d, const RenderSettings& settings)
 {
-    return with({{Switch::emitters, part == Switch::emitters},
-                 {Switch::direct, part == Switch::direct},
-                 {Switch::indirect, part == Switch::indirect}});
-}
-
-constexpr std::array parts{Switch::emitters, Switch::direct, Switch::indirect};
-
-Film shoot_with(const SceneDescription& d, const Switches& switches, std::string_view integrator = "path")
-{
-    return shoot(d, {.integrator = make_integrator(integrator, {.max_depth = 0, .switches = switches})});
+    return shoot(d, {.integrator = make_integrator(settings)});
 }
 
 double luminance_of(const Film& film) { return tally(film).mean; }
@@ -38,9 +32,8 @@ TEST(LightParts, AddUpToTheWhole)
     for (const auto& [name, d] : all_test_scenes())
         for (const bool nee : {true, false})
             for (const bool mis : {true, false}) {
-                const auto said = [&](Switches s) {
-                    s.set(Switch::nee, nee);
-                    s.set(Switch::mis, mis);
+                const auto said = [&](RenderSettings s) {
+                    s.nee = nee, s.mis = mis;
                     return s;
                 };
                 const Film whole = shoot_with(d, said({}));
@@ -63,8 +56,8 @@ TEST(LightParts, AddUpToTheWhole)
 TEST(LightParts, WithoutIndirectLightIsTheDirectIntegrator)
 {
     for (const auto& [name, d] : all_test_scenes()) {
-        const Switches switches = with({{Switch::indirect, false}, {Switch::split, false}, {Switch::roulette, false}});
-        EXPECT_TRUE(same_bits(shoot_with(d, switches), shoot_with(d, {}, "direct"))) << name;
+        const RenderSettings switches{.indirect = false, .split = false, .roulette = false};
+        EXPECT_TRUE(same_bits(shoot_with(d, switches), shoot_with(d, {.integrator = IntegratorKind::direct}))) << name;
     }
 }
 
@@ -87,11 +80,15 @@ SceneDescription lamps()
 TEST(LightParts, EmittersThatAreNotSeenLightTheScene)
 {
     SceneDescription d = lamps();
-    const Switches switches = with({{Switch::emitters, false}});
+    const auto luminance_by = [&](IntegratorKind kind) {
+        return luminance_of(shoot_with(d, {.integrator = kind, .emitters = false}));
+    };
     EXPECT_GT(luminance_of(shoot_with(d, {})), 0.1);
-    for (const char* name : {"path", "direct"}) EXPECT_EQ(luminance_of(shoot_with(d, switches, name)), 0) << name;
+    for (const auto kind : {IntegratorKind::path, IntegratorKind::direct})
+        EXPECT_EQ(luminance_by(kind), 0) << name_of(kind);
     d.planes.push_back(plane_of({0, -0.5, 0}, {0, 1, 0}));
-    for (const char* name : {"path", "direct"}) EXPECT_GT(luminance_of(shoot_with(d, switches, name)), 0.05) << name;
+    for (const auto kind : {IntegratorKind::path, IntegratorKind::direct})
+        EXPECT_GT(luminance_by(kind), 0.05) << name_of(kind);
 }
 
 // Behind a pane a lamp lights the floor by way of the pane: that is no direct light.
@@ -104,12 +101,12 @@ TEST(LightParts, LightThroughGlassIsIndirect)
     d.spheres = {sphere_of({0, 2, 0}, 0.8, "lamp")};
     d.planes.push_back(plane_of({0, 0, 0}, {0, 1, 0}));
     d.camera = make_camera({0, 0.3, 0.8}, {0, 0, 0}, 30);
-    const double open = luminance_of(shoot_with(d, only(Switch::direct)));
+    const double open = luminance_of(shoot_with(d, only(&RenderSettings::direct)));
     EXPECT_GT(open, 0.1);
-    EXPECT_EQ(luminance_of(shoot_with(d, only(Switch::indirect))), 0);
+    EXPECT_EQ(luminance_of(shoot_with(d, only(&RenderSettings::indirect))), 0);
     d.meshes.push_back(make_mesh(make_cube(glass), {{0, 1, 0}, {}, {40, 0.1, 40}}));
-    EXPECT_EQ(luminance_of(shoot_with(d, only(Switch::direct))), 0);
-    EXPECT_GT(luminance_of(shoot_with(d, only(Switch::indirect))), 0.5 * open);
+    EXPECT_EQ(luminance_of(shoot_with(d, only(&RenderSettings::direct))), 0);
+    EXPECT_GT(luminance_of(shoot_with(d, only(&RenderSettings::indirect))), 0.5 * open);
 }
 
 // A sphere of light over a floor, with a bar in between; the light itself is not in the picture.
@@ -126,11 +123,11 @@ SceneDescription bar_over_floor(double radius)
 TEST(SoftShadows, OffIsAPointOfTheSamePower)
 {
     SceneDescription sphere = bar_over_floor(0.4), point = sphere;
-    sphere.render.set(Switch::soft_shadows, false);
+    sphere.render.soft_shadows = false;
     point.lights[0].type = LightType::point;
     point.lights[0].power *= static_cast<float>(pi_d * 0.4 * 0.4);
     for (const bool mis : {true, false}) {
-        const Switches switches = with({{Switch::indirect, false}, {Switch::emitters, false}, {Switch::mis, mis}});
+        const RenderSettings switches{.mis = mis, .indirect = false, .emitters = false};
         const Film a = shoot_with(sphere, switches), b = shoot_with(point, switches);
         size_t dark = 0, lit = 0;
         for (size_t i = 0; i < a.pixels.size(); ++i) {
@@ -141,8 +138,8 @@ TEST(SoftShadows, OffIsAPointOfTheSamePower)
         EXPECT_GT(lit, 300u);
     }
     // And with the switch on it is something else: there is a penumbra.
-    sphere.render.set(Switch::soft_shadows, true);
-    const Switches direct = only(Switch::direct);
+    sphere.render.soft_shadows = true;
+    const RenderSettings direct = only(&RenderSettings::direct);
     EXPECT_FALSE(same_bits(shoot_with(sphere, direct), shoot_with(point, direct)));
 }
 
@@ -153,13 +150,11 @@ TEST(SoftShadows, OffLosesNoLight)
     SceneDescription soft = bar_over_floor(0.4);
     soft.meshes[0] = make_mesh(make_quad({-2, 0, -2}, {2, 0, -2}, {2, 2, -2}, {-2, 2, -2}));
     SceneDescription hard = soft;
-    hard.render.set(Switch::soft_shadows, false);
+    hard.render.soft_shadows = false;
     const auto found = [](const SceneDescription& d, bool mis, uint64_t seed) {
         return TilesOverSeeds(
-            d, {.integrator = make_integrator(
-                    "path", {.max_depth = 3, .switches = with({{Switch::emitters, false}, {Switch::mis, mis}})}),
-                .spp = 16,
-                .seed = seed});
+            d,
+            {.integrator = make_integrator({.max_depth = 3, .mis = mis, .emitters = false}), .spp = 16, .seed = seed});
     };
     expect_one_mean({found(soft, true, 11), found(hard, true, 12), found(hard, false, 13)},
                     {.pictures = 12, .names = {"soft", "hard", "hard without mis"}}, "shadows");
@@ -175,10 +170,10 @@ TEST(SoftShadows, OffInsideTheSphere)
     d.spheres = {sphere_of({0, 0, 0}, 2, "dome")};
     d.planes.push_back(plane_of({0, -0.5, 0}, {0, 1, 0}));
     d.camera = make_camera({0, 0.5, 0.5}, {0, -0.5, 0}, 1e-3);
-    d.render.set(Switch::soft_shadows, false);
+    d.render.soft_shadows = false;
     // Albedo 0.8; intensity 2 pi 2^2 at a distance of 0.5, straight above.
     const double expected = 0.8 / pi_d * 2 * pi_d * 4 / 0.25;
-    const Film film = shoot_with(d, only(Switch::direct));
+    const Film film = shoot_with(d, only(&RenderSettings::direct));
     EXPECT_NEAR(luminance_of(film) / expected, 1, 1e-4);
 }
 
@@ -195,7 +190,7 @@ TEST(Fresnel, OffOnlyRefracts)
     d.camera = make_camera({0, 0, 2}, {0, 0, 0}, 5);
     const double r = static_cast<double>(fresnel_dielectric(1.0f, 1.5f).reflectance);
     EXPECT_NEAR(tally(shoot(d, {.spp = 256})).mean, 3 * r * (1 + (1 - r) * (1 - r) / (1 - r * r)), 0.01);
-    d.render.set(Switch::fresnel, false);
+    d.render.fresnel = false;
     EXPECT_EQ(tally(shoot(d, {})).mean, 0);
     d.spheres[0].center.z = -9;
     expect_all_equal(shoot(d, {}), {3, 3, 3}, 1e-5f, "through the pane");

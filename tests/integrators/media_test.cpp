@@ -226,7 +226,7 @@ TEST(Media, CostNothingWhereThereAreNone)
     EXPECT_TRUE(build_scene(spheres_scene()).media.empty());
     SceneDescription d = media_scene();
     EXPECT_EQ(build_scene(d).media.size(), 7u);
-    d.render.set(Switch::legacy, true);
+    d.render.legacy = true;
     EXPECT_TRUE(build_scene(d).media.empty());
 }
 
@@ -234,7 +234,7 @@ void expect_refused(const SceneDescription& d, const std::string& why)
 {
     Diagnostics diagnostics;
     try {
-        Scene::build(d, diagnostics);
+        Scene::build(d, d.render, diagnostics);
         ADD_FAILURE() << "no error of: " << why;
     } catch (const Error& e) {
         EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();

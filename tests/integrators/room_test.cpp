@@ -67,7 +67,7 @@ constexpr Tile caustic_region{70, 58, 78, 63};
 stats::Tally look_at_caustic(const AnyIntegrator& integrator, uint32_t spp, uint64_t seed)
 {
     SceneDescription scene = caustic();
-    scene.render.set(Switch::legacy, std::holds_alternative<LegacyPath>(integrator));
+    scene.render.legacy = std::holds_alternative<LegacyPath>(integrator);
     RenderRequest r;
     r.width = 128, r.height = 96, r.crop = caustic_region, r.spp = {spp}, r.threads = 2;
     r.settings.integrator = integrator;

@@ -55,9 +55,10 @@ TEST_F(Definitions, MakeWhatIsMissing)
 
 TEST_F(Definitions, AWordThatIsNoTomlIsAString)
 {
-    EXPECT_EQ(with({"render.integrator=direct"}, "version = 1").render.integrator, "direct");
-    EXPECT_EQ(with({"render.integrator=\"direct\""}, "version = 1").render.integrator, "direct");
-    EXPECT_EQ(with({"render.integrator=a=b\n[x]"}, "version = 1").render.integrator, "a=b\n[x]");
+    EXPECT_EQ(with({"render.integrator=direct"}, "version = 1").render.integrator, IntegratorKind::direct);
+    EXPECT_EQ(with({"render.integrator=\"direct\""}, "version = 1").render.integrator, IntegratorKind::direct);
+    const std::string problem = problems_with("render.integrator=a=b\n[x]", "version = 1");
+    EXPECT_NE(problem.find("unknown integrator 'a=b?[x]' in [render]"), std::string::npos) << problem;
 }
 
 TEST_F(Definitions, TheLastOfEqualsCounts)

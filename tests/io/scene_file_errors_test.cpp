@@ -31,9 +31,9 @@ TEST_F(SceneMistakes, UnknownKeys)
           "2:3: error: unknown key 'positon' in [camera]; did you mean 'position'? known: type, position, target, up, "
           "fov, aperture, focus, inside"},
          {"[render]\nthreads = 3",
-          "2:1: error: unknown key 'threads' in [render]; known: integrator, spp, size, max_depth, seed, filter, "
-          "sampler, stop_error, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, light_tree, "
-          "split, roulette, stop and 3 more"},
+          "2:1: error: unknown key 'threads' in [render]; known: size, spp, seed, integrator, max_depth, sampler, "
+          "filter, accel, isa, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, light_tree, "
+          "split, roulette and 6 more"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
           "vertex_colors, translate, rotate, scale"},
@@ -110,6 +110,7 @@ TEST_F(SceneMistakes, WrongKindOfValue)
            {"[render]\nintegrator = 1", "2:14: error: 'integrator' in [render] must be a string, not an integer"},
            {"[render]\nfilter = \"\"", "2:10: error: 'filter' in [render] must not be empty"},
            {"[render]\nsampler = [\"sobol\"]", "2:11: error: 'sampler' in [render] must be a string, not an array"},
+           {"[render]\nstop_error = true", "2:14: error: 'stop_error' in [render] must be a number, not a boolean"},
            {"[render]\nspp = 64.5", "2:7: error: 'spp' in [render] must be an integer, not a float"},
            {"[render]\nspp = \"64\"", "2:7: error: 'spp' in [render] must be an integer, not a string"},
            {"[render]\nsize = 640",
@@ -142,6 +143,8 @@ TEST_F(SceneMistakes, OutOfRange)
          {"[render]\nmax_depth = -1", "2:13: error: 'max_depth' in [render] must be from 0 to 2147483647, not -1"},
          {"[render]\nmax_depth = 2147483648",
           "2:13: error: 'max_depth' in [render] must be from 0 to 2147483647, not 2147483648"},
+         {"[render]\nreplicates = 0", "2:14: error: 'replicates' in [render] must be from 1 to 1024, not 0"},
+         {"[render]\nstop_error = 0", "2:14: error: 'stop_error' in [render] must be from 1e-09 to 1e+09, not 0"},
          {"[render]\nseed = -1", "2:8: error: 'seed' in [render] must be from 0 to 9223372036854775807, not -1"},
          {"[render]\nsize = [0, 65537]",
           "2:9: error: 'size' in [render] must be from 1 to 65536, not 0\n"
@@ -449,9 +452,10 @@ TEST_F(SceneMistakes, EndlessKeysDoNotExhaustTheStack)
 
 TEST_F(SceneMistakes, DotsInTextAndNumbersAreNotCounted)
 {
+    write("a.obj", "");
     scene(
         "# ............................\n[material.\"a.b.c.d.e.f.g.h.i.j.k\"]\nbase_color = [0.1, 0.2, 0.3]\n"
-        "[render]\nfilter = '.............'\nsampler = \"...\\\"........\"");
+        "[[mesh]]\nfile = \"a.obj\"\nname = '.............'\n[[mesh]]\nfile = \"a.obj\"\nname = \"...\\\"........\"");
     EXPECT_EQ(problems("[camera]\nup = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]"),
               "s.toml:2:6: error: 'up' in [camera] must be three numbers, not 10");
 }

@@ -14,30 +14,38 @@ namespace {
 
 TEST_F(SceneFileTest, EveryKeyOfRenderIsRead)
 {
-    const RenderDescription r = scene(R"(version = 1
+    const RenderSettings r = scene(R"(version = 1
 [render]
-integrator = "path"
+integrator = "direct"
 filter = "gaussian"
-sampler = "sobol"
+sampler = "independent"
+accel = "bvh8"
+isa = "sse4.2"
+replicates = 1024
 spp = 2147483647
 max_depth = 2147483647
 seed = 9223372036854775807
 stop_error = 0.25
 multiscatter = true
+mis = false
 terminator = false
 size = [65536, 4096])")
-                                    .render;
-    EXPECT_EQ(r.where.line, 2u);
-    EXPECT_EQ(r.integrator, "path");
-    EXPECT_EQ(r.filter, "gaussian");
-    EXPECT_EQ(r.sampler, "sobol");
+                                 .render;
+    EXPECT_EQ(r.integrator, IntegratorKind::direct);
+    EXPECT_EQ(r.filter, FilterKind::gaussian);
+    EXPECT_EQ(r.sampler, SamplerKind::independent);
+    EXPECT_EQ(r.accel, AccelKind::bvh8);
+    EXPECT_EQ(r.isa, Isa::sse4_2);
+    EXPECT_EQ(r.replicates, 1024u);
     EXPECT_EQ(r.spp, 2147483647u);
     EXPECT_EQ(r.max_depth, 2147483647u);
     EXPECT_EQ(r.seed, 9223372036854775807u);
     EXPECT_EQ(r.stop_error, 0.25);
-    EXPECT_EQ(r.size, (std::array<uint32_t, 2>{65536, 4096}));
-    EXPECT_TRUE(r.is_on(Switch::multiscatter));
-    EXPECT_FALSE(r.is_on(Switch::terminator));
+    EXPECT_EQ(r.size, (PictureSize{65536, 4096}));
+    EXPECT_TRUE(r.multiscatter);
+    EXPECT_FALSE(r.mis);
+    EXPECT_TRUE(r.is_given(&RenderSettings::terminator));
+    EXPECT_FALSE(r.is_given(&RenderSettings::nee));
 }
 
 TEST_F(SceneFileTest, AMeshSaysWhatItsVertexColoursAre)
@@ -54,14 +62,13 @@ TEST_F(SceneFileTest, AMeshSaysWhatItsVertexColoursAre)
 
 TEST_F(SceneFileTest, WhatRenderDoesNotSayIsLeftOpen)
 {
-    const RenderDescription r = scene("[render]").render;
-    EXPECT_FALSE(r.integrator || r.filter || r.sampler || r.spp || r.max_depth || r.seed || r.size || r.stop_error);
-    EXPECT_EQ(r.switches, SaidSwitches{});
-    const RenderDescription least = scene("[render]\nspp = 1\nmax_depth = 0\nseed = 0\nsize = [1, 1]").render;
+    const RenderSettings r = scene("[render]").render;
+    EXPECT_EQ(r, RenderSettings{});
+    const RenderSettings least = scene("[render]\nspp = 1\nmax_depth = 0\nseed = 0\nsize = [1, 1]").render;
     EXPECT_EQ(least.spp, 1u);
     EXPECT_EQ(least.max_depth, 0u);
     EXPECT_EQ(least.seed, 0u);
-    EXPECT_EQ(least.size, (std::array<uint32_t, 2>{1, 1}));
+    EXPECT_EQ(least.size, (PictureSize{1, 1}));
 }
 
 TEST_F(SceneFileTest, EveryKeyOfCameraIsRead)

@@ -98,11 +98,12 @@ TEST_P(Classics, FindTheDirectLightOfTheReference)
     const Case& c = GetParam();
     const SceneDescription d = c.scene();
     SameLight same("direct light of " + c.name, c.detectable);
-    IntegratorSettings settings;
-    settings.max_depth = c.max_depth;
+    RenderSettings settings{.max_depth = c.max_depth};
     uint64_t seed = 10;
-    for (const char* integrator : {"direct", "whitted", "random-decision"})
-        same.add(way(integrator, c, d, seed++, make_integrator(integrator, settings)));
+    for (const char* name : {"direct", "whitted", "random-decision"}) {
+        settings.integrator = value_of<IntegratorKind>(name).value();
+        same.add(way(name, c, d, seed++, make_integrator(settings)));
+    }
     same.add(reference_way(c, d, false));
 }
 

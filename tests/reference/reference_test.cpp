@@ -170,7 +170,7 @@ TEST(Reference, HasTheSameNumbersForAnyThreads)
 TEST(Reference, SaysWhatItDoesNotKnow)
 {
     SceneDescription d = cornell_scene();
-    d.render.set(Switch::terminator, true);
+    d.render.terminator = true;
     EXPECT_THROW(reference::render(d, {}), std::invalid_argument);
     d = cornell_scene();
     d.camera.reset();

@@ -138,14 +138,12 @@ void add_lights(World& world, const lancer::SceneDescription& d, MaterialList& l
 
 void refuse_unknown(const lancer::SceneDescription& d)
 {
-    using lancer::Switch;
     const auto refuse = [](const char* what) {
         throw std::invalid_argument(std::string("the reference knows no ") + what);
     };
-    for (const Switch s : {Switch::multiscatter, Switch::terminator, Switch::legacy})
-        if (d.render.is_on(s)) refuse("multiscatter, terminator or legacy");
-    for (const Switch s : {Switch::fresnel, Switch::soft_shadows, Switch::direct, Switch::emitters})
-        if (!d.render.is_on(s)) refuse("switch of [render] that takes light away");
+    const lancer::RenderSettings& s = d.render;
+    if (s.multiscatter || s.terminator || s.legacy) refuse("multiscatter, terminator or legacy");
+    if (!s.fresnel || !s.soft_shadows || !s.direct || !s.emitters) refuse("switch of [render] that takes light away");
     if (!d.background) return;
     if (d.background->sky == lancer::SkyType::picture || d.background->ground == lancer::GroundType::picture)
         refuse("picture as background");

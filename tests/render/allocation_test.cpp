@@ -64,7 +64,7 @@ TEST(Allocations, DoNotGrowWithTheSamples)
     for (const NamedScene& s : all_test_scenes())
         for (const AnyIntegrator& integrator : {AnyIntegrator{Path{}}, AnyIntegrator{Direct{}}})
             with_threads(1, [&] {
-                RenderSettings settings;
+                RendererConfig settings;
                 settings.integrator = integrator;
                 const Renderer renderer(build_scene(s.description), settings);
                 const Camera camera = camera_of(s.description, renderer.scene(), 64, 48);

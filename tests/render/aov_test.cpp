@@ -160,7 +160,8 @@ TEST_P(AovsSamePixels, UnderEveryIntegrator)
     ASSERT_GE(first.size(), 18u);
     for (const AnyIntegrator& integrator : all_integrators()) {
         request.settings.integrator = integrator;
-        EXPECT_TRUE(same(first, without_light())) << std::visit([](const auto& i) { return i.name; }, integrator);
+        EXPECT_TRUE(same(first, without_light()))
+            << std::visit([](const auto& i) { return name_of(i.kind); }, integrator);
     }
 }
 

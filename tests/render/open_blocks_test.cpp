@@ -11,7 +11,7 @@ namespace {
 Film render_in(const std::vector<uint32_t>& passes, const RenderRequest& r, bool keeps_open, uint32_t replicates = 1)
 {
     const SceneDescription d = cornell_scene();
-    RenderSettings settings = r.settings;
+    RendererConfig settings = r.settings;
     settings.kernel.replicates = replicates;
     Film film(r.width, r.height, {0, 0, r.width, r.height});
     film.keep_aovs(layout_of(all_aovs()));
@@ -101,7 +101,7 @@ TEST_P(EachIntegrator, ReplicatesDifferFromOneAnotherAndFromNeighbouringSeeds)
 
 std::string name_of(const testing::TestParamInfo<AnyIntegrator>& of)
 {
-    std::string name(names_of_integrators()[of.index]);
+    std::string name(enum_names<IntegratorKind>[of.index]);
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 }

@@ -20,7 +20,7 @@ struct Planned {
     std::vector<std::set<uint32_t>> numbers;
 };
 
-Planned planned(const SceneDescription& d, RenderSettings settings = {})
+Planned planned(const SceneDescription& d, RendererConfig settings = {})
 {
     settings.kernel.seed = salted(settings.kernel.seed);
     Planned out;
@@ -42,9 +42,9 @@ Planned planned(const SceneDescription& d, RenderSettings settings = {})
     return out;
 }
 
-RenderSettings with(bool split, bool roulette)
+RendererConfig with(bool split, bool roulette)
 {
-    RenderSettings settings;
+    RendererConfig settings;
     Path path;
     path.split = split, path.roulette_by_pixel = roulette;
     settings.integrator = path;
@@ -128,7 +128,7 @@ TEST(Pilot, PlansTheSameByAnyAccelerator)
     for (const auto& [name, d] : all_test_scenes()) {
         const SamplingPlan embree = planned(d).plan;
         EXPECT_LE(embree.split, 4u) << name;
-        RenderSettings settings;
+        RendererConfig settings;
         settings.accel = AccelKind::bvh8;
         const SamplingPlan bvh8 = planned(d, settings).plan;
         EXPECT_EQ(embree.split, bvh8.split) << name;

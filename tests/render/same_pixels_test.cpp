@@ -32,7 +32,7 @@ struct Case {
 
     std::string name() const
     {
-        std::string name = std::visit([](const auto& i) { return std::string(i.name); }, integrator);
+        std::string name = std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, integrator);
         std::replace(name.begin(), name.end(), '-', '_');
         return std::string(scene) + "_" + name;
     }

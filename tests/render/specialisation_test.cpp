@@ -23,14 +23,14 @@ TEST(Specialisation, EveryProfileThatCoversASceneDrawsTheSameBits)
             r.settings.integrator = integrator;
             r.settings.kernel.profile = Profile::all;
             const Rendered all = render(d, r);
-            for (size_t i = 0; i < profile_names.size(); ++i) {
+            for (size_t i = 0; i < enum_names<Profile>.size(); ++i) {
                 const auto profile = static_cast<Profile>(i);
                 if (profile == Profile::all || choose_kernel(scene, integrator, profile).profile != profile) continue;
                 r.settings.kernel.profile = profile;
                 const Rendered some = render(d, r);
-                EXPECT_TRUE(same_bits(all.film, some.film)) << name << ", " << profile_names[i];
-                EXPECT_EQ(all.counters.shadow_rays, some.counters.shadow_rays) << name << ", " << profile_names[i];
-                EXPECT_EQ(all.counters.bounce_rays, some.counters.bounce_rays) << name << ", " << profile_names[i];
+                EXPECT_TRUE(same_bits(all.film, some.film)) << name << ", " << name_of(profile);
+                EXPECT_EQ(all.counters.shadow_rays, some.counters.shadow_rays) << name << ", " << name_of(profile);
+                EXPECT_EQ(all.counters.bounce_rays, some.counters.bounce_rays) << name << ", " << name_of(profile);
                 ++compared;
             }
         }
@@ -192,9 +192,9 @@ TEST(Specialisation, NoShadowRayIsTracedForNothing)
                 const testing::ScopedTrace which(
                     __FILE__, __LINE__,
                     name + std::string(", ") +
-                        std::visit([](const auto& i) { return std::string(i.name); }, integrator));
+                        std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, integrator));
                 tints = std::visit([]<class I>(const I&) { return TintsShadows<I>; }, integrator);
-                RenderSettings settings;
+                RendererConfig settings;
                 settings.integrator = integrator;
                 const Renderer renderer(build_scene(scene), settings);
                 const Camera camera = camera_of(scene, renderer.scene(), 16, 12);

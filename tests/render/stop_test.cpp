@@ -67,15 +67,14 @@ TEST(StopRules, ThoseOfThePastAreForTheClassicIntegrators)
 {
     for (const bool legacy : {false, true})
         for (const bool stop : {false, true})
-            for (const char* name : {"path", "direct", "ao", "whitted", "random-decision"}) {
-                Switches s;
-                s.set(Switch::legacy, legacy);
-                s.set(Switch::stop, stop);
-                const bool classic = legacy && std::string(name).size() > 6;
-                EXPECT_EQ(clamps_samples(name, s), classic) << name;
-                EXPECT_EQ(stop_rule(name, s), !stop     ? StopRule::never
-                                              : classic ? StopRule::last_sample
-                                                        : StopRule::confidence)
+            for (const std::string_view name : enum_names<IntegratorKind>) {
+                const RenderSettings s{
+                    .integrator = value_of<IntegratorKind>(name).value(), .stop = stop, .legacy = legacy};
+                const bool classic = legacy && name.size() > 6;
+                EXPECT_EQ(clamps_samples(s), classic) << name;
+                EXPECT_EQ(stop_rule(s), !stop     ? StopRule::never
+                                        : classic ? StopRule::last_sample
+                                                  : StopRule::confidence)
                     << name;
             }
 }
@@ -95,9 +94,9 @@ SceneDescription thin_bars()
     return d;
 }
 
-RenderSettings settings_of(StopRule rule, double error, uint64_t seed, SamplerKind sampler)
+RendererConfig settings_of(StopRule rule, double error, uint64_t seed, SamplerKind sampler)
 {
-    RenderSettings s;
+    RendererConfig s;
     s.kernel.stop = rule;
     s.kernel.stop_error = error;
     s.kernel.seed = salted(seed);
@@ -257,7 +256,7 @@ std::vector<Case> all_cases()
 class Stopped : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Every, Stopped, testing::ValuesIn(all_cases()), [](const auto& c) {
     std::string name = std::string(all_test_scenes()[c.param.scene].name) + "_" +
-                       std::visit([](const auto& i) { return std::string(i.name); }, c.param.integrator) +
+                       std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, c.param.integrator) +
                        (c.param.rule == StopRule::confidence ? "_confidence" : "_last");
     std::replace(name.begin(), name.end(), '-', '_');
     return name;

@@ -86,12 +86,12 @@ TEST(Wide, HasThemWithAnyTechnique)
 TEST(Wide, HasThemForEachPartOfTheLight)
 {
     for (const WideCase& c : wide_cases())
-        for (const Switch part : {Switch::direct, Switch::indirect, Switch::emitters}) {
-            Switches switches;
-            switches.set(part, false);
+        for (const auto part : {&RenderSettings::direct, &RenderSettings::indirect, &RenderSettings::emitters}) {
+            RenderSettings settings;
+            settings.*part = false;
             RenderRequest r;
-            r.settings.integrator = make_integrator("path", {.switches = switches});
-            expect_same(c, r, std::string(switch_names[static_cast<size_t>(part)]));
+            r.settings.integrator = make_integrator(settings);
+            expect_same(c, r, !settings.direct ? "direct" : !settings.indirect ? "indirect" : "emitters");
         }
 }
 

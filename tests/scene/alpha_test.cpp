@@ -172,7 +172,7 @@ TEST(Opacity, OfAPictureCutsCrispHoles)
     std::promise<std::shared_ptr<const Raster>> reading;
     Diagnostics diagnostics;
     SceneBuilder builder =
-        Scene::begin(d, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
+        Scene::begin(d, d.render, diagnostics, [&](const std::string&) { return reading.get_future().share(); });
     const auto embree = make_accelerator(AccelKind::embree, builder.geometry(), "avx2");
     reading.set_value(std::make_shared<const Raster>(raster));
     const std::unique_ptr<const Scene> finished = builder.finish(diagnostics);

@@ -13,7 +13,7 @@ std::string error_of(const SceneDescription& d)
 {
     Diagnostics diagnostics;
     try {
-        Scene::build(d, diagnostics);
+        Scene::build(d, d.render, diagnostics);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), ErrorKind::invalid_input);
         return e.what();
@@ -23,7 +23,7 @@ std::string error_of(const SceneDescription& d)
 std::vector<std::string> warnings_of(const SceneDescription& d)
 {
     Diagnostics diagnostics;
-    Scene::build(d, diagnostics);
+    Scene::build(d, d.render, diagnostics);
     std::vector<std::string> all;
     for (const auto& w : diagnostics.warnings()) all.push_back(to_string(w));
     return all;

@@ -350,7 +350,7 @@ TEST(Environment, WarnsOfBadTexelsAndOfDarkness)
     d.lights = {sky_map_of({1, 1, 1}, {}, {"s.toml", 4, 1})};
     Diagnostics diagnostics;
     const Scene s =
-        Scene::build(d, diagnostics,
+        Scene::build(d, d.render, diagnostics,
                      picture_source(make_raster(4, 2, [](uint32_t x, uint32_t) { return Color{x < 2 ? 0.f : -1.f}; })));
     std::vector<std::string> warnings;
     for (const auto& w : diagnostics.warnings()) warnings.push_back(to_string(w));

@@ -172,7 +172,7 @@ SceneDescription lamp_field(uint32_t side)
 TEST(LightTree, LightsTheSame)
 {
     SceneDescription by_tree = lamp_field(12), by_power = by_tree;
-    by_power.render.set(Switch::light_tree, false);
+    by_power.render.light_tree = false;
     ASSERT_TRUE(build_scene(by_tree).lights.tree);
     ASSERT_FALSE(build_scene(by_power).lights.tree);
     const Shot shot{.integrator = Path{.max_depth = 3}, .spp = 32};

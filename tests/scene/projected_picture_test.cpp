@@ -238,7 +238,7 @@ TEST(ProjectedPicture, WhatCannotBeReadIsAnError)
     d.background->sky_picture.where = {"s.toml", 4, 1};
     Diagnostics diagnostics;
     try {
-        Scene::build(d, diagnostics, {});
+        Scene::build(d, d.render, diagnostics, {});
         FAIL();
     } catch (const Error& e) {
         EXPECT_STREQ(e.what(), "s.toml:4:1: error: background not read: nothing reads pictures here");

@@ -187,7 +187,7 @@ TEST(TerminatorFix, HalvesTheErrorWhereLightGrazes)
     ball.normal_triangles = ball.triangles;
     coarse.meshes.push_back(make_mesh(std::make_shared<const MeshData>(ball)));
     SceneDescription fixed = coarse;
-    fixed.render.set(Switch::terminator, true);
+    fixed.render.terminator = true;
 
     const Shot shot{.integrator = Path{.max_depth = 1}, .width = 96, .height = 96, .spp = 4};
     const Film truth = shoot(round, shot), without = shoot(coarse, shot), with = shoot(fixed, shot);

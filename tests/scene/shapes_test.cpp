@@ -178,7 +178,7 @@ TEST(Water, OfOldHasTheSameDefaultSlopes)
     for (const bool legacy : {false, true}) {
         SceneDescription d;
         add_ball(d);
-        d.render.set(Switch::legacy, legacy);
+        d.render.legacy = legacy;
         PlaneDescription water = plane_of({}, {0, 0, 1});
         water.is_water = true;
         d.planes.push_back(water);
@@ -241,7 +241,7 @@ TEST(Bubble, InsideOut)
     d.spheres[0].part = SphereDescription::Part::inside_of_bubble;
     Diagnostics diagnostics;
     try {
-        Scene::build(d, diagnostics);
+        Scene::build(d, d.render, diagnostics);
         ADD_FAILURE();
     } catch (const Error& e) {
         EXPECT_STREQ(

@@ -87,7 +87,7 @@ TEST(TextureTable, OnePictureServesManyUsesAndIsThenFreed)
     chalk.opacity_map = picture("wall.png", 2, Channel::alpha);
     Pictures pictures;
     Diagnostics diagnostics;
-    SceneBuilder builder = Scene::begin(scene_of({chalk}), diagnostics, pictures.source());
+    SceneBuilder builder = Scene::begin(scene_of({chalk}), {}, diagnostics, pictures.source());
     EXPECT_TRUE(pictures.is_kept("wall.png"));
     ASSERT_EQ(builder.unfinished().textures.size(), 2u);
     EXPECT_EQ(color_of(builder.unfinished(), 0), (Color{1, 1, 1}));  // until it has arrived
@@ -108,7 +108,7 @@ TEST(TextureTable, ABrokenPictureIsNamedOnceAndItsTexturesAreOne)
     b.opacity_map = picture("broken.png", 6, Channel::alpha);
     Pictures pictures;
     Diagnostics diagnostics;
-    const Scene scene = Scene::build(scene_of({a, b}), diagnostics, pictures.source());
+    const Scene scene = Scene::build(scene_of({a, b}), {}, diagnostics, pictures.source());
     ASSERT_EQ(scene.textures.size(), 3u);
     for (uint32_t i = 0; i < 3; ++i) EXPECT_EQ(color_of(scene, i), (Color{1, 1, 1}));
     EXPECT_THAT(warnings(diagnostics),
@@ -124,7 +124,7 @@ TEST(TextureTable, ABrokenPictureGivesNoBumps)
     Pictures pictures;
     {
         Diagnostics diagnostics;
-        const Scene scene = Scene::build(scene_of({a}), diagnostics, pictures.source());
+        const Scene scene = Scene::build(scene_of({a}), {}, diagnostics, pictures.source());
         const MaterialTraits& traits = scene.traits[scene.sphere_material[0]];
         EXPECT_EQ(traits.bump, no_texture);
         EXPECT_NE(traits.normal_map, no_texture);
@@ -134,7 +134,7 @@ TEST(TextureTable, ABrokenPictureGivesNoBumps)
     }
     a.base_color_map = picture("broken.png", 7);
     Diagnostics diagnostics;
-    const Scene scene = Scene::build(scene_of({a}), diagnostics, pictures.source());
+    const Scene scene = Scene::build(scene_of({a}), {}, diagnostics, pictures.source());
     ASSERT_EQ(diagnostics.warnings().size(), 1u);
     EXPECT_THAT(warnings(diagnostics)[0], testing::HasSubstr("1 is used instead, and no bumps (2 times)"));
 }
@@ -144,7 +144,7 @@ TEST(TextureTable, WithoutASourceNothingIsReadButAllIsBuilt)
     MaterialDescription a = make_lambert("a", {1, 1, 1});
     a.base_color_map = picture("wall.png", 4);
     Diagnostics diagnostics;
-    const Scene scene = Scene::build(scene_of({a}), diagnostics);
+    const Scene scene = Scene::build(scene_of({a}), {}, diagnostics);
     EXPECT_EQ(color_of(scene, 0), (Color{1, 1, 1}));
     ASSERT_EQ(diagnostics.warnings().size(), 1u);
     EXPECT_THAT(warnings(diagnostics)[0], testing::HasSubstr("'wall.png' is not used: "));
@@ -156,7 +156,7 @@ TEST(TextureTable, NumbersThatAreNotFiniteAreCounted)
     a.base_color_map = picture("nan.exr", 4);
     Pictures pictures;
     Diagnostics diagnostics;
-    const Scene scene = Scene::build(scene_of({a}), diagnostics, pictures.source());
+    const Scene scene = Scene::build(scene_of({a}), {}, diagnostics, pictures.source());
     EXPECT_EQ(std::get<ImageTexture>(scene.textures[0]).mean().r, 0.75f);
     EXPECT_THAT(warnings(diagnostics), ElementsAre("s.toml:4:3: warning: picture 'nan.exr' has 1 numbers that are not "
                                                    "finite; they count as 0"));

@@ -64,7 +64,7 @@ Outcome empty_scenes(const Setup&)
     double off = 0;
     for (const auto& [scene, expected] : cases)
         for (const AnyIntegrator& integrator : all_integrators()) {
-            const std::string_view name = std::visit([](const auto& i) { return i.name; }, integrator);
+            const std::string_view name = std::visit([](const auto& i) { return name_of(i.kind); }, integrator);
             if (name == "ao") continue;  // it shows no light
             RenderRequest r = square(16, 16);
             r.settings.integrator = integrator;

@@ -70,7 +70,7 @@ Outcome grazing_checker(const Setup& setup)
     for (const double square : {1.0, 0.7}) {
         const Scene scene = build_scene(checker_floor(square));
         for (const char* name : judged_names) {
-            const auto accel = make_accelerator(accelerator_of(name), scene.geometry, "avx2");
+            const auto accel = make_accelerator(value_of<AccelKind>(name).value(), scene.geometry, "avx2");
             const Cells near = look_along(scene, *accel, square, 0, 6, rays);
             const Cells far = look_along(scene, *accel, square, 6, 7, rays / 4);
             const std::string where = ", squares of " + std::to_string(square).substr(0, 3) + ", " + name;
@@ -92,7 +92,7 @@ Outcome horizon(const Setup&)
     constexpr float tiny = std::numeric_limits<float>::denorm_min(), small = 1e-38f;
     double wrong = 0, rays = 0, not_numbers = 0;
     for (const char* name : judged_names) {
-        const auto accel = make_accelerator(accelerator_of(name), scene.geometry, "avx2");
+        const auto accel = make_accelerator(value_of<AccelKind>(name).value(), scene.geometry, "avx2");
         for (const float slope : {0.0f, tiny, small, 1e-30f, 1e-20f, 1e-14f, 1e-10f, 1e-8f, 1e-6f})
             for (const float sign : {1.0f, -1.0f})
                 for (const Vec3 level : {Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{-0.6f, 0, 0.8f}, Vec3{0.0f, -0.0f, 1}})

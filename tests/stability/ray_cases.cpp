@@ -111,7 +111,7 @@ Outcome nearest_of_many(const Setup& setup)
     });
     Outcome out;
     for (const char* name : judged_names) {
-        const auto accel = make_accelerator(accelerator_of(name), g, "avx2");
+        const auto accel = make_accelerator(value_of<AccelKind>(name).value(), g, "avx2");
         double wrong = 0;
         for (const Case& c : cases) {
             const Hit hit = accel->closest(c.ray);

@@ -34,7 +34,7 @@ double Measure::margin() const
 std::unique_ptr<Accelerator> Setup::make(const Geometry& geometry) const
 {
     if (fast()) return make_fast_embree(geometry);
-    return make_accelerator(accelerator_of(accelerator), geometry, "avx2");
+    return make_accelerator(value_of<AccelKind>(accelerator).value(), geometry, "avx2");
 }
 
 std::vector<Row> all_rows()

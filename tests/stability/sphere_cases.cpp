@@ -115,7 +115,7 @@ ShellCount cross_shell(const std::string& accelerator, double thickness, size_t 
     }
     d.lights.push_back(sky_of({1, 1, 1}));
     const Scene scene = build_scene(d);
-    const auto accel = make_accelerator(accelerator_of(accelerator), scene.geometry, "avx2");
+    const auto accel = make_accelerator(value_of<AccelKind>(accelerator).value(), scene.geometry, "avx2");
     ShellCount count;
     count.rays = static_cast<double>(rays);
     for (size_t i = 0; i < rays; ++i) {
@@ -147,7 +147,7 @@ Outcome wall_walk(const Setup& setup)
     for (const double r : {1e5, 1e6}) {
         const Scene scene = build_scene(wall_room(r));
         for (const char* name : judged_names) {
-            const auto accel = make_accelerator(accelerator_of(name), scene.geometry, "avx2");
+            const auto accel = make_accelerator(value_of<AccelKind>(name).value(), scene.geometry, "avx2");
             const Walk found = walk(scene, *accel, bounces, 1);
             const std::string where = ", radius 1e" + std::to_string(std::ilogb(r) > 18 ? 6 : 5) + ", " + name;
             out.measures.push_back(at_most("hits of the wall that was left" + where, found.stuck, 0));
@@ -189,7 +189,7 @@ Outcome tangent_rays(const Setup& setup)
             g.spheres.push_back({at, std::pow(10.0, random.uniform(-3, 2))});
         }
         for (const char* name : judged_names) {
-            const auto accel = make_accelerator(accelerator_of(name), g, "avx2");
+            const auto accel = make_accelerator(value_of<AccelKind>(name).value(), g, "avx2");
             double wrong = 0;
             const size_t rays = setup.scaled(count == 1 ? 40000 : 10000, 1000000, 1000000);
             for (size_t i = 0; i < rays; ++i) {

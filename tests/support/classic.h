@@ -81,7 +81,7 @@ Film shoot_classic(SceneDescription d, Integrator how, bool legacy, Shot shot)
 {
     how.legacy = legacy;
     shot.integrator = how;
-    d.render.set(Switch::legacy, legacy);
+    d.render.legacy = legacy;
     return shoot(d, shot);
 }
 

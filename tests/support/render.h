@@ -12,7 +12,8 @@ namespace lancer {
 inline std::vector<AnyIntegrator> all_integrators()
 {
     std::vector<AnyIntegrator> all;
-    for (const std::string_view name : names_of_integrators()) all.push_back(make_integrator(name, {}));
+    for (size_t i = 0; i < enum_names<IntegratorKind>.size(); ++i)
+        all.push_back(make_integrator({.integrator = static_cast<IntegratorKind>(i)}));
     return all;
 }
 
@@ -23,7 +24,7 @@ struct RenderRequest {
     unsigned threads = 1;
     uint32_t tile = 16;
     std::vector<Aov> aovs{};
-    RenderSettings settings{};
+    RendererConfig settings{};
     RasterSource images = test_picture;
     bool traces_open_sky = false;  // also the camera rays that are left out where they meet nothing; one thread
 };

@@ -488,7 +488,7 @@ inline SceneDescription scaled_by(SceneDescription d, double s)
 inline Scene build_scene(const SceneDescription& d, const RasterSource& images = test_picture)
 {
     Diagnostics diagnostics;
-    return Scene::build(d, diagnostics, images);
+    return Scene::build(d, d.render, diagnostics, images);
 }
 
 // The camera of the description, or the one fitted to what it shows.

@@ -241,7 +241,7 @@ inline SceneDescription inside_a_ball()
 inline SceneDescription points_of_light()
 {
     SceneDescription d = balls_of_light();
-    d.render.set(Switch::soft_shadows, false);
+    d.render.soft_shadows = false;
     return d;
 }
 inline SceneDescription materials_and_many_lights()

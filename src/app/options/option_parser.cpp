@@ -40,6 +40,11 @@ void OptionParser::flag(const std::string& names, const std::string& help, bool&
     app_->add_flag(names, set, help);
 }
 
+void OptionParser::flag(const std::string& names, const std::string& help, const std::function<void()>& take)
+{
+    app_->add_flag_callback(names, take, help);
+}
+
 void OptionParser::group(const std::string& name) { app_->option_defaults()->group(name); }
 
 bool OptionParser::parse(int argc, char** argv)

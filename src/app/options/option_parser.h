@@ -30,6 +30,7 @@ public:
     // Each one counts.
     void values(const std::string& names, const std::string& type, const std::string& help, const Take& take);
     void flag(const std::string& names, const std::string& help, bool& set);
+    void flag(const std::string& names, const std::string& help, const std::function<void()>& take);
     // The heading of the options that follow.
     void group(const std::string& name);
 

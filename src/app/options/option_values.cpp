@@ -4,10 +4,28 @@
 
 #include "app/paths.h"
 #include "io/net/display_server.h"
-#include "scene/description/description.h"
 
 namespace lancer {
-namespace {
+void fail_usage(const std::string& message) { throw Error(ErrorKind::usage, {}, message); }
+
+uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most)
+{
+    return to_number<uint32_t>(option, text, least, most, "a whole number");
+}
+
+size_t to_choice(const std::string& option, const std::string& text, std::span<const std::string_view> known)
+{
+    const auto it = std::find(known.begin(), known.end(), text);
+    if (it == known.end()) fail_usage(option + ": unknown name " + in_quotes(text) + suggestion(text, known));
+    return static_cast<size_t>(it - known.begin());
+}
+
+std::string listed(std::span<const std::string_view> names)
+{
+    std::string text;
+    for (const std::string_view name : names) text += (text.empty() ? "" : "|") + std::string(name);
+    return text;
+}
 
 std::vector<std::string> split(const std::string& text, char separator)
 {
@@ -22,42 +40,27 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-}  // namespace
-
-void fail_usage(const std::string& message) { throw Error(ErrorKind::usage, {}, message); }
-
-uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most)
+std::string option_name(const RenderOption& option)
 {
-    return to_number<uint32_t>(option, text, least, most, "a whole number");
+    std::string name = "--" + std::string(option.name);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
 }
 
-size_t to_choice(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
+bool to_bool(const std::string& option, const std::string& text)
 {
-    const auto it = std::find(known.begin(), known.end(), text);
-    if (it == known.end()) fail_usage(option + ": unknown name " + in_quotes(text) + suggestion(text, known));
-    return static_cast<size_t>(it - known.begin());
+    if (text != "true" && text != "false") fail_usage(option + ": " + in_quotes(text) + " is not true or false");
+    return text == "true";
 }
 
-std::string to_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known)
-{
-    return std::string(known[to_choice(option, text, known)]);
-}
-
-std::string listed(const std::vector<std::string_view>& names)
-{
-    std::string text;
-    for (const std::string_view name : names) text += (text.empty() ? "" : "|") + std::string(name);
-    return text;
-}
-
-std::array<uint32_t, 2> to_size(const std::string& text)
+PictureSize to_size(const std::string& option, const std::string& text)
 {
     const auto parts = split(text, 'x');
-    if (parts.size() != 2) fail_usage("--size: " + in_quotes(text) + " is not WIDTHxHEIGHT, such as 1280x720");
-    const std::array<uint32_t, 2> size{to_count("--size", parts[0], 1, max_picture_side),
-                                       to_count("--size", parts[1], 1, max_picture_side)};
-    if (uint64_t{size[0]} * size[1] > max_picture_pixels)
-        fail_usage("--size: " + in_quotes(text) + " is too large: at most 2^28 pixels");
+    if (parts.size() != 2) fail_usage(option + ": " + in_quotes(text) + " is not WIDTHxHEIGHT, such as 1280x720");
+    const PictureSize size{to_count(option, parts[0], 1, max_picture_side),
+                           to_count(option, parts[1], 1, max_picture_side)};
+    if (uint64_t{size.width} * size.height > max_picture_pixels)
+        fail_usage(option + ": " + in_quotes(text) + " is too large: at most 2^28 pixels");
     return size;
 }
 
@@ -91,20 +94,6 @@ double to_seconds(const std::string& option, const std::string& text)
     return value * unit;
 }
 
-void set_switches(const std::string& text, PictureOptions& o)
-{
-    const std::vector<std::string_view> known(switch_names.begin(), switch_names.end());
-    for (const std::string& part : split(text, ',')) {
-        const size_t equals = part.find('=');
-        const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
-        const std::string name = to_name("--set", part.substr(0, equals), known);
-        if (value != "true" && value != "false")
-            fail_usage("--set: " + in_quotes(part) + " is not " + name + "=true or =false");
-        for (size_t i = 0; i < switch_names.size(); ++i)
-            if (name == switch_names[i]) o.switches[i] = value == "true";
-    }
-}
-
 std::string to_output(const std::string& path)
 {
     const std::string extension = extension_of(path);
@@ -130,12 +119,12 @@ DisplayAddress to_display_address(const std::string& text)
 
 void add_aovs(const std::string& text, std::vector<Aov>& aovs)
 {
-    std::vector<std::string_view> known(aov_names.begin(), aov_names.end());
+    std::vector<std::string_view> known(enum_names<Aov>.begin(), enum_names<Aov>.end());
     known.push_back("all");
     for (const std::string& part : split(text, ',')) {
-        to_name("--aov", part, known);
-        for (const Aov aov : all_aovs())
-            if (part == "all" || part == aov_names[static_cast<size_t>(aov)]) aovs.push_back(aov);
+        const size_t place = to_choice("--aov", part, known);
+        for (size_t i = 0; i < enum_names<Aov>.size(); ++i)
+            if (part == "all" || i == place) aovs.push_back(static_cast<Aov>(i));
     }
     std::sort(aovs.begin(), aovs.end());
     aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());

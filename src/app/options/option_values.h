@@ -2,17 +2,19 @@
 // messages. All throw Error (usage) and name the option.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/console.h"
 #include "app/options/options.h"
+#include "core/enum_names.h"
 #include "core/names.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 
@@ -41,19 +43,27 @@ T to_number(const std::string& option, const std::string& text, T least, T most,
 inline constexpr uint32_t max_count = (uint32_t{1} << 31) - 1;
 uint32_t to_count(const std::string& option, const std::string& text, uint32_t least, uint32_t most = max_count);
 
-// The text itself, if it is one of the names.
-std::string to_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known);
-// Its place among them.
-size_t to_choice(const std::string& option, const std::string& text, const std::vector<std::string_view>& known);
+// The place of the text among the names.
+size_t to_choice(const std::string& option, const std::string& text, std::span<const std::string_view> known);
+template <NamedEnum E>
+E to_enum(const std::string& option, const std::string& text)
+{
+    return static_cast<E>(to_choice(option, text, enum_names<E>));
+}
 // "a|b|c"
-std::string listed(const std::vector<std::string_view>& names);
+std::string listed(std::span<const std::string_view> names);
+// The parts between separators; one, perhaps empty, if there are none.
+std::vector<std::string> split(const std::string& text, char separator);
 
-std::array<uint32_t, 2> to_size(const std::string& text);               // "1280x720"
-Tile to_crop(const std::string& text);                                  // "x0,y0,x1,y1"
-double to_seconds(const std::string& option, const std::string& text);  // "90", "90s", "1.5m", "2h", "500ms"
-void set_switches(const std::string& text, PictureOptions& o);          // "nee=false,mis=true"
-std::string to_output(const std::string& path);                         // ends in .exr, .png or .ppm
-void add_aovs(const std::string& text, std::vector<Aov>& aovs);         // "albedo,normal" or "all"
-DisplayAddress to_display_address(const std::string& text);             // "host", "host:14158" or "[::1]:14158"
+// As the command line names it: "--max-depth".
+std::string option_name(const RenderOption& option);
+
+bool to_bool(const std::string& option, const std::string& text);         // "true" or "false"
+PictureSize to_size(const std::string& option, const std::string& text);  // "1280x720"
+Tile to_crop(const std::string& text);                                    // "x0,y0,x1,y1"
+double to_seconds(const std::string& option, const std::string& text);    // "90", "90s", "1.5m", "2h", "500ms"
+std::string to_output(const std::string& path);                           // ends in .exr, .png or .ppm
+void add_aovs(const std::string& text, std::vector<Aov>& aovs);           // "albedo,normal" or "all"
+DisplayAddress to_display_address(const std::string& text);               // "host", "host:14158" or "[::1]:14158"
 
 }  // namespace lancer

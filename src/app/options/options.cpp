@@ -1,104 +1,16 @@
 #include "app/options/options.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
 #include "app/console.h"
 #include "app/options/option_parser.h"
 #include "app/options/option_values.h"
-#include "app/options/settings.h"
+#include "app/options/shared_options.h"
 #include "app/paths.h"
-#include "io/scene/definition.h"
 
 namespace lancer {
 namespace {
-
-constexpr uint32_t max_threads = 1024;
-// In the order of ToneMap.
-const std::vector<std::string_view> tonemap_names{"srgb", "agx", "none", "gamma22", "clamped"};
-
-void add_name(OptionParser& p, const std::string& option, const std::string& help,
-              const std::vector<std::string_view>& known, std::optional<std::string>& value)
-{
-    p.value(option, listed(known), help,
-            [=, &known, &value](const std::string& t) { value = to_name(option, t, known); });
-}
-
-void add_scene_options(OptionParser& p, SceneChoice& o,
-                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)")
-{
-    p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
-    p.group("The scene");
-    p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
-    p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
-             [&](const std::string& t) {
-                 parse_definition(t);
-                 o.definitions.push_back(t);
-             });
-    p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (its own folder)",
-            [&](const std::string& t) { o.asset_root = t; });
-}
-
-void add_threads(OptionParser& p, std::optional<uint32_t>& threads)
-{
-    p.value("-t,--threads", "N", "Threads; pictures do not depend on it (LANCER_THREADS, else all CPUs allowed)",
-            [&](const std::string& t) { threads = to_count("--threads", t, 1, max_threads); });
-}
-
-void add_picture_options(OptionParser& p, PictureOptions& o)
-{
-    add_scene_options(p, o.scene);
-    p.group("What decides the picture (over [render] of the scene)");
-    p.value("--size", "WxH", "Size in pixels (1280x720)", [&](const std::string& t) { o.size = to_size(t); });
-    p.value("--seed", "N", "Other random numbers (0)", [&](const std::string& t) {
-        o.seed = to_number<uint64_t>("--seed", t, 0, std::numeric_limits<int64_t>::max(), "a whole number");
-    });
-    add_name(p, "--integrator", "How light is followed (path)", integrator_names, o.integrator);
-    p.value("--max-depth", "N",
-            "Surface vertices of a path; 1 is direct light only, 0 no limit, for whitted and random-decision 7 (0)",
-            [&](const std::string& t) { o.max_depth = to_count("--max-depth", t, 0); });
-    p.values(
-        "--set", "NAME=true|false,...",
-        "Switches: nee (light sampling), mis (multiple importance sampling), direct, indirect, emitters (parts of "
-        "the light), fresnel, soft_shadows, always_nee (sample lights also where it is in vain), light_tree "
-        "(choose among many by place), split (into several rays where that pays), roulette (by what the pixel "
-        "shows), stop (end pixels that are known well enough), multiscatter (rough metal loses no light), terminator "
-        "(softer shadow edges on smoothed meshes)",
-        [&](const std::string& t) { set_switches(t, o); });
-    p.value("--stop-error", "X",
-            "With --set stop=true: a pixel ends when its mean is known to X, relatively, with 95 % confidence (0.01)",
-            [&](const std::string& t) { o.stop_error = to_number<double>("--stop-error", t, 1e-9, 1e9, "a number"); });
-    p.value("--replicates", "R",
-            "Deal the samples to R sets of random numbers: gives the error with an interval, may add noise (1)",
-            [&](const std::string& t) { o.replicates = to_count("--replicates", t, 1, 1024); });
-    p.flag("--legacy", "As the two programs that lancer grew from did it, their faults included", o.legacy);
-    add_name(p, "--sampler", "Random numbers (sobol)", sampler_names, o.sampler);
-    add_name(p, "--filter", "Pixel filter (blackman-harris)", filter_names, o.filter);
-    add_name(
-        p, "--accel",
-        "Who finds what rays meet: Embree, trees of our own, or lists of everything; auto is the fastest: list8 for "
-        "up to 64 triangles, bvh8 for long ones at an angle, else Embree (auto)",
-        accel_names, o.accel);
-    add_name(p, "--isa", "Instructions of Embree; others round differently (avx2)", isa_names, o.isa);
-    p.group("How it runs");
-    add_threads(p, o.threads);
-    p.flag("--strict", "Fail if loading the scene gives a warning", o.strict);
-}
-
-// After the options, so that a wrong value in the environment does not stand in the way of a right one.
-void take_environment(std::optional<uint32_t>& said)
-{
-    const char* const threads = std::getenv("LANCER_THREADS");
-    if (!said && threads && *threads) said = to_count("LANCER_THREADS", threads, 1, max_threads);
-}
-
-ProgressKind to_progress(const std::string& text)
-{
-    // In the order of ProgressKind.
-    return static_cast<ProgressKind>(to_choice("--progress", text, {"auto", "plain", "json", "none"}));
-}
 
 const char* const exit_codes =
     "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
@@ -107,8 +19,8 @@ const char* const exit_codes =
 void add_render_options(OptionParser& p, RenderOptions& o)
 {
     add_picture_options(p, o.picture);
-    p.value("--progress", "auto|plain|json|none", "auto is a line on a terminal, else plain (auto)",
-            [&](const std::string& t) { o.progress = to_progress(t); });
+    p.value("--progress", listed(enum_names<ProgressKind>), "auto is a line on a terminal, else plain (auto)",
+            [&](const std::string& t) { o.progress = to_enum<ProgressKind>("--progress", t); });
     p.value("--display-server", "HOST[:PORT]",
             "Show the picture while it grows in tev, an image viewer that listens there (port 14158)",
             [&](const std::string& t) { o.display = to_display_address(t); });
@@ -127,19 +39,15 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.group("What is written");
     p.values("-o,--output", "FILE", "Picture, .exr, .png or .ppm; may be given several times (NAME.exr in this folder)",
              [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
-    p.value("-s,--spp", "N", "Samples per pixel (64)",
-            [&](const std::string& t) { o.picture.spp = to_count("--spp", t, 1); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.values("--aov", "NAME,...",
-             "More channels of EXR pictures: albedo, normal, depth, position, uv, material, variance, mask, flat, "
-             "samples, or all",
+    p.values("--aov", "NAME,...", "More channels of EXR pictures: " + listed(enum_names<Aov>) + "|all",
              [&](const std::string& t) { add_aovs(t, o.aovs); });
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
-    p.value("--tonemap", listed(tonemap_names),
+    p.value("--tonemap", listed(enum_names<ToneMap>),
             "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
             "curve with steps that round down (srgb; with --legacy one of the last two)",
-            [&](const std::string& t) { o.tonemap = static_cast<ToneMap>(to_choice("--tonemap", t, tonemap_names)); });
+            [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
     p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
     p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
             [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
@@ -284,6 +192,16 @@ std::optional<StudyOptions> parse_study(int argc, char** argv)
     return o;
 }
 
+std::optional<OptionsOptions> parse_options(int argc, char** argv)
+{
+    OptionsOptions o;
+    OptionParser p("lancer options", "Print the render settings as a table in Markdown: the keys of [render].",
+                   "Exit codes: 0 done; 2 wrong usage.\n\nExample:\n  lancer options --biases\n");
+    p.flag("--biases", "The bias ledger instead: the entries of lancer:bias in picture headers", o.biases);
+    if (!p.parse(argc, argv)) return {};
+    return o;
+}
+
 std::optional<CompareOptions> parse_compare(int argc, char** argv)
 {
     CompareOptions o;
@@ -300,11 +218,9 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
     const auto second = [&](const std::string& t) { o.reference2 = t; };
     p.argument("REFERENCE2", "The same as --reference2", second, false);
     p.value("--reference2", "FILE", "A second, independent reference: noise of the references cancels out", second);
-    p.value("--metric", "rmse|relmse|smape|flip",
-            "What the limit is for (relmse; with two references its unbiased form)", [&](const std::string& t) {
-                // In the order of Metric.
-                o.metric = static_cast<Metric>(to_choice("--metric", t, {"rmse", "relmse", "smape", "flip"}));
-            });
+    p.value("--metric", listed(enum_names<Metric>),
+            "What the limit is for (relmse; with two references its unbiased form)",
+            [&](const std::string& t) { o.metric = to_enum<Metric>("--metric", t); });
     p.flag("--steps", "Compare what 8-bit pictures hold, 0 to 255, as it stands in the files: no linear light",
            o.steps);
     p.value("--fail-above", "X", "Exit with 1 if the error is above X or not a number", [&](const std::string& t) {
@@ -313,13 +229,10 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
     p.values("-o,--output", "FILE",
              "Map of the errors: .png or .ppm in colours, .exr as numbers; may be given several times",
              [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
-    p.value("--map", "flip|relmse",
+    p.value("--map", listed(enum_names<ErrorMap>),
             "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "
             "(flip)",
-            [&](const std::string& t) {
-                // In the order of ErrorMap.
-                o.map = static_cast<ErrorMap>(to_choice("--map", t, {"flip", "relmse"}));
-            });
+            [&](const std::string& t) { o.map = to_enum<ErrorMap>("--map", t); });
     if (!p.parse(argc, argv)) return {};
     refuse_doubles(o.outputs);
     return o;

@@ -1,37 +1,31 @@
 // The command line, as one struct per command.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/load_scene.h"
+#include "core/enum_names.h"
 #include "core/film.h"
-#include "core/switches.h"
 #include "io/image/tonemap.h"
-#include "render/aov.h"
+#include "render/aov_kind.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
-// What decides the value of a pixel. What is not given here is taken from [render] of the scene, else from Settings.
-// Names have been checked against the lists of settings.h.
+// What every command takes that traces rays.
 struct PictureOptions {
     SceneChoice scene;
-    std::optional<std::array<uint32_t, 2>> size;
-    std::optional<uint64_t> seed;
-    std::optional<uint32_t> spp, max_depth;
-    std::optional<double> stop_error;
-    std::optional<uint32_t> replicates;
-    std::optional<std::string> integrator, sampler, filter, accel, isa;
-    SaidSwitches switches{};
+    RenderSettings render;  // what is given here overrides [render] of the scene
     std::optional<uint32_t> threads;
-    bool legacy = false;  // as --set legacy=true
     bool strict = false;
 };
 
 enum class ProgressKind { automatic, plain, json, none };
+template <>
+inline constexpr auto enum_names<ProgressKind> = std::to_array<std::string_view>({"auto", "plain", "json", "none"});
 
 struct DisplayAddress {
     std::string host;  // name or numeric address, without brackets
@@ -47,7 +41,7 @@ struct RenderOptions {
     std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
     float exposure_stops = 0;
-    std::optional<ToneMap> tonemap;  // else that of the settings
+    std::optional<ToneMap> tonemap;  // else usual_tonemap()
     bool dither = false;
     bool ascii_ppm = false;
     std::string stats;                  // empty: none
@@ -86,8 +80,16 @@ struct StudyOptions {
     std::optional<uint32_t> threads;
 };
 
+struct OptionsOptions {
+    bool biases = false;
+};
+
 enum class Metric { rmse, relmse, smape, flip };
+template <>
+inline constexpr auto enum_names<Metric> = std::to_array<std::string_view>({"rmse", "relmse", "smape", "flip"});
 enum class ErrorMap { flip, relmse };
+template <>
+inline constexpr auto enum_names<ErrorMap> = std::to_array<std::string_view>({"flip", "relmse"});
 
 struct CompareOptions {
     std::string picture, reference;
@@ -107,6 +109,7 @@ std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<ExportOptions> parse_export(int argc, char** argv);
 std::optional<StudyOptions> parse_study(int argc, char** argv);
+std::optional<OptionsOptions> parse_options(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 
 }  // namespace lancer

@@ -1,43 +1,27 @@
-// What is rendered and how: the command line over [render] of the scene over the defaults below.
+// The settings of a render: the command line over [render] of the scene over the defaults, which --legacy changes.
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "app/options/options.h"
-#include "core/switches.h"
-#include "render/renderer.h"
+#include "io/image/tonemap.h"
 #include "scene/camera.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
-// Names as the command line and the scene file know them; the first is the default but for the filter and the ISA.
-extern const std::vector<std::string_view> integrator_names, sampler_names, filter_names, accel_names, isa_names;
+// Every option has its value then: max_depth is that of the integrator where none is given, the filter and the stop of
+// pixels are those of the older program where legacy is on and they are not given. Throws Error (usage) where this
+// build lacks what is asked for.
+RenderSettings resolve_settings(const RenderSettings& command_line, const RenderSettings& scene);
 
-struct Settings {
-    uint32_t width = 1280, height = 720;
-    Tile crop{};  // the part to render
-    uint32_t spp = 64;
-    uint64_t seed = 0;
-    uint32_t max_depth = 0;
-    double stop_error = 0.01;
-    uint32_t replicates = 1;
-    std::string integrator = "path", sampler = "sobol", filter = "blackman-harris", accel = "auto", isa = "avx2";
-    Switches switches;
-    PixelGrid grid = PixelGrid::centres;
-    ToneMap tonemap = ToneMap::srgb;  // unless --tonemap says otherwise
-    uint32_t threads = 1;
-};
+// What else depends on the settings: where pixels lie, and the tone map unless --tonemap gives another.
+PixelGrid pixel_grid(const RenderSettings& settings);
+ToneMap usual_tonemap(const RenderSettings& settings);
 
-// Throws Error: invalid_input for what [render] says, usage for what only both together can tell.
-// Where legacy is switched on the pixel grid, the filter and the tone map are those of the program that had such an
-// integrator.
-Settings resolve_settings(const PictureOptions& options, const RenderDescription& scene);
+// The options that give the same samples again, whatever [render] of the scene gives. Without spp.
+std::string reproducing_options(const RenderSettings& settings);
 
-RenderSettings to_render_settings(const Settings& settings, uint32_t batch);
-
-// The options that give the same samples again, whatever [render] says. Without spp, crop, threads.
-std::string reproducing_options(const Settings& settings);
+// Of all that decides the value of a pixel, but the scene; settings: resolved, camera: its name.
+std::string settings_hash(RenderSettings settings, const std::string& camera);
 
 }  // namespace lancer

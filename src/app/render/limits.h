@@ -5,9 +5,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/enum_names.h"
+
 namespace lancer {
 
 enum class Stop { samples, time, error };
+template <>
+inline constexpr auto enum_names<Stop> = std::to_array<std::string_view>({"samples", "time", "error"});
 
 class RenderLimits {
 public:

@@ -6,12 +6,12 @@
 #include "app/asset_files.h"
 #include "app/paths.h"
 #include "core/names.h"
-#include "core/technique.h"
 #include "io/atomic_file.h"
 #include "io/image/exr.h"
 #include "io/image/png.h"
 #include "io/image/ppm.h"
-#include "render/estimators/stop_rule.h"
+#include "render/bias_ledger.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -30,25 +30,18 @@ ImageRows rows_of(const Film& film)
             }};
 }
 
-// Whatever keeps the mean of the picture from the truth, however many samples it has.
-std::string bias_ledger(const RunStats& s)
+MetadataValue value_of(const RenderSettings& settings, const RenderOption& option)
 {
-    std::string ledger;
-    const auto add = [&](const std::string& entry) { ledger += (ledger.empty() ? "" : ", ") + entry; };
-    for (const std::string& bias : s.settings.biases) add(bias);
-    if (s.settings.max_depth) add("max_depth=" + std::to_string(s.settings.max_depth));
-    for (size_t i = 0; i < switch_names.size(); ++i) {
-        const auto x = static_cast<Switch>(i);
-        const bool is_on = s.settings.switches[x];
-        if (is_technique(x) || is_on == Switches::default_of(x)) continue;
-        if (x == Switch::stop && stop_rule(s.settings.integrator, s.settings.switches) == StopRule::confidence)
-            continue;
-        add((is_on ? "" : "no_") + std::string(switch_names[i]));
-    }
-    if (clamps_samples(s.settings.integrator, s.settings.switches)) add("clamp");
-    if (!s.stopped_by.empty()) add("stopped_by_" + s.stopped_by);
-    if (s.counters.dropped) add("dropped=" + std::to_string(s.counters.dropped));
-    return ledger.empty() ? "none" : ledger;
+    return std::visit(
+        [&]<class Field>(const Field& field) -> MetadataValue {
+            if constexpr (std::is_same_v<Field, NumberField<double>>)
+                return settings.*field.member;
+            else if constexpr (requires { field.least; })
+                return static_cast<int64_t>(settings.*field.member);
+            else
+                return value_text(settings, option);
+        },
+        option.field);
 }
 
 }  // namespace
@@ -89,25 +82,22 @@ Metadata make_metadata(const RunStats& s)
     Metadata all{{"software", "lancer " + s.context.version},
                  {"scene", s.scene.file},
                  {"scene_hash", to_hex(s.scene.content_hash)},
-                 {"settings_hash", s.settings.hash},
-                 {"integrator", s.settings.integrator},
-                 {"sampler", s.settings.sampler},
-                 {"filter", s.settings.filter},
-                 {"accel", s.settings.accel},
-                 {"isa", s.settings.isa},
-                 {"spp", integer(s.settings.spp)},
-                 {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
-                 {"seed", integer(s.settings.seed)},
-                 {"replicates", integer(s.settings.replicates)},
-                 {"max_depth", integer(s.settings.max_depth)},
-                 {"threads", integer(s.settings.threads)},
-                 {"seconds", s.render_s},
-                 {"rays", integer(s.rays())},
-                 {"dropped_samples", integer(s.counters.dropped)},
-                 {"bias", bias_ledger(s)},
-                 {"partial", integer(s.partial ? 1 : 0)},
-                 {"embree", s.context.embree},
-                 {"command_line", s.context.command_line}};
+                 {"settings_hash", s.settings.hash}};
+    // The picture has its size, and the ledger lists the switches that bias it.
+    for (const RenderOption& option : render_options())
+        if (!option.is_switch() && !std::holds_alternative<SizeField>(option.field))
+            all.emplace_back(option.name, value_of(s.settings.render, option));
+    const Metadata run{
+        {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
+        {"threads", integer(s.settings.threads)},
+        {"seconds", s.render_s},
+        {"rays", integer(s.rays())},
+        {"dropped_samples", integer(s.counters.dropped)},
+        {"bias", bias_ledger(s.settings.render, {.stopped_by = s.stopped_by, .dropped = s.counters.dropped})},
+        {"partial", integer(s.partial ? 1 : 0)},
+        {"embree", s.context.embree},
+        {"command_line", s.context.command_line}};
+    all.insert(all.end(), run.begin(), run.end());
     if (s.estimated_error) all.push_back({"estimated_error", *s.estimated_error});
     return all;
 }

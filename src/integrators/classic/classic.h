@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "integrators/bias.h"
 #include "integrators/legacy/classic.h"
 #include "integrators/path/transport.h"
-#include "integrators/settings.h"
 #include "materials/interface.h"
 
 namespace lancer {
@@ -120,16 +120,23 @@ inline Color straight_through(const Phong& p, Vec3 wo)
 
 // Settings of both integrators, and the parts that do not depend on how they follow rays.
 struct Classic {
-    // Biases compared with a path tracer; see docs/architecture.md.
-    static constexpr std::array<const char*, 2> biases{"no_diffuse_bounces", "straight_shadows"};
+    // Biases compared with a path tracer.
+    static constexpr std::array biases{
+        IntegratorBias{
+            "no_diffuse_bounces",
+            "light goes from surface to surface by mirrors and smooth glass only; `ambient` of a material "
+            "stands for the rest. What shines without being in the list of lights (planes, the far inside of "
+            "half-open lamps) lights no diffuse surface"},
+        IntegratorBias{"straight_shadows",
+                       "light of lamps goes straight through what refracts, tinted and without caustics"}};
 
     uint32_t max_depth = 7;  // surface vertices, >= 1
     bool legacy = false;     // with the formulas of legacy/classic.h
 
-    void take(const IntegratorSettings& settings)
+    void take(const RenderSettings& settings)
     {
         if (settings.max_depth) max_depth = settings.max_depth;
-        legacy = settings.switches[Switch::legacy];
+        legacy = settings.legacy;
     }
 
     // Calls f with the vertex of the present mode.

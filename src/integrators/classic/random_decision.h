@@ -8,7 +8,7 @@
 namespace lancer {
 
 struct RandomDecision : Classic {
-    static constexpr const char* name = "random-decision";
+    static constexpr IntegratorKind kind = IntegratorKind::random_decision;
 
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

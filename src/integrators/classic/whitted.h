@@ -7,7 +7,7 @@
 namespace lancer {
 
 struct Whitted : Classic {
-    static constexpr const char* name = "whitted";
+    static constexpr IntegratorKind kind = IntegratorKind::whitted;
     static constexpr bool branches = true;
 
     template <class V>

@@ -10,12 +10,11 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path/transport.h"
-#include "integrators/settings.h"
 
 namespace lancer {
 
 struct LegacyPath {
-    static constexpr const char* name = "path";
+    static constexpr IntegratorKind kind = IntegratorKind::path;
     static constexpr bool is_legacy = true;
     static constexpr uint32_t usual_depth = 5;
     static constexpr double offset = 0.01;      // of ray origins from their surface, units of the file
@@ -24,13 +23,13 @@ struct LegacyPath {
     uint32_t max_depth = usual_depth;  // surface vertices, specular ones included
     bool indirect = true, emitters = true, fresnel = true, soft_shadows = true;
 
-    void take(const IntegratorSettings& settings)
+    void take(const RenderSettings& settings)
     {
         max_depth = settings.max_depth ? settings.max_depth : usual_depth;
-        indirect = settings.switches[Switch::indirect];
-        emitters = settings.switches[Switch::emitters];
-        fresnel = settings.switches[Switch::fresnel];
-        soft_shadows = settings.switches[Switch::soft_shadows];
+        indirect = settings.indirect;
+        emitters = settings.emitters;
+        fresnel = settings.fresnel;
+        soft_shadows = settings.soft_shadows;
     }
 
     // A shadow ray to a sphere light.

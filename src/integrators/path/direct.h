@@ -3,23 +3,22 @@
 #pragma once
 
 #include "integrators/path/transport.h"
-#include "integrators/settings.h"
 
 namespace lancer {
 
 struct Direct {
-    static constexpr const char* name = "direct";
+    static constexpr IntegratorKind kind = IntegratorKind::direct;
 
     uint32_t max_depth = 0;       // surface vertices, specular ones included; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette
     DirectLight direct{};
     LightParts parts{};
 
-    void take(const IntegratorSettings& settings)
+    void take(const RenderSettings& settings)
     {
         max_depth = settings.max_depth;
-        direct = DirectLight::of(settings.switches);
-        parts = LightParts(settings.switches);
+        direct = DirectLight::of(settings);
+        parts = LightParts(settings);
     }
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

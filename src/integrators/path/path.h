@@ -3,12 +3,11 @@
 #pragma once
 
 #include "integrators/path/transport.h"
-#include "integrators/settings.h"
 
 namespace lancer {
 
 struct Path {
-    static constexpr const char* name = "path";
+    static constexpr IntegratorKind kind = IntegratorKind::path;
 
     uint32_t max_depth = 0;       // scattering surface vertices; 1: direct light only; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette by the throughput
@@ -16,13 +15,13 @@ struct Path {
     LightParts parts{};
     bool split = true, roulette_by_pixel = true;  // allow splitting and adjoint-driven roulette
 
-    void take(const IntegratorSettings& settings)
+    void take(const RenderSettings& settings)
     {
         max_depth = settings.max_depth;
-        direct = DirectLight::of(settings.switches);
-        parts = LightParts(settings.switches);
-        split = settings.switches[Switch::split];
-        roulette_by_pixel = settings.switches[Switch::roulette];
+        direct = DirectLight::of(settings);
+        parts = LightParts(settings);
+        split = settings.split;
+        roulette_by_pixel = settings.roulette;
     }
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

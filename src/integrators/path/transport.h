@@ -5,10 +5,10 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
-#include "core/switches.h"
 #include "integrators/path_actions.h"
 #include "integrators/view.h"
 #include "materials/bsdf.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
@@ -19,21 +19,18 @@ struct DirectLight {
     bool mis = true;      // combine it with BSDF sampling; off: nee where it is possible, else BSDF sampling
     bool always = false;  // nee also where BSDF sampling has the same density
 
-    static DirectLight of(const Switches& s) { return {s[Switch::nee], s[Switch::mis], s[Switch::always_nee]}; }
+    static DirectLight of(const RenderSettings& s) { return {s.nee, s.mis, s.always_nee}; }
 };
 
-// Parts of the light in the picture; see Switch. The parts are additive: emitters, direct light and indirect light add
-// up to the complete picture.
+// Parts of the light in the picture. The parts are additive: emitters, direct light and indirect light add up to the
+// complete picture.
 struct LightParts {
     bool emitters = true;  // seen by the camera, also by specular paths; includes the environment
     bool direct = true;    // from an emitter to the first diffuse or rough surface
     bool indirect = true;  // that such a surface receives by other surfaces, specular ones included
 
     LightParts() = default;
-    explicit LightParts(const Switches& s)
-        : emitters(s[Switch::emitters]), direct(s[Switch::direct]), indirect(s[Switch::indirect])
-    {
-    }
+    explicit LightParts(const RenderSettings& s) : emitters(s.emitters), direct(s.direct), indirect(s.indirect) {}
     // Whether light at the end of a ray of this segment is part of the picture.
     bool has(PathSegment segment) const
     {

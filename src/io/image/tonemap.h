@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/enum_names.h"
 #include "core/srgb.h"
 
 namespace lancer {
@@ -16,6 +17,9 @@ enum class ToneMap {
     gamma22,  // the power 1 / 2.2, whose steps round down: the student's path tracer
     clamped,  // no curve, cut off at 1, whose steps round down: the course's ray tracer
 };
+template <>
+inline constexpr auto enum_names<ToneMap> = std::to_array<std::string_view>({"srgb", "agx", "none", "gamma22",
+                                                                             "clamped"});
 constexpr bool rounds_down(ToneMap map) { return map == ToneMap::gamma22 || map == ToneMap::clamped; }
 
 // AgX as a matrix into its working space, a logarithm over 16.5 stops, a sigmoid and the way back, in the polynomial

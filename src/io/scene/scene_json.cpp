@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/names.h"
-#include "core/technique.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -125,7 +125,7 @@ Json json_of_meshes(const SceneDescription& d, const std::vector<std::string>& f
 
 }  // namespace
 
-void check_exportable(const SceneDescription& d, const SceneBuilder& builder, const Switches& switches,
+void check_exportable(const SceneDescription& d, const SceneBuilder& builder, const RenderSettings& settings,
                       Diagnostics& diagnostics)
 {
     const auto refuse = [&](const Location& where, const std::string& what) {
@@ -144,15 +144,12 @@ void check_exportable(const SceneDescription& d, const SceneBuilder& builder, co
     if (const auto& pending = builder.pending().background)
         refuse(pending->what.where, "the background is not one colour");
     if (scene.glow) refuse(d.background->where, "lights are seen as discs");
-    for (size_t i = 0; i < switch_names.size(); ++i) {
-        const auto x = static_cast<Switch>(i);
-        // Where pixels end early the mean stays, up to a bias that belongs to the picture and not to the scene.
-        if (is_technique(x) || x == Switch::stop || switches[x] == Switches::default_of(x)) continue;
-        refuse(file, std::string(switch_names[i]) + " is " + (switches[x] ? "on" : "off"));
-    }
+    for (const RenderOption& option : render_options())
+        if (option.is_switch() && is_biased(settings, option))
+            refuse(file, std::string(option.name) + " is " + (value_text(settings, option) == "true" ? "on" : "off"));
 }
 
-std::string scene_json(const SceneDescription& d, const Scene& scene, const ExportedView& view,
+std::string scene_json(const SceneDescription& d, const Scene& scene, const RenderSettings& settings,
                        const std::vector<std::string>& mesh_files)
 {
     Json materials = Json::array(), spheres = Json::array(), planes = Json::array();
@@ -167,10 +164,10 @@ std::string scene_json(const SceneDescription& d, const Scene& scene, const Expo
                           {"material", scene.plane_material[i]}});
     const Json all{{"schema", "lancer.scene/1"},
                    {"source", d.file},
-                   {"size", {view.width, view.height}},
-                   {"max_depth", view.max_depth},
-                   {"integrator", view.integrator},
-                   {"filter", view.filter},
+                   {"size", {settings.size.width, settings.size.height}},
+                   {"max_depth", settings.max_depth},
+                   {"integrator", std::string(name_of(settings.integrator))},
+                   {"filter", std::string(name_of(settings.filter))},
                    {"camera", json_of_camera(*d.camera)},
                    {"lights", json_of_lights(d, scene)},
                    {"materials", materials},

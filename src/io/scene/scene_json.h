@@ -9,26 +9,18 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/switches.h"
 #include "scene/build/scene_builder.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
-// How the scene is to be rendered.
-struct ExportedView {
-    uint32_t width = 0, height = 0;
-    uint32_t max_depth = 0;  // surface vertices; 0: no limit
-    std::string integrator, filter;
-    Switches switches;
-};
-
 // An error for each thing that scene_json() has no words for. scene: begun from the description, which has a camera.
-void check_exportable(const SceneDescription& description, const SceneBuilder& scene, const Switches& switches,
+void check_exportable(const SceneDescription& description, const SceneBuilder& scene, const RenderSettings& settings,
                       Diagnostics& diagnostics);
 
-// The text, schema "lancer.scene/1". mesh_files: of each mesh of the description, the file that write_obj() wrote; its
-// materials m0, m1, ... are the places in "materials".
-std::string scene_json(const SceneDescription& description, const Scene& scene, const ExportedView& view,
+// The text, schema "lancer.scene/1". settings: how the scene is to be rendered, resolved. mesh_files: of each mesh of
+// the description, the file that write_obj() wrote; its materials m0, m1, ... are the places in "materials".
+std::string scene_json(const SceneDescription& description, const Scene& scene, const RenderSettings& settings,
                        const std::vector<std::string>& mesh_files);
 
 }  // namespace lancer

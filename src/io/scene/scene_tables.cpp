@@ -10,13 +10,12 @@
 #include "io/scene/camera_tables.h"
 #include "io/scene/light_tables.h"
 #include "io/scene/material_tables.h"
+#include "io/scene/render_table.h"
 #include "io/scene/shape_tables.h"
 #include "scene/description/presets.h"
 
 namespace lancer {
 namespace {
-
-constexpr int64_t max_int = 2147483647;
 
 class SceneReader {
 public:
@@ -35,7 +34,6 @@ private:
     std::map<std::string, uint32_t> mesh_lines_;  // of the names
 
     void read_version();
-    void read_render(const TomlTable& table);
     void read_mesh(const TomlTable& table);
     void read_instance(const TomlTable& table);
     void read_sphere(const TomlTable& table);
@@ -51,24 +49,6 @@ void SceneReader::read_version()
         root_.error(root_.where("version"),
                     "version " + std::to_string(*version) + " of scene files is unknown; known: 1");
     }
-}
-
-void SceneReader::read_render(const TomlTable& table)
-{
-    NameList keys{"integrator", "spp", "size", "max_depth", "seed", "filter", "sampler", "stop_error"};
-    keys.insert(keys.end(), switch_names.begin(), switch_names.end());
-    table.allow(keys);
-    RenderDescription& render = scene_.render;
-    render.where = table.where();
-    render.integrator = table.text("integrator");
-    render.filter = table.text("filter");
-    render.sampler = table.text("sampler");
-    render.spp = table.integer("spp", 1, max_int);
-    render.max_depth = table.integer("max_depth", 0, max_int);
-    render.seed = table.integer("seed", 0, INT64_MAX);
-    render.size = table.size("size");
-    render.stop_error = table.number("stop_error", above_zero);
-    for (size_t i = 0; i < switch_names.size(); ++i) render.switches[i] = table.boolean(std::string(switch_names[i]));
 }
 
 TransformDescription SceneReader::read_transform(const TomlTable& table)
@@ -154,7 +134,7 @@ std::vector<MeshFile> SceneReader::read()
     root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
                  "pyramid", "light", "background", "material", "material_override", "texture"});
     read_version();
-    if (const std::optional<TomlTable> render = root_.table("render")) read_render(*render);
+    if (const std::optional<TomlTable> render = root_.table("render")) scene_.render = read_render_table(*render);
     read_cameras(root_, scene_);
     material_uses_ = read_materials(root_, assets_, scene_);
     for (const TomlTable& mesh : root_.tables("mesh")) read_mesh(mesh);

@@ -1,6 +1,6 @@
 // Procedural textures: bands in a grid, bands along the sides of a triangle, water waves. Each is filtered over the
 // footprint in closed form, so that it does not alias towards a horizon. The faded variants reproduce an older program
-// for Switch::legacy: they depend on the distance from the origin instead of the footprint.
+// for RenderSettings::legacy: they depend on the distance from the origin instead of the footprint.
 #pragma once
 
 #include <vector>

@@ -9,12 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "core/film.h"
 #include "core/hash.h"
-#include "core/switches.h"
-#include "integrators/integrator.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
@@ -25,14 +23,14 @@ enum class StopRule {
 };
 
 // The classic integrators with --legacy clamp each sample to [0, 1] and end pixels by the last sample.
-inline bool clamps_samples(std::string_view integrator, const Switches& switches)
+inline bool clamps_samples(const RenderSettings& settings)
 {
-    return switches[Switch::legacy] && is_classic(integrator);
+    return settings.legacy && is_classic(settings.integrator);
 }
-inline StopRule stop_rule(std::string_view integrator, const Switches& switches)
+inline StopRule stop_rule(const RenderSettings& settings)
 {
-    if (!switches[Switch::stop]) return StopRule::never;
-    return clamps_samples(integrator, switches) ? StopRule::last_sample : StopRule::confidence;
+    if (!settings.stop) return StopRule::never;
+    return clamps_samples(settings) ? StopRule::last_sample : StopRule::confidence;
 }
 
 // Seed of the pilots in a picture with this seed; their random numbers are independent of the picture's.

@@ -42,7 +42,7 @@ Texture make_formula(const TextureDescription& t, bool legacy)
 
 }  // namespace
 
-MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene,
+MaterialTable::MaterialTable(const SceneDescription& description, const RenderSettings& settings, Scene& scene,
                              std::vector<PendingPictures::OfTexture>& pending, Diagnostics& diagnostics,
                              const RasterSource& images)
     : d_(description),
@@ -50,8 +50,7 @@ MaterialTable::MaterialTable(const SceneDescription& description, Scene& scene,
       pending_(pending),
       diagnostics_(diagnostics),
       images_(images),
-      builder_({.multiscatter = description.render.is_on(Switch::multiscatter),
-                .fresnel = description.render.is_on(Switch::fresnel)}),
+      builder_({.multiscatter = settings.multiscatter, .fresnel = settings.fresnel}),
       ids_(description.materials.size(), Scene::none),
       used_(description.materials.size()),
       in_progress_(description.materials.size()),
@@ -86,7 +85,7 @@ uint32_t MaterialTable::texture(const TextureUse& use)
     const auto id = static_cast<uint32_t>(textures_.size());
     textures_.push_back(*use);
     if (use->type != TextureType::image) {
-        scene_.textures.push_back(make_formula(*use, d_.render.is_on(Switch::legacy)));
+        scene_.textures.push_back(make_formula(*use, scene_.legacy));
         return id;
     }
     scene_.textures.emplace_back(Checker{.even = {1, 1, 1}, .odd = {1, 1, 1}});

@@ -16,8 +16,9 @@ namespace lancer {
 
 class MaterialTable {
 public:
-    // pending: where the pictures of textures are put that are still being read.
-    MaterialTable(const SceneDescription& description, Scene& scene, std::vector<PendingPictures::OfTexture>& pending,
+    // settings: resolved. pending: where the pictures of textures are put that are still being read.
+    MaterialTable(const SceneDescription& description, const RenderSettings& settings, Scene& scene,
+                  std::vector<PendingPictures::OfTexture>& pending,
                   Diagnostics& diagnostics, const RasterSource& images);
 
     // The id of a material as it is described.

@@ -22,25 +22,25 @@ constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyon
 // One run over a description: fills a scene and what is still missing of it.
 class Builder {
 public:
-    Builder(const SceneDescription& d, Diagnostics& diagnostics, const RasterSource& images, Scene& scene,
-            PendingPictures& pending)
+    Builder(const SceneDescription& d, const RenderSettings& settings, Diagnostics& diagnostics,
+            const RasterSource& images, Scene& scene, PendingPictures& pending)
         : d_(d),
           diagnostics_(diagnostics),
           images_(images),
           placement_(d),
           scene_(scene),
           pending_(pending),
-          materials_(d, scene, pending.textures, diagnostics, images)
+          materials_(d, settings, scene, pending.textures, diagnostics, images)
     {
+        scene_.terminator_fix = settings.terminator;
+        scene_.soft_shadows = settings.soft_shadows;
+        scene_.light_tree = settings.light_tree;
+        scene_.legacy = settings.legacy;
     }
 
     void build()
     {
         scene_.file = d_.file;
-        scene_.terminator_fix = d_.render.is_on(Switch::terminator);
-        scene_.soft_shadows = d_.render.is_on(Switch::soft_shadows);
-        scene_.light_tree = d_.render.is_on(Switch::light_tree);
-        scene_.legacy = d_.render.is_on(Switch::legacy);
         scene_.normalisation = normalise(frame());
         add_spheres();
         add_planes();
@@ -240,10 +240,11 @@ private:
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images)
+SceneBuilder::SceneBuilder(const SceneDescription& description, const RenderSettings& settings,
+                           Diagnostics& diagnostics, const RasterSource& images)
     : scene_(std::make_unique<Scene>())
 {
-    Builder(description, diagnostics, images, *scene_, pending_).build();
+    Builder(description, settings, diagnostics, images, *scene_, pending_).build();
     bind_alpha_test(*scene_);
 }
 

@@ -12,7 +12,8 @@ namespace lancer {
 class SceneBuilder {
 public:
     // See Scene::begin().
-    SceneBuilder(const SceneDescription& description, Diagnostics& diagnostics, const RasterSource& images);
+    SceneBuilder(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
+                 const RasterSource& images);
 
     // Complete. It stays where it is, and is the geometry of the scene that finish() returns.
     const Geometry& geometry() const { return scene_->geometry; }

@@ -12,12 +12,12 @@
 
 #include "core/color.h"
 #include "core/error.h"
-#include "core/switches.h"
 #include "core/vec.h"
 #include "materials/textures/texture.h"
 #include "scene/description/background.h"
 #include "scene/description/light.h"
 #include "scene/description/material.h"
+#include "scene/description/render_settings.h"
 
 namespace lancer {
 
@@ -105,27 +105,9 @@ struct CameraDescription {
     std::string inside{};         // if not empty: the material that fills what the camera is in
 };
 
-// Larger pictures are refused before anything is allocated for them.
-inline constexpr uint32_t max_picture_side = 65536;
-inline constexpr uint64_t max_picture_pixels = uint64_t{1} << 28;
-
-// What [render] may say; the command line overrides it. Names are validated by whoever has the list.
-struct RenderDescription {
-    Location where;
-    std::optional<std::string> integrator, filter, sampler;
-    std::optional<uint32_t> spp, max_depth;
-    std::optional<uint64_t> seed;
-    std::optional<double> stop_error;             // relative half-width of confidence at which a pixel may stop
-    std::optional<std::array<uint32_t, 2>> size;  // width, height
-    SaidSwitches switches{};
-
-    bool is_on(Switch s) const { return switches[static_cast<size_t>(s)].value_or(Switches::default_of(s)); }
-    void set(Switch s, bool on) { switches[static_cast<size_t>(s)] = on; }
-};
-
 struct SceneDescription {
     std::string file;
-    RenderDescription render;
+    RenderSettings render;                    // what [render] gives
     std::optional<CameraDescription> camera;  // the one to render; absent: fitted to the bounds
     std::vector<CameraDescription> cameras;   // the named ones
     std::vector<MeshDescription> meshes;

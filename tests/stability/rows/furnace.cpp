@@ -14,7 +14,7 @@ SceneDescription ball_under_sky(const MaterialDescription& m, bool multiscatter,
     d.materials.push_back(m);
     d.spheres.push_back(sphere_of({0, 0, 0}, 1, m.name));
     d.lights.push_back(sky_of({1, 1, 1}));
-    d.render.set(Switch::multiscatter, multiscatter);
+    d.render.multiscatter = multiscatter;
     d.camera = make_camera({0.4, 0.5, 3}, {0, 0, 0}, 28);  // nothing but the ball, to its edge
     return d;
 }

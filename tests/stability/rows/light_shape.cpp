@@ -104,9 +104,10 @@ Outcome hidden(const Setup& setup)
     for (const char* name : {"embree", "bvh2", "bvh8", "list"}) {
         double light = 0;
         for (const SceneDescription& d : hidden_lights())
-            light += all_light(
-                shoot(d, {.spp = static_cast<uint32_t>(setup.scaled(32, 1024, 8192)), .accel = accelerator_of(name)},
-                      setup, out));
+            light += all_light(shoot(d,
+                                     {.spp = static_cast<uint32_t>(setup.scaled(32, 1024, 8192)),
+                                      .accel = value_of<AccelKind>(name).value()},
+                                     setup, out));
         out.measures.push_back(exactly(std::string("light that gets through, ") + name, light, 0));
     }
     return out;
@@ -275,8 +276,8 @@ Outcome slivers(const Setup& setup)
         make_quad({-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, make_lambert("floor", {0.5f, 0.5f, 0.5f}))));
     const std::array<Vec3d, 4> corners{Vec3d{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
     for (const bool tree : {true, false}) {
-        d.render.set(Switch::light_tree, tree);
-        RenderSettings settings;
+        d.render.light_tree = tree;
+        RendererConfig settings;
         settings.integrator = Path{.max_depth = 1, .direct = {true, false}};
         settings.kernel.sampler = SamplerKind::independent;
         with_threads(setup.tier == Tier::A ? 1 : available_threads(), [&] {

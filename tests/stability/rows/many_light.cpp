@@ -48,7 +48,7 @@ Found look_at_places(const SceneDescription& d, const std::vector<double>& expec
                      Outcome& out)
 {
     Found found;
-    RenderSettings settings;
+    RendererConfig settings;
     settings.integrator = Path{.max_depth = 1};
     settings.kernel.sampler = SamplerKind::independent;
     settings.kernel.filter = Filter(FilterKind::box);
@@ -113,7 +113,7 @@ Outcome of_any_power(const Setup& setup)
     SceneDescription d = floor_under(std::move(lights));
     const auto spp = static_cast<uint32_t>(setup.scaled(4096, 1 << 18, 1 << 21));
     for (const bool tree : {true, false}) {
-        d.render.set(Switch::light_tree, tree);
+        d.render.light_tree = tree;
         add_measures(out, tree ? "by the tree" : "by power", look_at_places(d, expected, spp, setup, out));
     }
     return out;
@@ -127,7 +127,7 @@ double part_found(std::vector<LightDescription> faint, const LightDescription& s
     double expected = radiance_at({}, faint) / (0.5 / pi_d);
     faint.insert(strong_first ? faint.begin() : faint.end(), strong);
     SceneDescription d = floor_under(std::move(faint));
-    d.render.set(Switch::light_tree, false);
+    d.render.light_tree = false;
     const Scene scene = build_scene(d);
     const Surface from = receiver(to_float(scene.normalisation.to_scene({})), {0, 1, 0});
     constexpr double step = 0x1p-24;

@@ -23,7 +23,7 @@ SceneDescription facing_mirrors(uint32_t bounces, Color tint)
 // How far the places where a path meets the mirrors are from those of its first ray, unfolded; file units.
 double worst_place(const SceneDescription& d, uint32_t bounces)
 {
-    RenderSettings settings;
+    RendererConfig settings;
     settings.integrator = without_roulette({});
     const Renderer renderer(build_scene(d), settings);
     const Normalisation& n = renderer.scene().normalisation;

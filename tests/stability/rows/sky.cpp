@@ -92,7 +92,7 @@ Outcome odd_texels(const Setup& setup)
     out.measures.push_back(exactly("NaN, infinite and negative texels, pixels not as of black ones",
                                    pixels_that_differ(bad, shoot(d, shot, setup, out)), 0));
     Diagnostics diagnostics;
-    Scene::build(d, diagnostics, sky_with(true));
+    Scene::build(d, d.render, diagnostics, sky_with(true));
     const auto count = diagnostics.warnings().size() == 1 ? diagnostics.warnings()[0].count : 0;
     out.measures.push_back(exactly("warned of, with their number", static_cast<double>(count), 4));
     return out;

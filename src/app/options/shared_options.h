@@ -1,0 +1,20 @@
+// The options that several commands share: of the scene, of how it is rendered, of threads.
+#pragma once
+
+#include "app/options/option_parser.h"
+#include "app/options/options.h"
+
+namespace lancer {
+
+// help: of the argument that names the scene.
+void add_scene_options(OptionParser& p, SceneChoice& o,
+                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)");
+// One option for each row of render_options(), and the scene, and how it runs.
+void add_picture_options(OptionParser& p, PictureOptions& o);
+
+void add_threads(OptionParser& p, std::optional<uint32_t>& threads);
+// $LANCER_THREADS, where --threads is not given. After parsing, so that a wrong value in the environment does not
+// stand in the way of a right one. Throws Error (usage).
+void take_environment(std::optional<uint32_t>& threads);
+
+}  // namespace lancer
