@@ -344,7 +344,7 @@ int Run::execute()
     with_threads(prepared_.threads, [&] {
         timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
         prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
-        const auto renderer = timed("build accelerator", [&] {
+        const auto renderer = timed("build accelerator and lights", [&] {
             return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_);
         });
         settings_.accel = renderer->accelerator_kind();  // not automatic any more

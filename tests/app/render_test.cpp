@@ -202,7 +202,8 @@ TEST_F(Render, StatsTellWhatWasDone)
     EXPECT_EQ(s.at("partial"), false);
     std::vector<std::string> phases;
     for (const auto& p : s.at("phases")) phases.push_back(p.at("name"));
-    EXPECT_EQ(phases, (std::vector<std::string>{"load", "build scene", "build accelerator", "render", "write"}));
+    EXPECT_EQ(phases,
+              (std::vector<std::string>{"load", "build scene", "build accelerator and lights", "render", "write"}));
     EXPECT_EQ(s.at("passes").back().at("spp"), 40);
 }
 
