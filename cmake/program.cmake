@@ -1,6 +1,6 @@
 # The program. cpu_check.cpp alone is compiled for any x86-64, so that an older CPU gets a message instead of SIGILL.
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
-list(FILTER app_sources EXCLUDE REGEX "cpu_check.cpp$")
+list(FILTER app_sources EXCLUDE REGEX "/(cpu_check|main)\\.cpp$")
 add_library(lancer_app STATIC ${app_sources})
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
 target_compile_definitions(lancer_app PRIVATE LANCER_VERSION="${PROJECT_VERSION}" LANCER_BUILD_TYPE="${CMAKE_BUILD_TYPE}")
@@ -8,8 +8,8 @@ target_compile_definitions(lancer_app PRIVATE LANCER_VERSION="${PROJECT_VERSION}
 add_library(lancer_cpu_check OBJECT src/app/cpu_check.cpp)
 target_link_libraries(lancer_cpu_check PRIVATE lancer_warnings lancer_flags)
 
-add_executable(lancer $<TARGET_OBJECTS:lancer_cpu_check>)
-target_link_libraries(lancer PRIVATE lancer_app)
+add_executable(lancer src/app/main.cpp $<TARGET_OBJECTS:lancer_cpu_check>)
+target_link_libraries(lancer PRIVATE lancer_app lancer_warnings)
 set_target_properties(lancer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 # OpenImageIO stands in a module of its own, opened on first need: linking it would cost every start 0.2 s.

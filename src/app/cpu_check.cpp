@@ -1,4 +1,5 @@
-// The only file compiled for any x86-64: it says what is missing before an instruction of the rest can fail.
+// The only file compiled for any x86-64: it says what is missing before an instruction of the rest can fail. main() is
+// called after it.
 #include <cstdlib>
 
 #include <unistd.h>
@@ -17,9 +18,3 @@ __attribute__((constructor(101))) void check_cpu()
 }
 
 }  // namespace
-
-namespace lancer {
-int run(int argc, char** argv);  // main.cpp
-}
-
-int main(int argc, char** argv) { return lancer::run(argc, argv); }

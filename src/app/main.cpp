@@ -16,9 +16,6 @@
 #include "core/parallel.h"
 
 namespace lancer {
-
-int run(int argc, char** argv);
-
 namespace {
 
 struct Command {
@@ -61,20 +58,29 @@ bool looks_like_command(const std::string& word)
     return !word.starts_with('-') && word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word);
 }
 
-int dispatch(int argc, char** argv)
+int print_help(int, char**) { return print_result(help), exit_done; }
+int print_version(int, char**) { return print_result(version_text()), exit_done; }
+
+// What is asked for; its arguments begin with the name of the command. Throws ErrorKind::usage.
+struct Call {
+    int (*command)(int, char**);
+    int argc;
+    char** argv;
+};
+Call find_command(int argc, char** argv)
 {
     const std::string word = argc > 1 ? argv[1] : "";
     if (word.empty()) throw Error(ErrorKind::usage, {}, "nothing to do; see lancer --help");
-    if (word == "--help" || word == "-h" || word == "help") return print_result(help), exit_done;
-    if (word == "--version") return print_result(version_text()), exit_done;
+    if (word == "--help" || word == "-h" || word == "help") return {print_help, argc, argv};
+    if (word == "--version") return {print_version, argc, argv};
     for (const Command& command : commands)
-        if (command.name == word) return command.run(argc - 1, argv + 1);
+        if (command.name == word) return {command.run, argc - 1, argv + 1};
     if (looks_like_command(word)) {
         std::array<std::string_view, commands.size()> known;
         std::transform(commands.begin(), commands.end(), known.begin(), [](const Command& c) { return c.name; });
         throw Error(ErrorKind::usage, {}, "unknown command " + in_quotes(word) + suggestion(word, known));
     }
-    return run_render(argc, argv);
+    return {run_render, argc, argv};
 }
 
 // TBB and Embree throw where nobody can catch it, above all where the system grants no more threads.
@@ -93,13 +99,16 @@ void take_signals_of_writing_as_errors()
 }
 
 }  // namespace
+}  // namespace lancer
 
-int run(int argc, char** argv)
+int main(int argc, char** argv)
 {
+    using namespace lancer;
     set_flush_denormals();
     std::set_terminate(end_with_message);
     take_signals_of_writing_as_errors();
-    return guarded([&] { return dispatch(argc, argv); });
+    return guarded([&] {
+        const Call call = find_command(argc, argv);
+        return call.command(call.argc, call.argv);
+    });
 }
-
-}  // namespace lancer

@@ -27,14 +27,19 @@ struct Ray {
 // Upper limit of coordinates, below the magnitude that Embree treats as infinite.
 inline constexpr float largest_traceable = 1.8e18f;
 
-// Whether accelerators accept the ray: all numbers but t_max are finite, and the direction is not 0.
-inline bool is_traceable(const Ray& r)
+// Whether accelerators accept the ray: all numbers but t_max are finite, and the direction is not 0. T: float or Float8,
+// for which the result is a mask.
+template <class T>
+auto is_traceable(const Vec3T<T>& org, const Vec3T<T>& dir, T t_min, T t_max)
 {
-    constexpr float limit = largest_traceable;
-    const auto ok = [](Vec3 v) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; };
-    return ok(r.org) && ok(r.dir) && (r.dir.x != 0 || r.dir.y != 0 || r.dir.z != 0) && r.t_min >= 0 &&
-           r.t_min < std::numeric_limits<float>::infinity() && r.t_max >= r.t_min;
+    const T zero{}, limit = broadcast_to<T>(largest_traceable);
+    const auto limited = [&](const Vec3T<T>& v) {
+        return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
+    };
+    return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) & (t_min >= zero) &
+           (t_min < broadcast_to<T>(std::numeric_limits<float>::infinity())) & (t_max >= t_min);
 }
+inline bool is_traceable(const Ray& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max) != 0; }
 
 // Bound of the relative error of n roundings in float: n u / (1 - n u), u = 2^-24.
 // Higham, "Accuracy and Stability of Numerical Algorithms", section 3.1.

@@ -54,17 +54,6 @@ inline Vec3T<Float8> directions_of_eight(const Ray* rays)
     return transpose([&](size_t i) { return dir_and_t_max(rays[i]); }).xyz;
 }
 
-// is_traceable() of each ray.
-inline Mask8 is_traceable(const Vec3T<Float8>& org, const Vec3T<Float8>& dir, Float8 t_min, Float8 t_max)
-{
-    const auto limited = [](const Vec3T<Float8>& v) {
-        const Float8 limit = broadcast(largest_traceable);
-        return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
-    };
-    const Float8 zero{};
-    return limited(org) & limited(dir) & ((dir.x != zero) | (dir.y != zero) | (dir.z != zero)) & (t_min >= zero) &
-           (t_min < broadcast(std::numeric_limits<float>::infinity())) & (t_max >= t_min);
-}
 inline Mask8 is_traceable(const RayPacket& r) { return is_traceable(r.org, r.dir, r.t_min, r.t_max); }
 
 // Writes the selected rays, in order, and returns their number; their keys stay unchanged. to: room for eight rays;
