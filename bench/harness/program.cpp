@@ -8,6 +8,7 @@
 #include "app/options/option_values.h"
 #include "app/options/settings.h"
 #include "core/error.h"
+#include "core/lanes/denormals.h"
 #include "core/parallel.h"
 #include "harness/machine.h"
 
