@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/console.h"
+#include "core/lanes/denormals.h"
 #include "core/parallel.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"

@@ -6,8 +6,8 @@ usage() {
     cat <<'END'
 usage: scripts/test.sh [--slow]
   (nothing)  release build with warnings as errors, all its tests
-  --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer, and each way to leave
-             parts out is built and draws a picture
+  --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer; each way to leave
+             parts out, and a build without x86 intrinsics, is built and draws a picture
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
 END
 }
@@ -91,27 +91,36 @@ run() {
     fi
 }
 
-# Every combination of the parts that a build may do without, one after the other in one folder, so that little is
-# compiled twice: library and program. Each must draw the pixels of the whole program; each counts as one test.
-build_combinations() {
-    local folder=$PWD/build/parts i part options status
+# build_variant -DOPTION...: library and program in a folder that all variants share, so that little is compiled twice.
+# It must draw the pixels of the release build; counts as one test.
+build_variant() {
+    local folder=$PWD/build/parts status=0
+    echo "Building $* (log: build/parts/build.log)"
+    { cmake --preset release -B "$folder" -DLANCER_TESTS=OFF -DLANCER_WERROR=ON "$@" &&
+        cmake --build "$folder" -j "$(build_jobs)" --target lancer &&
+        "$folder/lancer" render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/variant.exr" &&
+        "$folder/lancer" compare "$folder/variant.exr" "$folder/whole.exr" --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
+    if ((status == 0)); then passed=$((passed + 1))
+    else tail -n 25 "$folder/build.log"; failed=$((failed + 1)); fi
+}
+
+# Every combination of the parts that a build may do without, and one without x86 intrinsics.
+build_variants() {
+    local i part options
     local parts=(OIIO DISPLAY_SERVER CLASSIC)
-    mkdir -p "$folder"
-    build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/whole.exr" || return
+    mkdir -p build/parts
+    build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o build/parts/whole.exr || return
     for ((i = 0; i < (1 << ${#parts[@]}) - 1; ++i)); do
-        options=(-DLANCER_TESTS=OFF -DLANCER_WERROR=ON)
+        options=()
         for part in "${!parts[@]}"; do
             if (((i >> part) & 1)); then options+=("-DLANCER_WITH_${parts[part]}=ON")
             else options+=("-DLANCER_WITH_${parts[part]}=OFF"); fi
         done
-        echo "Building ${options[*]:2} (log: build/parts/build.log)"
-        status=0
-        { cmake --preset release -B "$folder" "${options[@]}" && cmake --build "$folder" -j "$(build_jobs)" --target lancer &&
-            "$folder/lancer" render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/part.exr" &&
-            "$folder/lancer" compare "$folder/part.exr" "$folder/whole.exr" --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
-        if ((status == 0)); then passed=$((passed + 1))
-        else tail -n 25 "$folder/build.log"; failed=$((failed + 1)); fi
+        build_variant "${options[@]}"
     done
+    options=(-DLANCER_PORTABLE_LANES=ON)
+    for part in "${parts[@]}"; do options+=("-DLANCER_WITH_$part=ON"); done
+    build_variant "${options[@]}"
 }
 
 if ! scripts/install-deps.sh; then
@@ -130,6 +139,6 @@ if $slow; then
     if setarch -R true 2>/dev/null; then run_under+=(setarch -R); fi
     run tsan -DLANCER_WERROR=OFF
     run_under=(env)
-    build_combinations
+    build_variants
 fi
 finish

@@ -1,5 +1,5 @@
 # The structure of src/, checked by reading it: who may include whom, which file owns which library, where `virtual`
-# may stand, and that only the program prints or exits. The rules are explained in docs/architecture.md.
+# may stand, where processor intrinsics may stand, and that only the program prints or exits. The rules are explained in docs/architecture.md.
 #   cmake -DSOURCE=<folder that holds src> -P tests/layering.cmake
 cmake_minimum_required(VERSION 3.23)
 if(NOT IS_DIRECTORY "${SOURCE}/src")
@@ -43,6 +43,9 @@ set(nlohmann-json_owner "^(report/(stats_json|study/json|study/peer)|io/scene/sc
 
 set(virtual_owner "^geometry/(accel|embree/embree|list/list)\\.h$")
 set(before "(^|[^A-Za-z0-9_])")
+set(intrinsics_owner "^core/lanes/x86\\.h$")
+set(intrinsics_include "intrin\\.h$")
+set(intrinsics "${before}(_mm(256|512)?_[a-z0-9_]+|__m(64|128|256|512)[a-z]*|__builtin_ia32_[a-z0-9_]+|_(MM|cvt|pext|pdep|tzcnt|lzcnt|bzhi|xgetbv)_?[A-Za-z0-9_]*)")
 set(printing "${before}(std::(cout|cerr|clog)|(printf|vprintf|puts|putchar)[ ]*\\(|(stdout|stderr)[^A-Za-z0-9_])")
 set(exiting "${before}(exit|_exit|_Exit|quick_exit)[ ]*\\(")
 
@@ -115,6 +118,9 @@ foreach(file IN LISTS files)
         fault(${line} "only ${${library}_owner} may include ${library} (<${target}>)")
       endif()
     endforeach()
+    if(target MATCHES "${intrinsics_include}" AND NOT file MATCHES "${intrinsics_owner}")
+      fault(${line} "only ${intrinsics_owner} may include intrinsics (<${target}>)")
+    endif()
   endforeach()
 
   # Code alone: no literals, no comments. Literals go first, for the sake of "https://...".
@@ -125,6 +131,10 @@ foreach(file IN LISTS files)
   if(NOT file MATCHES "${virtual_owner}" AND code MATCHES "${before}virtual[^A-Za-z0-9_]")
     line_of("${code}" "${CMAKE_MATCH_0}" line)
     fault(${line} "`virtual` stands only in geometry/accel.h and what derives from it")
+  endif()
+  if(NOT file MATCHES "${intrinsics_owner}" AND code MATCHES "${intrinsics}")
+    line_of("${code}" "${CMAKE_MATCH_0}" line)
+    fault(${line} "intrinsics stand only in ${intrinsics_owner} (${CMAKE_MATCH_2})")
   endif()
   if(NOT folder STREQUAL "app")
     if(code MATCHES "${printing}")

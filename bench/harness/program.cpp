@@ -7,6 +7,7 @@
 #include "app/options/option_parser.h"
 #include "app/options/option_values.h"
 #include "core/error.h"
+#include "core/lanes/denormals.h"
 #include "core/parallel.h"
 #include "harness/machine.h"
 

@@ -12,6 +12,7 @@
 #include "app/console.h"
 #include "app/version.h"
 #include "core/error.h"
+#include "core/lanes/denormals.h"
 #include "core/names.h"
 #include "core/parallel.h"
 

@@ -1,5 +1,6 @@
 #include "app/version.h"
 
+#include "core/lanes/native.h"
 #include "core/parallel.h"
 #include "geometry/embree/embree.h"
 #include "io/image/exr.h"
@@ -25,10 +26,11 @@ std::string compiler_text()
 
 std::string instruction_text()
 {
+    const std::string lanes = native::is_portable ? ", portable lanes" : "";
 #ifdef __AVX512F__
-    return "AVX-512";
+    return "AVX-512" + lanes;
 #else
-    return "x86-64-v3 (AVX2, FMA)";
+    return "x86-64-v3 (AVX2, FMA)" + lanes;
 #endif
 }
 

@@ -93,7 +93,7 @@ public:
     {
         if (size() == 1) return {UInt8{}, u};
         const auto four = [&](Float4 of, Mask4& at) -> Float4 {
-            const Double4 x = Double4(_mm256_cvtps_pd(of)) * total_;
+            const Double4 x = to_double(of) * total_;
             Double4 below{}, above = broadcast(cumulative_[0]);
             for (size_t i = 0; i + 1 < size(); ++i) {
                 const Mask4 beyond = broadcast(cumulative_[i]) <= x;
@@ -101,7 +101,7 @@ public:
                 above = select(beyond, broadcast(cumulative_[i + 1]), above);
                 at -= beyond;
             }
-            return _mm256_cvtpd_ps((x - below) / (above - below));
+            return to_float((x - below) / (above - below));
         };
         Mask4 low_index{}, high_index{};
         const Float4 low = four(lower(u), low_index), high = four(upper(u), high_index);

@@ -24,6 +24,15 @@ inline uint64_t hash_bytes(std::string_view bytes, uint64_t so_far = 0)
     return hash;
 }
 
+// Reverses the order of the bits.
+constexpr uint32_t reverse_bits(uint32_t x)
+{
+    x = __builtin_bswap32(x);
+    x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+    x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+    return (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+}
+
 // Finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection in which every bit of z moves every bit.
 // T: uint64_t or several of them.
 template <class T>

@@ -8,10 +8,8 @@
 #include <string>
 #include <thread>
 
-#include <pmmintrin.h>
 #include <sched.h>
 #include <sys/resource.h>
-#include <xmmintrin.h>
 
 #ifdef LANCER_STD_THREADS
 #include <exception>
@@ -27,13 +25,9 @@
 #include "core/error.h"
 #endif
 
-namespace lancer {
+#include "core/lanes/denormals.h"
 
-void set_flush_denormals()
-{
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-}
+namespace lancer {
 
 unsigned available_threads()
 {

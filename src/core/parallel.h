@@ -8,10 +8,6 @@
 
 namespace lancer {
 
-// Sets flush-to-zero and denormals-are-zero for this thread and for every worker that starts later. Must be called
-// first in main: after the first parallel loop it reaches no worker.
-void set_flush_denormals();
-
 // Number of CPUs that this process may use: the minimum of its affinity mask and its cgroup's CPU quota; at least 1.
 unsigned available_threads();
 

@@ -22,37 +22,7 @@ enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, alpha, shad
 namespace sobol {
 
 // The functions below are templates for one, four and eight numbers at once.
-using UInt4 = uint32_t __attribute__((vector_size(16)));
 
-constexpr uint32_t reverse_bits(uint32_t x)
-{
-    x = __builtin_bswap32(x);
-    x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
-    x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
-    return (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
-}
-// For vectors: reverses the bytes and looks up each half of a byte.
-struct alignas(16) SixteenBytes : std::array<uint8_t, 16> {};
-inline constexpr SixteenBytes last_byte_first{{3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12}};
-inline constexpr SixteenBytes reversed_half{{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15}};
-inline __m128i load(const SixteenBytes& from) { return _mm_load_si128(reinterpret_cast<const __m128i*>(from.data())); }
-inline UInt4 reverse_bits(UInt4 x)
-{
-    const __m128i bytes = _mm_shuffle_epi8(reinterpret_cast<__m128i>(x), load(last_byte_first));
-    const __m128i half = _mm_set1_epi8(15), reversed = load(reversed_half);
-    const __m128i low = _mm_shuffle_epi8(reversed, _mm_and_si128(bytes, half));
-    const __m128i high = _mm_shuffle_epi8(reversed, _mm_and_si128(_mm_srli_epi16(bytes, 4), half));
-    return reinterpret_cast<UInt4>(_mm_or_si128(_mm_slli_epi16(low, 4), high));
-}
-inline UInt8 reverse_bits(UInt8 x)
-{
-    const __m256i order = _mm256_broadcastsi128_si256(load(last_byte_first));
-    const __m256i bytes = _mm256_shuffle_epi8(reinterpret_cast<__m256i>(x), order);
-    const __m256i half = _mm256_set1_epi8(15), reversed = _mm256_broadcastsi128_si256(load(reversed_half));
-    const __m256i low = _mm256_shuffle_epi8(reversed, _mm256_and_si256(bytes, half));
-    const __m256i high = _mm256_shuffle_epi8(reversed, _mm256_and_si256(_mm256_srli_epi16(bytes, 4), half));
-    return reinterpret_cast<UInt8>(_mm256_or_si256(_mm256_slli_epi16(low, 4), high));
-}
 // Owen scrambling of bit-reversed x: flips each bit by a hash of the bits below it.
 template <class T>
 constexpr T laine_karras(T x, T seed)
@@ -131,7 +101,7 @@ public:
     template <class T>
     static constexpr T hash_of(T key, uint32_t bounce, Dim dim)
     {
-        return mix_bits(key + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * 0x9e3779b97f4a7c15ull);
+        return mix_bits(key + (uint64_t{bounce} << 8 | static_cast<uint32_t>(dim)) * uint64_t{0x9e3779b97f4a7c15});
     }
     // Independent numbers of a sample, given the hash of the group.
     static Vec2 independent2(uint64_t hash, uint32_t sample)
@@ -233,7 +203,7 @@ private:
     uint64_t group(uint32_t bounce, Dim dim) const { return hash_of(key_, bounce, dim); }
     uint32_t shuffled(uint64_t h) const
     {
-        return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample_), static_cast<uint32_t>(h)));
+        return reverse_bits(sobol::laine_karras(reverse_bits(sample_), static_cast<uint32_t>(h)));
     }
 
     SamplerKind kind_;

@@ -35,6 +35,9 @@ struct RayLanes {
           dir2(dot(dir, dir))
     {
     }
+
+private:
+    static Double4 load(const float* from) { return to_double(load4(from)); }
 };
 
 // The first hit of each ray after t_min; t_max is ignored.
@@ -100,9 +103,8 @@ template <class Rays>
 std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& spheres, const std::vector<uint32_t>& order,
                                                  const Rays& r)
 {
-    const auto load8 = [](const float* from) { return Float8{_mm256_loadu_ps(from)}; };
-    const Vec3T<Float8> org{load8(r.org_x), load8(r.org_y), load8(r.org_z)};
-    const Vec3T<Float8> dir{load8(r.dir_x), load8(r.dir_y), load8(r.dir_z)};
+    const Vec3T<Float8> org{load8_anywhere(r.org_x), load8_anywhere(r.org_y), load8_anywhere(r.org_z)};
+    const Vec3T<Float8> dir{load8_anywhere(r.dir_x), load8_anywhere(r.dir_y), load8_anywhere(r.dir_z)};
     Float8 first = broadcast(std::numeric_limits<float>::infinity());
     Mask8 place{};
     for (uint32_t k = 0; k < order.size(); ++k) {
@@ -118,7 +120,7 @@ std::array<uint32_t, float_lanes> probably_first(const std::vector<Sphere>& sphe
         place = (nearer & static_cast<int32_t>(k)) | (~nearer & place);
     }
     std::array<uint32_t, float_lanes> places;
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(places.data()), reinterpret_cast<__m256i>(place));
+    store8_anywhere(places.data(), reinterpret_cast<UInt8>(place));
     return places;
 }
 

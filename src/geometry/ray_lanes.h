@@ -62,15 +62,12 @@ inline size_t store_rays(Ray* to, uint32_t wanted, const Vec3T<Float8>& org, con
 {
     const Packing packing(wanted);
     const auto turn = [&](const Vec3T<Float8>& v, Float8 behind, auto&& number) {
-        const Float8 x = packing(v.x), y = packing(v.y), z = packing(v.z);
-        const __m256 xy0 = _mm256_unpacklo_ps(x, y), xy2 = _mm256_unpackhi_ps(x, y);
-        const __m256 zw0 = _mm256_unpacklo_ps(z, behind), zw2 = _mm256_unpackhi_ps(z, behind);
-        const auto store = [&](size_t i, __m256 two) {
-            _mm_storeu_ps(number(to[i]), lower(two));
-            _mm_storeu_ps(number(to[i + 4]), upper(two));
-        };
-        store(0, _mm256_shuffle_ps(xy0, zw0, 0x44)), store(1, _mm256_shuffle_ps(xy0, zw0, 0xee));
-        store(2, _mm256_shuffle_ps(xy2, zw2, 0x44)), store(3, _mm256_shuffle_ps(xy2, zw2, 0xee));
+        const std::array<Float8, 4> columns{packing(v.x), packing(v.y), packing(v.z), behind};
+        const std::array<Float8, 4> pairs = transpose4x4(columns);  // of ray i and ray i + 4
+        for (size_t i = 0; i < pairs.size(); ++i) {
+            store4(number(to[i]), lower(pairs[i]));
+            store4(number(to[i + 4]), upper(pairs[i]));
+        }
     };
     turn(org, broadcast(Ray{}.t_min), [](Ray& r) { return &r.org.x; });
     turn(dir, packing(t_max), [](Ray& r) { return &r.dir.x; });
@@ -88,10 +85,7 @@ inline void store_leaf_hints(Ray* to, uint32_t wanted, UInt8 start)
 struct alignas(16) AxisOrder {
     std::array<uint32_t, 4> axes;
 
-    Float4 operator()(Float4 v) const
-    {
-        return _mm_permutevar_ps(v, _mm_load_si128(reinterpret_cast<const __m128i*>(axes.data())));
-    }
+    Float4 operator()(Float4 v) const { return permute(v, load4_aligned(axes.data())); }
 };
 
 // By largest_axis(), without branches, which could not be predicted.

@@ -25,7 +25,7 @@ void refine_four(const Geometry& g, std::span<const Ray> rays, std::span<Hit> hi
     const auto in_double = [](const std::array<Float4, double_lanes>& v) { return to_double(turned(v)); };
     const PlaneHit<Double4> h(in_double(v0), in_double(v1), in_double(v2), in_double(org), in_double(dir));
     const Double4 u = clamp(h.u, Double4{}, broadcast(1.0)), v = clamp(h.v, Double4{}, 1.0 - u);
-    const Float4 t4 = _mm256_cvtpd_ps(h.t), u4 = _mm256_cvtpd_ps(u), v4 = _mm256_cvtpd_ps(v);
+    const Float4 t4 = to_float(h.t), u4 = to_float(u), v4 = to_float(v);
     for (size_t k = 0; k < double_lanes; ++k) {
         Hit& hit = hits[which[k]];
         const bool from_its_edge = h.det[k] == 0;

@@ -38,10 +38,10 @@ void for_triangles(std::span<const Hit> hits, const Some& some, const Placed& pl
 }
 
 // Transposes four vectors that are each followed by another number.
-inline Vec3T<Float4> turned(std::array<Float4, double_lanes> v)
+inline Vec3T<Float4> turned(const std::array<Float4, double_lanes>& v)
 {
-    _MM_TRANSPOSE4_PS(v[0], v[1], v[2], v[3]);
-    return {v[0], v[1], v[2]};
+    const auto [x, y, z, behind] = transpose4x4(v);
+    return {x, y, z};
 }
 
 }  // namespace lancer

@@ -43,21 +43,18 @@ public:
         // Four rows, each at its own cosine.
         static Float4 losses(const std::array<Row, 4>& rows, Float4 cos)
         {
-            const Float4 x = max(min(cos, _mm_set1_ps(1)), _mm_set1_ps(least_cos));
-            const auto of_all = [](uint32_t n) { return _mm_set1_epi32(static_cast<int>(n)); };
-            const __m128i offset = _mm_sub_epi32(_mm_castps_si128(x), of_all(std::bit_cast<uint32_t>(least_cos)));
-            const __m128i index = _mm_min_epu32(_mm_srli_epi32(offset, bits_below_node), of_all(cosines - 2));
-            const __m128i rest = _mm_sub_epi32(offset, _mm_slli_epi32(index, bits_below_node));
-            const Float4 part = _mm_cvtepi32_ps(rest) * (1.0f / (uint32_t{1} << bits_below_node));
+            const Float4 x = max(min(cos, broadcast_to<Float4>(1)), broadcast_to<Float4>(least_cos));
+            const UInt4 offset = reinterpret_cast<UInt4>(x) - std::bit_cast<uint32_t>(least_cos);
+            const UInt4 index = min(offset >> bits_below_node, UInt4{} + (cosines - 2));
+            const Int4 rest = reinterpret_cast<Int4>(offset - (index << bits_below_node));
+            const Float4 part = to_float(rest) * (1.0f / (uint32_t{1} << bits_below_node));
             alignas(16) std::array<uint32_t, 4> first;
-            _mm_store_si128(reinterpret_cast<__m128i*>(first.data()), index);
+            store4_aligned(first.data(), index);
             const auto ends = [&](size_t i) {
                 const float* low = rows[i].losses_ + first[i];
-                const __m128 two = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(low)));
-                return _mm_loadh_pi(two, reinterpret_cast<const __m64*>(low + cosines));
+                return load2x2(low, low + cosines);
             };
-            __m128 a = ends(0), b = ends(1), c = ends(2), d = ends(3);
-            _MM_TRANSPOSE4_PS(a, b, c, d);
+            const auto [a, b, c, d] = transpose4x4(std::array<Float4, 4>{ends(0), ends(1), ends(2), ends(3)});
             const Float4 low = a + part * (b - a), high = c + part * (d - c);
             return low + Float4{rows[0].part_, rows[1].part_, rows[2].part_, rows[3].part_} * (high - low);
         }

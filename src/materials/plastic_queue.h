@@ -102,16 +102,16 @@ private:
     // A number per point. put() writes eight; the next group overwrites those beyond its own.
     template <class Lanes>
     struct alignas(sizeof(Lanes)) Numbers : std::array<float, most + float_lanes> {
-        Float4 four(size_t k) const { return _mm_load_ps(&(*this)[k]); }
-        Lanes eight(size_t k) const { return reinterpret_cast<Lanes>(_mm256_load_ps(&(*this)[k])); }
-        void set_eight(size_t k, Lanes x) { _mm256_store_ps(&(*this)[k], reinterpret_cast<__m256>(x)); }
+        Float4 four(size_t k) const { return load4_aligned(&(*this)[k]); }
+        Lanes eight(size_t k) const { return reinterpret_cast<Lanes>(load8(&(*this)[k])); }
+        void set_eight(size_t k, Lanes x) { store8(&(*this)[k], reinterpret_cast<Float8>(x)); }
         void put(const Eight& of, Lanes x)
         {
-            _mm256_storeu_ps(&(*this)[of.first], reinterpret_cast<__m256>(permute(x, of.from)));
+            store8_anywhere(&(*this)[of.first], reinterpret_cast<Float8>(permute(x, of.from)));
         }
         Lanes of(const Eight& of) const
         {
-            return permute(reinterpret_cast<Lanes>(_mm256_loadu_ps(&(*this)[of.first])), of.to);
+            return permute(reinterpret_cast<Lanes>(load8_anywhere(&(*this)[of.first])), of.to);
         }
     };
     struct Vectors {

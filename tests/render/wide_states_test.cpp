@@ -13,7 +13,7 @@ constexpr size_t most = 40;  // rays
 struct Sent {
     Ray ray;
     Vec3 radiance;
-    uint32_t sum;
+    uint32_t slot;
 };
 
 Vec3x8 vectors(Random& random)
@@ -38,10 +38,10 @@ TEST(PackedStates, HoldTheLanesThatWereWanted)
             std::array<uint32_t, float_lanes> start;
             ShadowLanes lanes{vectors(random), {}};
             for (size_t i = 0; i < float_lanes; ++i) {
-                t_max[i] = random.unit(), start[i] = random.below(1000), lanes.sum[i] = random.below(1000);
+                t_max[i] = random.unit(), start[i] = random.below(1000), lanes.slot[i] = random.below(1000);
                 if ((wanted >> i & 1) == 0) continue;
                 const Ray ray{.org = lane(org, i), .dir = lane(dir, i), .t_max = t_max[i], .leaf_hint = start[i]};
-                sent.push_back({ray, lane(lanes.radiance, i), lanes.sum[i]});
+                sent.push_back({ray, lane(lanes.radiance, i), lanes.slot[i]});
             }
             packed.push(wanted, org, dir, t_max, lanes);
             packed.set_leaf_hints(wanted, from_array(start));
@@ -52,7 +52,7 @@ TEST(PackedStates, HoldTheLanesThatWereWanted)
             ShadowLanes loaded;
             packed.load(i, loaded);
             EXPECT_EQ(lane(loaded.radiance, 0), sent[i].radiance);
-            EXPECT_EQ(loaded.sum[0], sent[i].sum);
+            EXPECT_EQ(loaded.slot[0], sent[i].slot);
             const Ray &ray = packed.rays()[i], &wanted = sent[i].ray;
             EXPECT_EQ(ray.org, wanted.org);
             EXPECT_EQ(ray.dir, wanted.dir);

@@ -8,6 +8,7 @@
 #include "app/options/option_parser.h"
 #include "bench/report/markdown.h"
 #include "core/error.h"
+#include "core/lanes/denormals.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "report/page/html.h"

@@ -1,15 +1,5 @@
-// Half floats (IEEE 754 binary16), as picture files store them.
+// Half floats (IEEE 754 binary16), as picture files store them: float_from_half(h) is exact; half_from_float(v) rounds
+// to nearest and gives infinity beyond 65504.
 #pragma once
 
-#include <immintrin.h>
-
-#include <cstdint>
-
-namespace lancer {
-
-inline float float_from_half(uint16_t h) { return _cvtsh_ss(h); }
-
-// To nearest; beyond 65504 infinite.
-inline uint16_t half_from_float(float v) { return static_cast<uint16_t>(_cvtss_sh(v, _MM_FROUND_TO_NEAREST_INT)); }
-
-}  // namespace lancer
+#include "core/lanes/native.h"

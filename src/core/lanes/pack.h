@@ -11,21 +11,12 @@ namespace lancer {
 class Packing {
 public:
     // wanted: bit i selects lane i.
-    explicit Packing(uint32_t wanted)
-        : order_(_mm256_load_si256(reinterpret_cast<const __m256i*>(orders[wanted].data())))
-    {
-    }
-    Float8 operator()(Float8 x) const { return _mm256_permutevar8x32_ps(x, order_); }
-    UInt8 operator()(UInt8 x) const
-    {
-        return reinterpret_cast<UInt8>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(x), order_));
-    }
+    explicit Packing(uint32_t wanted) : order_(load8(orders[wanted].data())) {}
+    Float8 operator()(Float8 x) const { return permute(x, order_); }
+    UInt8 operator()(UInt8 x) const { return permute(x, order_); }
     // Writes eight numbers; the selected ones come first.
-    void store(float* to, Float8 x) const { _mm256_storeu_ps(to, (*this)(x)); }
-    void store(uint32_t* to, UInt8 x) const
-    {
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), reinterpret_cast<__m256i>((*this)(x)));
-    }
+    void store(float* to, Float8 x) const { store8_anywhere(to, (*this)(x)); }
+    void store(uint32_t* to, UInt8 x) const { store8_anywhere(to, (*this)(x)); }
 
 private:
     struct alignas(32) Orders : std::array<uint32_t, float_lanes> {};
@@ -37,12 +28,7 @@ private:
         return all;
     }();
 
-    __m256i order_;
+    UInt8 order_;
 };
-
-inline UInt8 load8_anywhere(const uint32_t* from)
-{
-    return reinterpret_cast<UInt8>(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)));
-}
 
 }  // namespace lancer

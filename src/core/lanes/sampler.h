@@ -16,13 +16,12 @@ class AddressLanes {
 public:
     AddressLanes(SamplerKind kind, const KeyLanes& key, uint32_t bounce, Dim dim) : kind_(kind)
     {
-        const auto low = reinterpret_cast<__m256i>(key.low), high = reinterpret_cast<__m256i>(key.high);
-        const auto hash = [&](__m256i keys) {
-            return reinterpret_cast<__m256>(Sampler::hash_of(reinterpret_cast<ULong4>(keys), bounce, dim));
+        const auto hash = [&](UInt8 keys) {
+            return reinterpret_cast<UInt8>(Sampler::hash_of(reinterpret_cast<ULong4>(keys), bounce, dim));
         };
-        const __m256 a = hash(_mm256_unpacklo_epi32(low, high)), b = hash(_mm256_unpackhi_epi32(low, high));
-        low_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0x88));
-        high_ = reinterpret_cast<UInt8>(_mm256_shuffle_ps(a, b, 0xdd));
+        const UInt8 a = hash(interleave_low(key.low, key.high)), b = hash(interleave_high(key.low, key.high));
+        low_ = even_lanes(a, b);
+        high_ = odd_lanes(a, b);
     }
     // As Sampler::get2(); sample: index within the pixel.
     Vec2x8 get2(UInt8 sample) const
@@ -68,11 +67,8 @@ public:
 
 private:
     uint64_t hash(size_t i) const { return uint64_t{high_[i]} << 32 | low_[i]; }
-    static Float8 to_unit(UInt8 x) { return _mm256_cvtepi32_ps(reinterpret_cast<__m256i>(x >> 8)) * 0x1p-24f; }
-    UInt8 shuffled(UInt8 sample) const
-    {
-        return sobol::reverse_bits(sobol::laine_karras(sobol::reverse_bits(sample), low_));
-    }
+    static Float8 to_unit(UInt8 x) { return to_float(reinterpret_cast<Int8>(x >> 8)) * 0x1p-24f; }
+    UInt8 shuffled(UInt8 sample) const { return reverse_bits(sobol::laine_karras(reverse_bits(sample), low_)); }
     // Coordinates of the point with a shuffled index.
     Float8 first_of(UInt8 i) const { return to_unit(sobol::scrambled(i, high_, UInt8{} + 1u)); }
     Float8 second_of(UInt8 i) const
@@ -83,9 +79,7 @@ private:
     static UInt8 third_reversed(UInt8 i)
     {
         const auto of_byte = [i](int byte) {
-            const UInt8 value = i >> (8 * byte) & 255u;
-            const auto* table = reinterpret_cast<const int*>(sobol::third_table[static_cast<size_t>(byte)].data());
-            return reinterpret_cast<UInt8>(_mm256_i32gather_epi32(table, reinterpret_cast<__m256i>(value), 4));
+            return gather(sobol::third_table[static_cast<size_t>(byte)].data(), i >> (8 * byte) & 255u);
         };
         return of_byte(0) ^ of_byte(1) ^ of_byte(2) ^ of_byte(3);
     }

@@ -65,11 +65,8 @@ template <class Row>
 RowLanes transpose(const Row& row)
 {
     const auto pair = [&](size_t i) { return concat(row(i), row(i + 4)); };
-    const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
-    const __m256 xy0 = _mm256_unpacklo_ps(a, b), zw0 = _mm256_unpackhi_ps(a, b);
-    const __m256 xy2 = _mm256_unpacklo_ps(c, d), zw2 = _mm256_unpackhi_ps(c, d);
-    return {{_mm256_shuffle_ps(xy0, xy2, 0x44), _mm256_shuffle_ps(xy0, xy2, 0xee), _mm256_shuffle_ps(zw0, zw2, 0x44)},
-            _mm256_shuffle_ps(zw0, zw2, 0xee)};
+    const auto [x, y, z, w] = transpose4x4(std::array<Float8, 4>{pair(0), pair(1), pair(2), pair(3)});
+    return {{x, y, z}, w};
 }
 
 // The same for four rows of four doubles.
@@ -80,12 +77,8 @@ struct RowsOfFour {
 template <class Row>
 RowsOfFour transpose4(const Row& row)
 {
-    const __m256d a = row(0), b = row(1), c = row(2), d = row(3);
-    const __m256d xz0 = _mm256_unpacklo_pd(a, b), yw0 = _mm256_unpackhi_pd(a, b);
-    const __m256d xz2 = _mm256_unpacklo_pd(c, d), yw2 = _mm256_unpackhi_pd(c, d);
-    return {{_mm256_permute2f128_pd(xz0, xz2, 0x20), _mm256_permute2f128_pd(yw0, yw2, 0x20),
-             _mm256_permute2f128_pd(xz0, xz2, 0x31)},
-            _mm256_permute2f128_pd(yw0, yw2, 0x31)};
+    const auto [x, y, z, w] = transpose4x4(std::array<Double4, 4>{row(0), row(1), row(2), row(3)});
+    return {{x, y, z}, w};
 }
 
 }  // namespace lancer

@@ -1,34 +1,25 @@
 // A box in two SSE registers, for building BVHs; the fourth lanes are unused.
 #pragma once
 
-#include <immintrin.h>
-
 #include <bit>
 #include <cstdint>
 #include <limits>
 
+#include "core/lanes/lanes.h"
 #include "geometry/slab.h"
 
 namespace lancer {
 
 // Starts empty.
 struct BoxLanes {
-    __m128 lower = _mm_set1_ps(FloatBox::inf), upper = _mm_set1_ps(-FloatBox::inf);
+    Float4 lower = broadcast_to<Float4>(FloatBox::inf), upper = broadcast_to<Float4>(-FloatBox::inf);
 
-    void grow(__m128 point)
-    {
-        lower = _mm_min_ps(lower, point);
-        upper = _mm_max_ps(upper, point);
-    }
-    void grow(const BoxLanes& b)
-    {
-        lower = _mm_min_ps(lower, b.lower);
-        upper = _mm_max_ps(upper, b.upper);
-    }
+    void grow(Float4 point) { lower = min(lower, point), upper = max(upper, point); }
+    void grow(const BoxLanes& b) { lower = min(lower, b.lower), upper = max(upper, b.upper); }
     // Half the surface area; undefined for the empty box.
     float half_area() const
     {
-        const __m128 d = upper - lower;
+        const Float4 d = upper - lower;
         return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
     }
     FloatBox box() const { return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}}; }
@@ -40,16 +31,16 @@ struct BoxedPrimitive {
 
     BoxedPrimitive() = default;
     BoxedPrimitive(const FloatBox& b, uint32_t number)
-        : box{_mm_setr_ps(b.lower.x, b.lower.y, b.lower.z, std::bit_cast<float>(number)),
-              _mm_setr_ps(b.upper.x, b.upper.y, b.upper.z, 0)}
+        : box{Float4{b.lower.x, b.lower.y, b.lower.z, std::bit_cast<float>(number)},
+              Float4{b.upper.x, b.upper.y, b.upper.z, 0}}
     {
     }
-    uint32_t number() const { return static_cast<uint32_t>(_mm_extract_epi32(_mm_castps_si128(box.lower), 3)); }
+    uint32_t number() const { return reinterpret_cast<UInt4>(box.lower)[3]; }
     // The centre; finite even if the box is not.
-    __m128 center() const
+    Float4 center() const
     {
-        const __m128 most = _mm_set1_ps(std::numeric_limits<float>::max()), half = _mm_set1_ps(0.5f);
-        return half * _mm_max_ps(box.lower, -most) + half * _mm_min_ps(box.upper, most);
+        const Float4 most = broadcast_to<Float4>(std::numeric_limits<float>::max());
+        return 0.5f * max(box.lower, -most) + 0.5f * min(box.upper, most);
     }
 };
 

@@ -40,10 +40,10 @@ struct Range {
 // A plane perpendicular to an axis. The side of a primitive is computed by the same arithmetic that counted it.
 struct Cut {
     int axis;
-    __m128 origin, scale;
+    Float4 origin, scale;
     float place;
 
-    static __m128 along(__m128 center, __m128 origin, __m128 scale) { return (center - origin) * scale; }
+    static Float4 along(Float4 center, Float4 origin, Float4 scale) { return (center - origin) * scale; }
     bool is_left(const BoxedPrimitive& p) const { return along(p.center(), origin, scale)[axis] < place; }
 };
 
@@ -65,9 +65,9 @@ class MedianCuts {
 public:
     static std::optional<Cut> choose(const BoxedPrimitive*, const Range& r, bool)
     {
-        const __m128 d = r.bounds.box.upper - r.bounds.box.lower;
+        const Float4 d = r.bounds.box.upper - r.bounds.box.lower;
         const int axis = d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
-        return Cut{axis, BoxedPrimitive{r.bounds.box.box(), 0}.center(), _mm_set1_ps(1), 0};
+        return Cut{axis, BoxedPrimitive{r.bounds.box.box(), 0}.center(), broadcast_to<Float4>(1), 0};
     }
 };
 
@@ -76,11 +76,10 @@ public:
     static std::optional<Cut> choose(const BoxedPrimitive* all, const Range& r, bool parallel)
     {
         const uint32_t used = std::min(bins, 4 + r.size() / 2);  // few suffice for few
-        const __m128 extent = r.bounds.centers.upper - r.bounds.centers.lower, zero = _mm_setzero_ps();
+        const Float4 extent = r.bounds.centers.upper - r.bounds.centers.lower;
         // Slightly less than `used`, so that rounding never gives a bin behind the last one.
-        const __m128 scale =
-            _mm_and_ps(_mm_set1_ps(static_cast<float>(used) * (1 - gamma(4))) / extent, _mm_cmpgt_ps(extent, zero));
-        const Binning binning{r.bounds.centers.lower, scale, _mm_set1_epi32(static_cast<int>(used - 1))};
+        const Float4 scale = select(extent > 0.0f, static_cast<float>(used) * (1 - gamma(4)) / extent, Float4{});
+        const Binning binning{r.bounds.centers.lower, scale, Int4{} + static_cast<int>(used - 1)};
         const auto fill = [&](uint32_t begin, uint32_t end, Bins& b) { binning.fill(all + begin, all + end, b); };
         if (parallel) return best(over_chunks<Bins>(r, fill), used, binning);
         Bins b;
@@ -105,17 +104,16 @@ private:
         }
     };
     struct Binning {
-        __m128 origin, scale;
-        __m128i last;
+        Float4 origin, scale;
+        Int4 last;
 
         void fill(const BoxedPrimitive* p, const BoxedPrimitive* end, Bins& b) const
         {
             for (; p != end; ++p) {
-                const __m128i bin = _mm_cvttps_epi32(Cut::along(p->center(), origin, scale));
-                const __m128i in = _mm_min_epi32(_mm_max_epi32(bin, _mm_setzero_si128()), last);
-                add(b, 0, _mm_extract_epi32(in, 0), *p);
-                add(b, 1, _mm_extract_epi32(in, 1), *p);
-                add(b, 2, _mm_extract_epi32(in, 2), *p);
+                const Int4 bin = min(max(truncate(Cut::along(p->center(), origin, scale)), Int4{}), last);
+                add(b, 0, bin[0], *p);
+                add(b, 1, bin[1], *p);
+                add(b, 2, bin[2], *p);
             }
         }
         static void add(Bins& b, int axis, int bin, const BoxedPrimitive& p)

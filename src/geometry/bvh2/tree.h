@@ -3,12 +3,11 @@
 // HPG 2009. bvh2/builder.h builds it.
 #pragma once
 
-#include <immintrin.h>
-
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/lanes/lanes.h"
 #include "geometry/slab.h"
 
 namespace lancer {
@@ -67,28 +66,27 @@ private:
         explicit PairRay(const SlabRay& r) : t_min_(r.t_min)
         {
             for (int k = 0; k < 3; ++k) {
-                org_[k] = _mm_set1_ps(r.org[k]);
-                inverse_[k] = _mm_setr_ps(r.inverse[k], r.inverse[k], -r.far_inverse[k], -r.far_inverse[k]);
-                order_[k] =
-                    _mm_xor_si128(_mm_setr_epi32(0, 1, 2, 3), _mm_set1_epi32(std::signbit(r.inverse[k]) ? 2 : 0));
+                org_[k] = broadcast_to<Float4>(r.org[k]);
+                inverse_[k] = Float4{r.inverse[k], r.inverse[k], -r.far_inverse[k], -r.far_inverse[k]};
+                order_[k] = UInt4{0, 1, 2, 3} ^ (std::signbit(r.inverse[k]) ? 2u : 0u);
             }
         }
         // Bit k: child k is hit; near: entry distances. As in meets(), NaN makes the test more conservative: the
         // maximum returns its second argument.
-        uint32_t meets(const Pair& p, float t_max, __m128& near) const
+        uint32_t meets(const Pair& p, float t_max, Float4& near) const
         {
-            near = _mm_setr_ps(t_min_, t_min_, -t_max, -t_max);
+            near = Float4{t_min_, t_min_, -t_max, -t_max};
             for (int k = 0; k < 3; ++k) {
-                const __m128 sides = _mm_permutevar_ps(_mm_load_ps(p.sides[k]), order_[k]);
-                near = _mm_max_ps((sides - org_[k]) * inverse_[k], near);
+                const Float4 sides = permute(load4_aligned(p.sides[k]), order_[k]);
+                near = max((sides - org_[k]) * inverse_[k], near);
             }
-            const __m128 far = -_mm_movehl_ps(near, near);
-            return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(near, far))) & 3;
+            const Float4 far = -copy_upper_to_lower(near);
+            return movemask(near <= far) & 3;
         }
 
     private:
-        __m128 org_[3], inverse_[3];
-        __m128i order_[3];
+        Float4 org_[3], inverse_[3];
+        UInt4 order_[3];
         float t_min_;
     };
     // A hit may be nearer than its box by the rounding of both: gamma(10) is the bound of slab.h for the quotients, and
@@ -115,7 +113,7 @@ void BinaryTree::closest(const Ray& ray, float t_max, const Leaf& leaf) const
     for (Child at = root_;;) {
         if (at.count == 0) {
             const Pair& p = pairs_[at.first];
-            __m128 near;
+            Float4 near;
             const uint32_t met = r.meets(p, end, near);
             if (met == 3) {
                 const uint32_t farther = near[0] <= near[1] ? 1 : 0;
@@ -150,7 +148,7 @@ bool BinaryTree::any(const Ray& ray, const Leaf& leaf) const
     for (Child at = root_;;) {
         if (at.count == 0) {
             const Pair& p = pairs_[at.first];
-            __m128 near;
+            Float4 near;
             const uint32_t met = r.meets(p, end, near);
             if (met != 0) {
                 stack[size] = p.child[1];

@@ -2,13 +2,12 @@
 // its bits.
 #pragma once
 
-#include <immintrin.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 
+#include "core/lanes/lanes.h"
 #include "geometry/triangle_float.h"
 
 namespace lancer {
@@ -50,25 +49,22 @@ struct BlockRay {
 // Mask of the triangles that the ray hits in [t_min, t_max], and their t.
 inline uint32_t meets(const TriangleBlock& b, const BlockRay& r, float t_min, float t_max, float (&t)[4])
 {
-    const __m128 sx = _mm_set1_ps(r.sheared.sx), sy = _mm_set1_ps(r.sheared.sy), zero = _mm_setzero_ps();
-    const __m128 ox = _mm_set1_ps(r.org[0]), oy = _mm_set1_ps(r.org[1]), oz = _mm_set1_ps(r.org[2]);
-    __m128 x[3], y[3], z[3];  // corners relative to the ray's origin, before the shear
+    const float sx = r.sheared.sx, sy = r.sheared.sy;
+    Float4 x[3], y[3], z[3];  // corners relative to the ray's origin, before the shear
     for (int k = 0; k < 3; ++k) {
-        x[k] = _mm_load_ps(b.corner[k][r.axis[0]]) - ox;
-        y[k] = _mm_load_ps(b.corner[k][r.axis[1]]) - oy;
-        z[k] = _mm_load_ps(b.corner[k][r.axis[2]]) - oz;
+        x[k] = load4_aligned(b.corner[k][r.axis[0]]) - r.org[0];
+        y[k] = load4_aligned(b.corner[k][r.axis[1]]) - r.org[1];
+        z[k] = load4_aligned(b.corner[k][r.axis[2]]) - r.org[2];
     }
-    const __m128 ax = x[0] - sx * z[0], ay = y[0] - sy * z[0];
-    const __m128 bx = x[1] - sx * z[1], by = y[1] - sy * z[1];
-    const __m128 cx = x[2] - sx * z[2], cy = y[2] - sy * z[2];
-    const __m128 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
-    const __m128 least = _mm_min_ps(_mm_min_ps(u, v), w), most = _mm_max_ps(_mm_max_ps(u, v), w);
-    const __m128 inside = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
-    auto met = static_cast<uint32_t>(_mm_movemask_ps(inside));
+    const Float4 ax = x[0] - sx * z[0], ay = y[0] - sy * z[0];
+    const Float4 bx = x[1] - sx * z[1], by = y[1] - sy * z[1];
+    const Float4 cx = x[2] - sx * z[2], cy = y[2] - sy * z[2];
+    const Float4 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+    const Float4 least = min(min(u, v), w), most = max(max(u, v), w);
+    uint32_t met = movemask((least >= 0.0f) | (most <= 0.0f));
     if (met == 0) return 0;
 
-    const __m128 edge = _mm_or_ps(_mm_cmpeq_ps(least, zero), _mm_cmpeq_ps(most, zero));
-    const auto on_edge = static_cast<uint32_t>(_mm_movemask_ps(edge));
+    const uint32_t on_edge = movemask((least == 0.0f) | (most == 0.0f));
     for (uint32_t left = met; left != 0; left &= left - 1) {
         const auto i = static_cast<uint32_t>(std::countr_zero(left));
         const Vec3 v0 = b.at(0, i), v1 = b.at(1, i), v2 = b.at(2, i);

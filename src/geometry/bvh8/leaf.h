@@ -37,10 +37,10 @@ public:
     [[gnu::always_inline]] explicit LeafRay(const Ray& ray) : order_(&axis_order(ray.dir)), ray_(&ray)
     {
         const Float4 org = (*order_)(org_and_t_min(ray)), dir = (*order_)(dir_and_t_max(ray));
-        _mm_store_ps(org_.data(), org);
-        _mm_store_ps(dir_.data(), dir);
+        store4_aligned(org_.data(), org);
+        store4_aligned(dir_.data(), dir);
         sz_ = 1 / dir[2];
-        _mm_store_ps(slope_.data(), dir * sz_);
+        store4_aligned(slope_.data(), dir * sz_);
     }
 
     // Bit i: triangle i is hit, not before t_min and not behind the nearest hit, which itself may be missing in the
@@ -54,9 +54,9 @@ public:
         };
         const Point a = corner(0), b = corner(1), c = corner(2);
         const Float8 sx = broadcast(slope_[0]), sy = broadcast(slope_[1]);
-        const Float8 ax = minus_product(sx, a.z, a.x), ay = minus_product(sy, a.z, a.y);
-        const Float8 bx = minus_product(sx, b.z, b.x), by = minus_product(sy, b.z, b.y);
-        const Float8 cx = minus_product(sx, c.z, c.x), cy = minus_product(sy, c.z, c.y);
+        const Float8 ax = fnmadd(sx, a.z, a.x), ay = fnmadd(sy, a.z, a.y);
+        const Float8 bx = fnmadd(sx, b.z, b.x), by = fnmadd(sy, b.z, b.y);
+        const Float8 cx = fnmadd(sx, c.z, c.x), cy = fnmadd(sy, c.z, c.y);
         // Without FMA: the edge function of a shared edge has the same magnitude for both triangles, and its sign is
         // correct or it is 0.
         const Float8 u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
@@ -99,8 +99,8 @@ private:
             gamma(8) * abs(scale) * (of_place + abs(distance) * of_slope * broadcast(std::abs(dir_[2])));
         const Float8 low = distance - error, high = distance + error;
         lanes &= ~(movemask(high < broadcast(ray_->t_min)) | movemask(low > broadcast(nearest.high)));
-        _mm256_storeu_ps(met.t.data(), distance);
-        _mm256_storeu_ps(met.error.data(), error);
+        store8_anywhere(met.t.data(), distance);
+        store8_anywhere(met.error.data(), error);
         uint32_t sure = lanes & movemask((error < distance * Bvh8Nearest::most_error) & (low > broadcast(ray_->t_min)) &
                                          (high < broadcast(nearest.low)));
         if (uint32_t unsure = lanes & ~sure) {

@@ -94,7 +94,7 @@ public:
     {
         const Float4 org = org_and_t_min(ray), inverse = 1.0f / dir_and_t_max(ray);
         const Float4 far_inverse = inverse * SlabRay::widening;
-        const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
+        const uint32_t back = sign_bits(inverse);
         for (size_t k = 0; k < 3; ++k) {
             org_[k] = broadcast(org[k]);
             inverse_[k] = broadcast(inverse[k]);
@@ -127,10 +127,10 @@ public:
     explicit NodeRayInMemory(const Ray& ray)
     {
         const Float4 org = org_and_t_min(ray), inverse = 1.0f / dir_and_t_max(ray);
-        const auto back = static_cast<uint32_t>(_mm_movemask_ps(inverse));
-        _mm_store_ps(org_and_t_min_.data(), org + Float4{});
-        _mm_store_ps(inverse_.data(), inverse);
-        _mm_store_ps(far_inverse_.data(), inverse * SlabRay::widening);
+        const uint32_t back = sign_bits(inverse);
+        store4_aligned(org_and_t_min_.data(), org + Float4{});
+        store4_aligned(inverse_.data(), inverse);
+        store4_aligned(far_inverse_.data(), inverse * SlabRay::widening);
         for (uint32_t k = 0; k < 3; ++k) near_[k] = 2 * k + (back >> k & 1);
     }
 

@@ -27,7 +27,7 @@ public:
 private:
     static float least(Float8 x)
     {
-        const Float4 four = min(lower(x), upper(x)), two = min(four, Float4(_mm_movehl_ps(four, four)));
+        const Float4 four = min(lower(x), upper(x)), two = min(four, copy_upper_to_lower(four));
         return std::min(two[0], two[1]);
     }
     static float most(Float8 x) { return -least(-x); }

@@ -42,7 +42,7 @@ ObjectBins::ObjectBins(const Spread& spread, size_t count)
     const Float4 extent = spread.centers.upper - origin_;
     // Slightly less than the number of bins, so that the last centre stays in the last bin.
     const Float4 scale = 0.999f * static_cast<float>(bins_) / extent;
-    scale_ = _mm_and_ps(scale, _mm_cmpgt_ps(extent, Float4{}));
+    scale_ = select(extent > 0.0f, scale, Float4{});
 }
 
 void ObjectBins::add(const ObjectBins& b)

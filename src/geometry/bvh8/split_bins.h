@@ -65,11 +65,9 @@ public:
 private:
     std::array<int, 4> bins_of(const Reference& r) const
     {
-        const __m128i last = _mm_set1_epi32(bins_ - 1);
-        const __m128i k = _mm_cvttps_epi32((r.box.lower + r.box.upper - origin_) * scale_);
+        const Int4 k = truncate((r.box.lower + r.box.upper - origin_) * scale_);
         std::array<int, 4> bins;
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(bins.data()),
-                         _mm_min_epi32(_mm_max_epi32(k, _mm_setzero_si128()), last));
+        store4(bins.data(), min(max(k, Int4{}), Int4{} + (bins_ - 1)));
         return bins;
     }
 
@@ -102,8 +100,7 @@ private:
     {
         const Float4 last{max_bins - 1, max_bins - 1, max_bins - 1, max_bins - 1};
         std::array<int, 4> bins;
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(bins.data()),
-                         _mm_cvttps_epi32(min(max((p - origin_) * scale_, Float4{}), last)));
+        store4(bins.data(), truncate(min(max((p - origin_) * scale_, Float4{}), last)));
         return bins;
     }
     float plane(size_t axis, int bin) const { return origin_[axis] + width_[axis] * static_cast<float>(bin); }

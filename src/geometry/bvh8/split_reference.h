@@ -20,7 +20,7 @@ struct Box4 {
 
     void grow(Float4 point) { lower = min(lower, point), upper = max(upper, point); }
     void grow(const Box4& b) { lower = min(lower, b.lower), upper = max(upper, b.upper); }
-    bool empty() const { return (_mm_movemask_ps(_mm_cmpgt_ps(lower, upper)) & 7) != 0; }
+    bool empty() const { return (movemask(lower > upper) & 7) != 0; }
     // Half the surface area; 0 for an empty box.
     float half_area() const
     {
@@ -38,7 +38,9 @@ struct Reference {
     Reference() = default;
     Reference(Box4 b, uint32_t number) : box(b)
     {
-        box.lower = _mm_castsi128_ps(_mm_insert_epi32(_mm_castps_si128(b.lower), static_cast<int>(number), 3));
+        UInt4 lower = reinterpret_cast<UInt4>(b.lower);
+        lower[3] = number;
+        box.lower = reinterpret_cast<Float4>(lower);
     }
     uint32_t number() const { return std::bit_cast<uint32_t>(static_cast<float>(box.lower[3])); }
 };

@@ -31,7 +31,7 @@ public:
         uint32_t rest = met & (met - 1);
         if (!rest) return Bvh8Child(node.children[first(met)]);
         alignas(32) std::array<uint32_t, 8> from;
-        _mm256_store_si256(reinterpret_cast<__m256i*>(from.data()), _mm256_castps_si256(near));
+        store8(from.data(), reinterpret_cast<UInt8>(near));
         const auto entry = [&](uint32_t lanes) {
             const size_t i = first(lanes);
             return Bvh8Entry{from[i]} << 32 | node.children[i];
@@ -62,13 +62,12 @@ public:
     // Pushes the children in `met`, which may be 0, in the node's order.
     void push_all(const Bvh8Node& node, uint32_t met, Float8 near)
     {
-        const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(by_turns[met].data()));
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.children.data()));
-        const __m256i child = _mm256_permutevar8x32_epi32(all, order);
-        const __m256i distance = _mm256_permutevar8x32_epi32(_mm256_castps_si256(near), order);
-        auto* to = reinterpret_cast<__m256i*>(top_);
-        _mm256_storeu_si256(to, _mm256_unpacklo_epi32(child, distance));
-        _mm256_storeu_si256(to + 1, _mm256_unpackhi_epi32(child, distance));
+        const UInt8 order = load8(by_turns[met].data());
+        const UInt8 child = permute(load8(node.children.data()), order);
+        const UInt8 distance = permute(reinterpret_cast<UInt8>(near), order);
+        auto* to = reinterpret_cast<uint32_t*>(top_);
+        store8_anywhere(to, interleave_low(child, distance));
+        store8_anywhere(to + float_lanes, interleave_high(child, distance));
         top_ += std::popcount(met);
     }
     // The top entry; the stack must not be empty.
@@ -115,9 +114,8 @@ public:
     // Returns the first child in `met`, which is not 0, and pushes the others, the first of them on top.
     Bvh8Child push(const Bvh8Node& node, uint32_t met)
     {
-        const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(backwards[met & (met - 1)])));
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.children.data()));
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(top_), _mm256_permutevar8x32_epi32(all, order));
+        const UInt8 order = widen_bytes(backwards[met & (met - 1)]);
+        store8_anywhere(top_, permute(load8(node.children.data()), order));
         top_ += std::popcount(met) - 1;
         return Bvh8Child(node.children[static_cast<size_t>(std::countr_zero(met))]);
     }

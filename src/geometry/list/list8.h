@@ -126,8 +126,8 @@ private:
                     *z = part.corners[r.axes[2]].data();
         for (size_t i = 0; i < part.corners[0].size(); ++i) {
             const Float8 height = broadcast(z[i]) - r.org.z;
-            points[i] = {minus_product(r.sx, height, broadcast(x[i]) - r.org.x),
-                         minus_product(r.sy, height, broadcast(y[i]) - r.org.y)};
+            points[i] = {fnmadd(r.sx, height, broadcast(x[i]) - r.org.x),
+                         fnmadd(r.sy, height, broadcast(y[i]) - r.org.y)};
         }
     }
     static Mask8 confirmed(const Triangle& t, const Points& points, Mask8 inside);

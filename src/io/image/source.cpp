@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lanes/denormals.h"
 #include "core/parallel.h"
 #include "io/image/read.h"
 

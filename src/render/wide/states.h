@@ -32,11 +32,10 @@ public:
     // Loads eight entries from `first` on; lanes beyond the last entry are undefined.
     void load(size_t first, Lanes& lanes) const
     {
-        // Copies register by register: the compiler would copy the whole struct in a loop. The pointer type may alias
-        // anything; `auto` would lose that property.
-        __m256i* to = reinterpret_cast<__m256i*>(&lanes);
+        // Copies register by register: the compiler would copy the whole struct in a loop.
+        auto* to = reinterpret_cast<uint32_t*>(&lanes);
         for (size_t k = 0; k < registers; ++k)
-            to[k] = reinterpret_cast<__m256i>(load8_anywhere(&numbers_[k * stride_ + first]));
+            store8(to + k * float_lanes, load8_anywhere(&numbers_[k * stride_ + first]));
     }
     // Appends the selected lanes.
     void push(uint32_t wanted, const Vec3x8& org, const Vec3x8& dir, Float8 t_max, const Lanes& lanes)
@@ -56,9 +55,9 @@ private:
     void store(uint32_t wanted, const Lanes& lanes)
     {
         const Packing packing(wanted);
-        const __m256i* from = reinterpret_cast<const __m256i*>(&lanes);
+        const auto* from = reinterpret_cast<const uint32_t*>(&lanes);
         for (size_t k = 0; k < registers; ++k)
-            packing.store(&numbers_[k * stride_ + count_], reinterpret_cast<UInt8>(from[k]));
+            packing.store(&numbers_[k * stride_ + count_], load8(from + k * float_lanes));
     }
 
     size_t count_ = 0, stride_ = 0;

@@ -184,7 +184,7 @@ struct Edges {
     explicit Edges(Float8 weights)
     {
         const Double4 a = sums_of(lower(weights)), b = sums_of(upper(weights)), half = broadcast(a[3]);
-        low = moved(a), high = moved(b) + half, end = a[3] + b[3];
+        low = shift_up_1(a), high = shift_up_1(b) + half, end = a[3] + b[3];
     }
     double operator[](size_t i) const { return i < 4 ? low[i] : high[i - 4]; }
     // Number of parts that begin at or before x >= 0.
@@ -195,14 +195,12 @@ struct Edges {
     }
 
 private:
-    // Shifts lanes by one, 0 in the first.
-    static Double4 moved(Double4 x) { return _mm256_blend_pd(_mm256_permute4x64_pd(x, 0x90), _mm256_setzero_pd(), 1); }
     // Prefix sums.
     static Double4 sums_of(Float4 weights)
     {
-        Double4 x = _mm256_cvtps_pd(weights);
-        x += moved(x);
-        return x + _mm256_permute2f128_pd(x, x, 0x08);
+        Double4 x = to_double(weights);
+        x += shift_up_1(x);
+        return x + shift_up_2(x);
     }
 };
 
