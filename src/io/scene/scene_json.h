@@ -1,7 +1,6 @@
-// A scene as JSON that other renderers' scripts can read: what is there, in the units of the scene file, with every
-// name resolved. It has words for meshes with instances, spheres, planes; lambert, mirror and smooth glass with
-// constant colours and emission; point, directional and sphere lights and a constant environment; one camera. Whatever
-// else a scene has is refused, not dropped.
+// Exports a scene as JSON for scripts of other renderers, in the units of the scene file, with all names resolved. It
+// supports meshes with instances, spheres, planes; lambert, mirror and smooth glass with constant colours and emission;
+// point, directional and sphere lights and a constant environment; one camera. Anything else is refused.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace lancer {
 
-// How the scene is to be rendered.
+// Render settings.
 struct ExportedView {
     uint32_t width = 0, height = 0;
     uint32_t max_depth = 0;  // surface vertices; 0: no limit
@@ -22,7 +21,7 @@ struct ExportedView {
     Switches switches;
 };
 
-// An error for each thing that scene_json() has no words for. scene: begun from the description, which has a camera.
+// Reports an error for each unsupported feature. scene: begun from the description, which has a camera.
 void check_exportable(const SceneDescription& description, const Scene& scene, const Switches& switches,
                       Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// From what is said of a material to what is rendered: the one place that knows which parameter goes where.
+// Makes materials from their descriptions; the only place that maps parameters.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace lancer {
 
-// Choices for the whole picture.
+// Options of the whole picture.
 struct MaterialOptions {
-    bool multiscatter = false;  // compensate GGX for the light that it loses between its facets
-    bool fresnel = true;        // else smooth glass only refracts
+    bool multiscatter = false;  // energy compensation for multiple scattering
+    bool fresnel = true;        // false: smooth glass only refracts
 };
 
 class MaterialBuilder {
@@ -25,7 +25,7 @@ public:
 
 private:
     MaterialOptions options_;
-    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // of each index, for rough plastics to share
+    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // per index of refraction, shared by rough plastics
 };
 
 }  // namespace lancer

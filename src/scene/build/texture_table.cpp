@@ -17,13 +17,13 @@ std::string reason_of(const Error& e, const std::string& file)
     return text.starts_with(before) ? text.substr(before.size()) : text;
 }
 
-// What became of one texture.
+// The result of one texture.
 struct Outcome {
     std::string problem;
     uint64_t not_finite = 0;
 };
 
-// What all the places that use a picture have to say of it.
+// The results of all uses of a picture.
 struct Report {
     Location first;
     std::string problem;
@@ -31,7 +31,7 @@ struct Report {
     bool gives_numbers = false, gives_bumps = false;
 };
 
-// Leaves no bumps where the texture was to give them. Whether it was.
+// Removes bumps that use the texture; returns whether there were any.
 bool take_bumps_away(Scene& scene, uint32_t texture)
 {
     bool found = false;
@@ -65,7 +65,7 @@ void receive_textures(Scene& scene, Diagnostics& diagnostics)
     std::vector<Outcome> outcomes(scene.pending.size());
     parallel_for(scene.pending.size(), [&](size_t i) {
         Scene::Pending& p = scene.pending[i];
-        // Gone with the last texture that is made of it, so that pictures do not pile up.
+        // Freed with the last texture made from it, so that pictures do not accumulate.
         const RasterFuture image = std::move(p.image);
         try {
             if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
