@@ -1,4 +1,4 @@
-// The pictures that a scene is made of: what must not be overwritten and what belongs to the hash of its content.
+// The files of a scene: they must not be overwritten, and they are part of the hash of its content.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace lancer {
 // meshes with their material files, pictures of textures and environments.
 std::vector<std::string> input_files(const SceneDescription& scene);
 
-// Takes the bytes of all meshes and of the pictures that are used into scene.content_hash. Not names but what is in the
-// files counts. A picture that cannot be read counts as none; whoever wants its pixels will say so.
+// Adds the bytes of all meshes and used pictures to scene.content_hash. File contents count, not names. A picture that
+// cannot be read counts as missing; reading its pixels reports the error.
 void hash_assets(SceneDescription& scene);
 
 }  // namespace lancer

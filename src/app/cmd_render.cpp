@@ -26,7 +26,7 @@
 namespace lancer {
 namespace {
 
-// Where nothing but time or error is to stop a render.
+// Number of samples if only time or error stops a render.
 constexpr uint32_t unlimited_spp = 1u << 28;
 
 // One run of the command. Its figures grow as it goes.
@@ -155,13 +155,13 @@ void Run::add_samples(const Film& film, const Counters& counters, const RenderLi
     stats_.render_s = limits.wall_seconds();
     stats_.samples = 0;
     for (size_t i = 0; i < film.pixels.size(); ++i) stats_.samples += film.whole(i).n;
-    // Counted, not asked of the pass: an interrupt may come after its last tile.
+    // Computed from the film: an interrupt may come after the last tile of a pass.
     stats_.partial = stats_.samples + stats_.counters.dropped < samples_wanted(film, settings_.spp);
 }
 
 void Run::end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits)
 {
-    // Where no pixel wants more, all have what they would have in the end.
+    // If no pixel needs more samples, the film is final.
     const uint32_t spp = stats_.partial ? range.end : settings_.spp;
     estimate_error(film);
     if (!complete) return;
@@ -169,7 +169,7 @@ void Run::end_pass(const Film& film, bool complete, SampleRange range, const Ren
     if (limits.is_mark(spp) && log_->is_wanted()) log_->add(to_image(film), stats_, limits.cpu_seconds());
 }
 
-// The picture is whole as it is.
+// Ends the render before spp; the picture is complete.
 void Run::end_at(Stop stop, uint32_t spp)
 {
     stats_.partial = false;
@@ -231,7 +231,7 @@ void Run::render(const Renderer& renderer)
             end_pass(film, left.empty(), range, limits);
             if (signals_.interrupted()) break;
             const uint32_t spp = range.end;
-            // Where no pixel wants more the rest is done, too.
+            // If no pixel needs more samples, the render is done.
             if (!stats_.partial) progress.begin_pass(range = {s.spp, s.spp}, tiles.size());
             progress.end_pass(stats_.estimated_error, stats_.rays());
             // Samples that all agree may all have missed the same light.
@@ -243,7 +243,7 @@ void Run::render(const Renderer& renderer)
                 break;
             }
         }
-        // Now, as finding it out is part of the first pass.
+        // Here, as the plan is computed in the first pass.
         progress.clear();
         if (options_.verbose) print_sampling_plan(renderer, *renderer.plan(camera, width, height));
     });

@@ -1,4 +1,4 @@
-// The commands, each in cmd_NAME.cpp. argv[0] is the command's name. Returns the exit code; what goes wrong is thrown.
+// The commands, each in cmd_NAME.cpp. argv[0] is the command's name. Each returns the exit code and throws errors.
 #pragma once
 
 #include "app/exit_code.h"

@@ -1,4 +1,4 @@
-// What lancer compare says about two pictures in words: the tests against their noise, and the verdict.
+// The verdict of lancer compare: tests of two pictures against their noise.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace lancer {
 
-// Nothing where either picture has no variance.
+// Nothing if either picture has no variance.
 std::optional<NoiseTest> test_noise(const ComparedPicture& picture, const ComparedPicture& reference);
 
-// The figures of the test, a line for each.
+// Prints the figures of the tests, one per line.
 void print_noise(const NoiseTest& test, const ComparedPicture& picture, const ComparedPicture& reference);
 
 // "same bits", "no difference found (smallest detectable bias 0.3 %)", "differ: ...": one line.

@@ -1,21 +1,21 @@
-// What the program says. Results go to stdout, everything else to stderr.
+// Output of the program. Results go to stdout, everything else to stderr.
 #pragma once
 
 #include <string>
 
 namespace lancer {
 
-// As printf would, into a string.
+// Formats as printf, into a string.
 [[gnu::format(printf, 1, 2)]] std::string format_text(const char* format, ...);
 
-// The fewest digits that give the number back.
+// The shortest text that reads back as the same number.
 std::string shortest(double x);
 std::string shortest(float x);
 
-// A word as a shell reads it back.
+// Quotes a word for a shell.
 std::string in_shell_quotes(const std::string& word);
 
-// One line for a script or a reader on stdout.
+// Prints a line on stdout.
 void print_result(const std::string& line);
 // Throws Error (failed) if what was printed on stdout could not be written.
 void flush_results();
@@ -27,7 +27,7 @@ void print_note(const std::string& line);
 
 // Whether stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
-// Raw text on stderr, at once.
+// Prints raw text on stderr immediately.
 void print_raw(const std::string& text);
 
 }  // namespace lancer

@@ -34,7 +34,7 @@ void choose_camera(SceneDescription& scene, const std::string& name)
                     (known.empty() ? "; the scene has no [camera.NAME]" : suggestion(name, known)));
 }
 
-// Materials that no face has shine for nobody.
+// Emissive materials count only if a face uses them.
 bool emits(const MeshData& mesh)
 {
     const auto shines = [&](size_t material) {

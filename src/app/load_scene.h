@@ -1,4 +1,4 @@
-// From a path on the command line to a description that can be rendered.
+// Loads a scene from the command line.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace lancer {
 
-// What the command line says of a scene, besides how it is rendered.
+// The choice of a scene on the command line, besides render settings.
 struct SceneChoice {
     std::string file;                      // .toml or .obj
     std::string asset_root;                // empty: the folder of the scene
@@ -17,11 +17,11 @@ struct SceneChoice {
     std::string camera;                    // the name of one of its cameras; empty: its default
 };
 
-// A scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name. pictures is
-// asked for the textures of mesh files while the meshes themselves are still being read.
+// Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
+// Textures of mesh files are requested from `pictures` while the meshes are still being read.
 SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures = {});
 
-// Options that make the same choice again, with a blank before each.
+// The options that repeat this choice, each with a leading blank.
 std::string options_text(const SceneChoice& choice);
 
 // Gives a scene without camera one that sees all of it, and a bare mesh on which nothing emits a white sky.

@@ -1,4 +1,4 @@
-// The program: finds the command, and lets nothing that is thrown get out.
+// The program: selects the command and handles all exceptions.
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -84,7 +84,7 @@ Call find_command(int argc, char** argv)
     return {run_render, argc, argv};
 }
 
-// TBB and Embree throw where nobody can catch it, above all where the system grants no more threads.
+// TBB and Embree may throw where no handler is, for example if the system grants no more threads.
 [[noreturn]] void end_with_message()
 {
     print_problem(message_of_termination(std::current_exception()));

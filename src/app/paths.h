@@ -1,4 +1,4 @@
-// What the name of a file says.
+// File names.
 #pragma once
 
 #include <cctype>

@@ -12,7 +12,7 @@ void print_warnings(const Diagnostics& diagnostics)
     for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
 }
 
-// Warnings go out even if errors follow: they often tell why.
+// Warnings are printed even if errors follow, as they often explain them.
 template <class F>
 auto with_warnings(const Diagnostics& diagnostics, F&& f)
 {

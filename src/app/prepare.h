@@ -1,4 +1,4 @@
-// What every command that traces rays does first: load, complete, build, settle. Warnings are printed on the way.
+// Common steps of commands that trace rays: load, complete, build, resolve settings. Warnings are printed.
 #pragma once
 
 #include <memory>
@@ -22,12 +22,12 @@ struct Prepared {
     std::vector<std::string> warnings;
 };
 
-// In parts, so that each can be timed. quiet: what was added to the scene is not said.
+// In parts, so that each can be timed. quiet: does not report what was added to the scene.
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet);
-// Everything but the pictures, which are read from here on.
+// Loads everything but the pictures, which are read from here on.
 void begin_prepared(Prepared& prepared, Diagnostics& diagnostics);
-// Builds the accelerator, waits for the pictures, and says what was wrong. Throws Error (invalid_input) if there were
-// warnings and none are allowed. Call inside with_threads.
+// Builds the accelerator, waits for the pictures and reports problems. Throws Error (invalid_input) if there were
+// warnings and --strict is set. Must be called inside with_threads.
 std::unique_ptr<Renderer> make_renderer(Prepared& prepared, const PictureOptions& options, uint32_t batch,
                                         Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// What a render does without, told by `lancer info`, --verbose and --stats.
+// Unused features of a render, reported by `lancer info`, --verbose and --stats.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace lancer {
 
-// What building the scene left out, then what tracing it with this kernel does: kinds of geometry, the kernel for all,
-// and the module for pictures.
+// Unused features of the scene, then those of the kernel: absent scene features, the general kernel, the OpenImageIO
+// module.
 std::vector<UnusedFeature> unused_features_of(const Renderer& renderer, Profile kernel);
-// "12 unused materials", with the memory that it saves where that is known.
+// "12 unused materials", with the memory and time that they save, if known.
 std::string to_string(const UnusedFeature& l);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// What the operating system knows of this process and its machine.
+// Information of the operating system on this process and its machine.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Reads the tables of a TOML file key by key. Every reader checks the kind and the range of one value; what is wrong is
-// collected with its place, and the reader returns nothing. Knows nothing of scenes.
+// Reads the tables of a TOML file key by key. Every reader checks type and range of a value; problems are collected
+// with their place, and the reader returns nothing. It does not depend on scenes.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@ namespace lancer {
 
 using NameList = std::vector<std::string_view>;
 
-// A key that only some types of a thing have.
+// A key that only some types of an object have.
 struct TypedKey {
     std::string_view key;
     NameList types;
 };
 
-// What a number must be, besides finite.
+// Range of a number; all must be finite.
 struct NumberRule {
     bool (*holds)(double);
     const char* text;
@@ -48,7 +48,7 @@ inline constexpr NumberRule index_of_refraction{
     [](double x) { return x <= std::numeric_limits<float>::max() && static_cast<float>(x) > 0; },
     "greater than 0 and at most 3.4e38"};
 
-// The problems of one file. Tables are read kind by kind; the user wants to hear of them from top to bottom.
+// The problems of one file. Tables are read by kind; problems are reported from top to bottom.
 class TomlProblems {
 public:
     // sources: the file, then whatever else values come from; what TomlValue::source counts.
@@ -76,7 +76,7 @@ private:
     std::vector<Problem> problems_;
 };
 
-// One table of the file. Every reader takes a key; if its value is wrong, it says so and returns nothing.
+// A table of the file. Every reader takes a key; if its value is wrong, it reports that and returns nothing.
 class TomlTable {
 public:
     // `value` must hold a table. The label stands in messages, as "[camera]"; empty for the whole file.
@@ -105,13 +105,13 @@ public:
     // "'key' in [table] must be ..." or the like, at the value.
     void error(std::string_view key, const std::string& message) const { error(where(key), name(key) + message); }
 
-    // Says of every other key that it is unknown.
+    // Reports every other key as unknown.
     void allow(const NameList& known) const;
-    // The same of every other key that is not a table of its own, [table.NAME].
+    // The same for keys that are not named tables, [table.NAME].
     void allow_besides_tables(const NameList& known) const;
-    // Says of each key that the table has although its type is none of the key's.
+    // Reports keys that do not apply to the table's type.
     void reject_keys_of_other_types(std::string_view type, const std::vector<TypedKey>& keys) const;
-    // Says so if there is no such key; `type` explains what it is needed for.
+    // Reports a missing key; `type` explains why it is needed.
     bool require(std::string_view key, std::string_view type = "") const;
 
     std::optional<std::string> text(std::string_view key) const;

@@ -1,5 +1,5 @@
-// A TOML file as plain values, each with its place: what scene_file.cpp makes of toml++'s tree, so that the readers
-// of tables do not depend on that library. A value may also come from the command line: `source` tells them apart.
+// A TOML file as plain values with their places, made from toml++'s tree, so that readers do not depend on that
+// library. A value may also come from the command line: `source` identifies it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What a run was, did and cost. The program fills it; as JSON it is what --stats writes, for scripts and reports.
+// The figures of a run: context, scene, settings, counters, phases. The program fills them; --stats writes them as
+// JSON.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +39,7 @@ struct RunStats {
         std::string name;
         double wall_s = 0, cpu_s = 0;
     };
-    // The film after a pass.
+    // State of the film after a pass.
     struct Progress {
         uint32_t spp = 0;
         double seconds = 0;
@@ -53,8 +54,8 @@ struct RunStats {
     Counters counters;
     uint64_t samples = 0;  // in the film
     double render_s = 0;
-    // Square root of the relative mean squared error as the samples tell it; nothing if they do not, as one sample
-    // does. An upper estimate from halves; with replicates without bias, and a 95 % interval.
+    // Square root of the estimated relative mean squared error; 0: unknown. An upper estimate from half buffers; with
+    // replicates unbiased and with an interval.
     std::optional<double> estimated_error;
     std::optional<Interval> estimated_interval;
     std::string stopped_by;  // "time", "error"; empty if neither did

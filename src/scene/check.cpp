@@ -10,7 +10,7 @@
 namespace lancer {
 namespace {
 
-// Triangles with the same corners as one before, in whatever order.
+// Number of triangles with the same corners as an earlier one, in any order.
 uint64_t count_repeated(std::vector<std::array<uint32_t, 3>> triangles)
 {
     for (auto& t : triangles) std::sort(t.begin(), t.end());
@@ -48,7 +48,7 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
         notes.warning({data.file}, "the corners of another triangle in " + std::to_string(twice) + of_all);
 }
 
-// One emitter as far as rays are sent from it: the triangles of a mesh that share a material.
+// An emitter for the test: the triangles of a mesh that share a material.
 struct Emitter {
     uint32_t instance = Hit::no_instance, mesh = 0, material = 0;
     std::vector<uint32_t> triangles;
@@ -83,7 +83,7 @@ struct Surroundings {
     bool sees_only_itself = true;                    // along every ray on the front side
 };
 
-// Rays from places spread over the emitter, straight on and slanted.
+// Tests rays from points spread over the emitter, along the normal and slanted.
 Surroundings look_around(const Scene& scene, const Accelerator& accel, const Emitter& e)
 {
     constexpr size_t most_places = 64;
@@ -123,7 +123,7 @@ Surroundings look_around(const Scene& scene, const Accelerator& accel, const Emi
     return result;
 }
 
-// Where the material of this name is described.
+// The place in the file of a material.
 Location place_of_material(const SceneDescription& d, const std::string& name, uint32_t mesh)
 {
     for (const MaterialDescription& m : d.materials)

@@ -1,4 +1,4 @@
-// Error against run time: what a render was worth each time that its samples had doubled, as a table.
+// The error log: error against run time, one row each time the number of samples has doubled.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,19 @@ namespace lancer {
 
 class ErrorLog {
 public:
-    // Reads the references, if there are any. Throws Error if they cannot be read.
+    // Reads the references, if any. Throws Error if they cannot be read.
     explicit ErrorLog(const RenderOptions& options);
 
-    // Whether there is anything to note or to measure against.
+    // Whether a log or a reference is requested.
     bool is_wanted() const { return !path_.empty() || reference_; }
-    // Throws Error (invalid_input) unless the references are of such a picture.
+    // Throws Error (invalid_input) if the references do not have the size of this picture.
     void require_size(const Image& picture) const;
-    // Warns of references that are made of the random numbers of a picture of that seed, or of one another's.
+    // Warns of references with the same random numbers as a picture of that seed, or as each other.
     void warn_of_shared_samples(uint64_t seed) const;
-    // A row of the table, which is written at once: what there is of it outlives whatever comes. stats: as they are
-    // now; the clock of rendering stands still meanwhile.
+    // Adds a row, which is written at once, so that it survives a crash. stats: the present figures; rendering time
+    // does not advance meanwhile.
     void add(const Image& picture, const RunStats& stats, double cpu_seconds);
-    // Of the last row, against the reference; nothing if there is none.
+    // Metrics of the last row against the reference; nothing without one.
     const std::optional<Metrics>& last() const { return last_; }
 
 private:

@@ -1,4 +1,4 @@
-// The files that a render writes, and what stands in their headers.
+// The output files of a render and their metadata.
 #pragma once
 
 #include "app/options/options.h"
@@ -9,19 +9,19 @@
 
 namespace lancer {
 
-// Throws Error (failed) if a file could not be written now; nothing is changed.
+// Throws Error (failed) if a file could not be written; changes nothing.
 void probe_outputs(const RenderOptions& options);
 
 // Throws Error (usage) if an output, be it through a link, is a file that the scene was read from.
 void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene);
 
-// Each pixel is the mean of its own samples; one without any is black.
+// The mean of each pixel's samples; pixels without samples are black.
 Image to_image(const Film& film);
 
-// What the picture says about its making. The pixels are the same for the same scene and settings, these are not.
+// The metadata of a picture. Pixels are the same for the same scene and settings; metadata are not.
 Metadata make_metadata(const RunStats& stats);
 
-// Planes go into EXR pictures only, the tone map into the others.
+// Writes the pictures. Planes are written to EXR only; the tone map applies to the other formats.
 void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata);
 

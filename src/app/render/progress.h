@@ -1,4 +1,4 @@
-// How far a render is, on stderr: one line that is redrawn, plain lines now and then, or JSON lines.
+// The progress display on stderr: a line that is redrawn, plain lines at intervals, or JSON lines.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,7 @@ namespace lancer {
 
 class Progress {
 public:
-    // automatic: a line on a terminal, else plain. spp: in the end, unless that comes after so many seconds; 0: without
-    // an end that is known.
+    // automatic: a line on a terminal, else plain. spp: the final number, or seconds: the final time; 0: unlimited.
     Progress(ProgressKind kind, uint32_t spp, uint64_t pixels, std::optional<double> time_limit);
     ~Progress();
     Progress(const Progress&) = delete;
@@ -21,13 +20,13 @@ public:
 
     void begin_pass(SampleRange samples, size_t tiles);
     void tile_done();  // from any thread
-    // error: estimated, of the film as it is now, if it is known; rays: so far.
+    // error: the present estimate; rays: total so far.
     void end_pass(std::optional<double> error, uint64_t rays);
-    // Takes the line away, so that something else can be printed.
+    // Clears the line, so that something else can be printed.
     void clear();
 
 private:
-    double samples() const;  // of a pixel, so far
+    double samples() const;  // per pixel so far
     double fraction(double elapsed) const;
     void print(double now);
 
@@ -35,7 +34,7 @@ private:
     uint32_t spp_;
     uint64_t pixels_;
     std::optional<double> time_limit_;
-    double start_, next_;  // seconds; when the next report is due
+    double start_, next_;  // seconds; time of the next report
     SampleRange pass_{};
     size_t tiles_ = 1;
     std::atomic<size_t> tiles_done_{0};

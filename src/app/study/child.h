@@ -1,5 +1,5 @@
-// Other processes: the program itself, run again so that each of many renders begins afresh and none can take the
-// others with it, and scripts that start other renderers.
+// Child processes: the program itself for each render of a study, so that a crash affects only one, and scripts that
+// start other renderers.
 #pragma once
 
 #include <limits>
@@ -30,7 +30,7 @@ struct ChildResult {
 // later, or at the end of its time, is killed. Throws Error (failed) if it cannot be started.
 ChildResult run_child(const ChildOrder& order, Signals& signals);
 
-// A path by which others start this very program as long as it runs, also after its file was replaced.
+// A path to start this very program as long as it runs, even if its file was replaced.
 std::string own_program();
 ChildResult run_self(const std::vector<std::string>& arguments, Signals& signals);
 

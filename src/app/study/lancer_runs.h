@@ -5,8 +5,8 @@
 
 namespace lancer {
 
-// Draws the two halves unless they are there; `told` gets what the page says of them. Nothing after an interrupt.
-// Throws Error if the scene cannot be read or its reference not be drawn.
+// Renders the two halves of the reference unless they exist; `figures` gets its description. Nothing after an
+// interrupt. Throws Error if the scene cannot be read or its reference cannot be rendered.
 std::optional<Reference> draw_reference(StudyWork& work, const StudyPlan::Scene& scene, StudyScene& told);
 
 // Renders unless the same has been rendered before. Nothing after an interrupt.

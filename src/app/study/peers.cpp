@@ -29,7 +29,7 @@ constexpr int exit_not_installed = 69;
 constexpr uint64_t first_reference_seed = uint64_t{1} << 30;
 constexpr uint32_t first_probe = 4;
 
-// The first line that says what is wrong.
+// The first line of an error message.
 std::string first_error(const std::string& err)
 {
     std::istringstream lines(err);
@@ -47,7 +47,7 @@ std::string why_failed(const ChildResult& result, double timeout)
     return "ended with " + std::to_string(result.code) + ":\n" + (result.err.empty() ? "nothing said" : result.err);
 }
 
-// What a peer is told of the scene's options; `left_out` gets what it cannot be told of.
+// The options of the scene that a peer supports; `left_out` gets the first one that it does not.
 std::string size_of(const std::vector<std::string>& options, std::string& left_out)
 {
     std::string size;

@@ -1,5 +1,5 @@
-// Runs of other renderers for a study, through the script bench/peers/run. A peer renders pictures at doubling samples
-// and says what each took; what they are worth is found here, in the same rows as a render of lancer logs.
+// Runs of other renderers (peers) for a study, through the script bench/peers/run. A peer renders pictures at doubling
+// sample counts and reports their times; their errors are computed here, in the rows of lancer's error log.
 #pragma once
 
 #include <map>
@@ -9,24 +9,24 @@
 
 namespace lancer {
 
-// The name under which the errors of a peer against its own reference stand.
+// The method name for errors of a peer against its own reference.
 std::string own_name(const std::string& method);
 
-// One method that is a peer, on all scenes of a study.
+// A method that is a peer, on all scenes of a study.
 class PeerMethod {
 public:
-    // Asks the peer what it is. Throws Error (invalid_input) if the script knows none of that name.
+    // Queries the peer. Throws Error (invalid_input) if the script does not know it.
     PeerMethod(StudyWork& work, const StudyPlan::Method& method);
 
     const std::string& version() const { return about_.version; }
     bool has_own_reference() const { return about_.seeds && !method_.throughput_only; }
 
-    // Tells how fast it is on a scene, and draws its own reference. `known` gets why it is left out or not ranked,
-    // `own` its own reference. After an interrupt nothing of it holds.
+    // Measures its speed on a scene and renders its own reference. `known` gets the reason if it is left out or not
+    // ranked, `own` its own reference. Not valid after an interrupt.
     void prepare(const StudyPlan::Scene& scene, const Reference& reference, MethodOnScene& known, MethodOnScene& own);
 
-    // Of a scene where it is not left out; renders unless the same has been rendered before. The first of its runs is
-    // against the scene's reference, a second one against its own. Nothing after an interrupt.
+    // Renders a run unless it exists. The first result is against the scene's reference, a second one against its own.
+    // Nothing after an interrupt.
     std::optional<RunResult> run(const StudyPlan::Scene& scene, uint64_t seed, const Reference& reference);
 
 private:
@@ -48,7 +48,7 @@ private:
     };
 
     std::string picture(const std::string& name, uint32_t spp) const;
-    // All that decides what becomes of an order.
+    // A key of everything that affects the result of an order.
     std::string key_of(const Reference& reference, const OnScene& on, const Order& order) const;
     Outcome start(const StudyPlan::Scene& scene, const OnScene& on, const Order& order);
     void choose_samples(const StudyPlan::Scene& scene, const Reference& reference, OnScene& on, MethodOnScene& known);

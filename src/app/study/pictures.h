@@ -1,4 +1,4 @@
-// What the last pictures of a study's runs show: their level, and the blocks where they are worst.
+// Analysis of the last pictures of a study's runs: brightness, and the worst blocks.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// What the parts of lancer study share: the folder of a study, what is already done in it, and what a run gives.
+// Shared data of lancer study: the folder of a study, finished work, and results of runs.
 #pragma once
 
 #include <array>
@@ -23,8 +23,7 @@ struct StudyWork {
     std::string file(const std::string& name) const;  // in the folder of the study
 };
 
-// A file is done when its mark says that it was made in just this way. The mark is written last, so that where it is
-// all is.
+// A file is finished if its mark has this key. The mark is written last.
 bool is_done(const std::string& file, const std::string& key);
 void unmark(const std::string& file);
 void mark_done(const std::string& file, const std::string& key);

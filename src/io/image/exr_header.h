@@ -1,6 +1,6 @@
-// A look at the header of an OpenEXR file before the library sees it. The library allocates what the size fields say
-// (attributes, chunk tables, line buffers) before it knows whether the file is long enough; a broken file of 300 bytes
-// must not cost gigabytes.
+// Validates the header of an OpenEXR file before the library reads it. The library allocates what the size fields
+// demand (attributes, chunk tables, line buffers) before it knows whether the file is long enough; a broken file of 300
+// bytes must not cost gigabytes.
 #pragma once
 
 #include "io/input_file.h"

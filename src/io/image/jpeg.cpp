@@ -35,7 +35,8 @@ Reader& reader_of(j_common_ptr jpeg) { return *reinterpret_cast<Reader*>(jpeg->e
     std::longjmp(r.out, 1);
 }
 
-// Negative levels are of files that are broken and may be read nevertheless: cut short, for one. The others are gossip.
+// Negative levels are warnings about broken files that can still be read, for example truncated ones; others are
+// traces.
 void on_message(j_common_ptr jpeg, int level)
 {
     Reader& r = reader_of(jpeg);

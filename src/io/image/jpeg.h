@@ -1,5 +1,5 @@
-// JPEG pictures, read by libjpeg and not through OpenImageIO: most scenes with pictures have no others, and need not
-// open its 260 libraries.
+// JPEG pictures, read by libjpeg instead of OpenImageIO: most scenes have no other formats and then need not load its
+// 260 libraries.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace lancer {
 
-// Grey or RGB, as it is stored: no turning by Exif, no colour profile. Nothing for a picture of four inks, which
-// OpenImageIO knows how to turn into RGB. A broken or truncated file, and one in which libjpeg had to guess, is
-// ErrorKind::invalid_input, never a partial picture.
+// Grey or RGB as stored: Exif rotation and colour profiles are ignored. Nothing for a CMYK picture, which OpenImageIO
+// converts. A broken or truncated file, and one in which libjpeg had to guess, is ErrorKind::invalid_input, never a
+// partial picture.
 std::optional<Raster> read_jpeg(InputFile& file);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// What a picture says about its making: ordered pairs of name and value, kept in the header of the file.
+// Metadata of a picture: ordered pairs of name and value, stored in the header of the file.
 #pragma once
 
 #include <charconv>
@@ -13,7 +13,7 @@ namespace lancer {
 using MetadataValue = std::variant<std::string, double, int64_t>;
 using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 
-// The value as text; a double in the fewest digits that give it back.
+// The value as text; doubles with the fewest digits that read back as the same number.
 inline std::string to_string(const MetadataValue& value)
 {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;

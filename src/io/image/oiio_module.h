@@ -1,5 +1,5 @@
-// The seam between the program and the module lancer_oiio, which alone is linked with OpenImageIO (260 libraries, 0.2 s
-// of start-up) and opened only when a picture needs it. Plain C: nothing of C++ crosses, exceptions included.
+// The C interface between the program and the module lancer_oiio, which alone is linked with OpenImageIO (260
+// libraries, 0.2 s of start-up) and is loaded only when a picture needs it. No C++ types or exceptions cross it.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ struct LancerOiioPicture;  // an open file
 
 struct LancerOiioInfo {
     int32_t width, height;
-    int32_t channels;    // what read_rows hands out: 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
+    int32_t channels;    // of read_rows: 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
     int32_t kind;        // one of the kinds below
-    int32_t block_rows;  // read_rows wants y0 to be a multiple of this
+    int32_t block_rows;  // y0 of read_rows must be a multiple of this
     char message[256];   // the reason, after a failure
 };
 
-// What read_rows hands out: bytes as stored; floats of 0 to 1 where more than 8 bits are stored; floats as stored.
+// Kinds of values: bytes as stored; floats in [0, 1] for integers of more than 8 bits; floats as stored.
 enum LancerOiioKind : int32_t { lancer_oiio_bytes, lancer_oiio_integers, lancer_oiio_floats };
 
 // Changes with every change of this file: a module left over from another build is refused.

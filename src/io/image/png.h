@@ -25,10 +25,10 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = 
 // partial picture; a missing one missing_input.
 Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
 
-// The same as its file stores it: palettes looked up, fewer than 8 bits widened, a transparent colour made alpha.
+// The picture as stored: palettes are resolved, fewer than 8 bits widened, a transparent colour becomes alpha.
 Raster read_png_raster(const std::string& path);
 
-// What a PNG says besides its pixels. Throws as read_png.
+// Information on a PNG without its pixels. Throws as read_png.
 struct PngInfo {
     uint32_t width = 0, height = 0, bits = 0, channels = 0;
     Metadata metadata;  // text chunks "lancer:NAME", without the prefix

@@ -1,5 +1,4 @@
-// PPM pictures: three bytes for each pixel after a short header, or the same as numbers in text; what the course's ray
-// tracer wrote. The format: netpbm's ppm(5).
+// PPM pictures, binary or text, as the ray tracer wrote them that --legacy reproduces. The format: netpbm's ppm(5).
 #pragma once
 
 #include <string>

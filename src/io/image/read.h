@@ -1,4 +1,4 @@
-// Any picture the program reads: textures, environment maps, references.
+// Reads pictures of any supported format: textures, environment maps, references.
 #pragma once
 
 #include <memory>

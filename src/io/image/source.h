@@ -1,4 +1,4 @@
-// Pictures read in the background, while the scene around them is still being built.
+// Reads pictures in the background while the scene is being built.
 #pragma once
 
 #include <condition_variable>
@@ -15,18 +15,18 @@
 
 namespace lancer {
 
-// Reads each picture once for all who ask for it at a time, and keeps none: a picture lives as long as somebody holds
-// it or its future. Threads start with the first picture; a scene without any costs nothing.
+// Reads each picture once for all concurrent requests and keeps none: a picture lives as long as someone holds it or
+// its future. Threads start with the first request.
 class ImageSource {
 public:
     // At most so many files are read at once, >= 1.
     explicit ImageSource(unsigned threads);
-    // Finishes what is being read; what nobody has begun fails with an Error.
+    // Finishes pictures that are being read; requests that have not begun fail with an Error.
     ~ImageSource();
     ImageSource(const ImageSource&) = delete;
     ImageSource& operator=(const ImageSource&) = delete;
 
-    // Its get() throws what read_raster() throws. May be called from several threads.
+    // The future's get() throws as read_raster(). Thread-safe.
     RasterFuture request(const std::string& file);
     // request(), for Scene::begin. Must not be called when *this is gone; the futures may be waited for even then.
     RasterSource source();
@@ -36,7 +36,7 @@ private:
         std::string file;
         std::promise<std::shared_ptr<const Raster>> promise;
     };
-    // A picture while it is on its way, or as long as somebody else keeps it.
+    // A picture that is being read, or that someone still holds.
     struct Known {
         RasterFuture future;
         std::weak_ptr<const Raster> raster;

@@ -1,5 +1,5 @@
-// Targa pictures, read here and not through OpenImageIO: the decoder of the versions that distributions ship reads
-// outside its buffers when a palette index or a length is wrong.
+// Targa pictures, read here instead of by OpenImageIO: the decoder in current distributions reads outside its buffers
+// when a palette index or a length is wrong.
 #pragma once
 
 #include <string>

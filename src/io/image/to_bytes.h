@@ -1,4 +1,4 @@
-// From linear light to the steps of 8 bits: what the writers of PNG and PPM share.
+// Conversion of linear light to 8 bits for the writers of PNG and PPM.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// From linear light to the code values of a display: what io/image/to_bytes.h rounds to steps.
+// Tone maps: from linear light to display code values, which io/image/to_bytes.h quantises.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace lancer {
 
 enum class ToneMap {
-    srgb,     // the sRGB curve; what is brighter than 1 is cut off
-    agx,      // Troy Sobotka's AgX: bright colours lose saturation before they are cut off
-    none,     // linear: no curve at all
-    gamma22,  // the power 1 / 2.2, whose steps round down: the student's path tracer
-    clamped,  // no curve, cut off at 1, whose steps round down: the course's ray tracer
+    srgb,     // the sRGB curve, clamped at 1
+    agx,      // Troy Sobotka's AgX: bright colours lose saturation before they clip
+    none,     // linear
+    gamma22,  // the power 1 / 2.2, rounding down; legacy path tracer
+    clamped,  // linear, clamped at 1, rounding down; legacy ray tracer
 };
 template <>
 inline constexpr auto enum_names<ToneMap> = std::to_array<std::string_view>({"srgb", "agx", "none", "gamma22",

@@ -1,4 +1,4 @@
-// The material files of an OBJ file: where they are and what materials they define.
+// The material files of an OBJ file and their materials.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ std::vector<std::string> find_material_files(const std::string& obj_file,
 
 class MaterialLibrary {
 public:
-    // Of two materials with one name the first counts.
+    // Of materials with the same name the first one is used.
     void add_file(const std::string& path, std::string_view text, const AssetFolder* assets, Diagnostics& diagnostics);
-    // Looks for its textures; nothing if no file defines it.
+    // The description of a material with its texture files; nothing if no file defines it.
     std::optional<MaterialDescription> describe(const std::string& name, Diagnostics& diagnostics);
 
 private:

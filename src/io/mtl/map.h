@@ -18,12 +18,12 @@ struct MtlMap {
     Vec2 scale{1, 1}, offset{0, 0};
     float gain = 1, base = 0;        // value * gain + base
     float bump = 1;                  // factor on heights
-    std::optional<Channel> channel;  // if said
+    std::optional<Channel> channel;  // if given
     std::optional<Encoding> encoding;
 };
 
-// arguments: what follows the key. Options that change nothing here are passed over; those that ask for something that
-// is not supported become a warning. Nothing if no file is named, with a warning too.
+// Parses the arguments of a map statement. Options without effect here are ignored; unsupported ones give a warning.
+// Nothing, with a warning, if no file is named.
 std::optional<MtlMap> parse_mtl_map(std::string_view arguments, std::string_view key, const Location& where,
                                     Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
-// What the statements of an MTL material mean together. Which keys were given decides; docs/scene-format.md, "Materials
-// of an OBJ file", has the table.
+// Interprets the statements of an MTL material. The keys that are given decide; see the table in docs/scene-format.md,
+// "Materials of an OBJ file".
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace lancer {
 
-// A material file while its materials are described.
+// The state while the materials of a file are described.
 struct MtlFile {
     std::string path;
     FileFinder finder;              // of the textures it names
     uint64_t missing_textures = 0;  // warned about so far
 };
 
-// A texture that is not there becomes a warning, and the number beside it stands alone.
+// Describes a material. A missing texture gives a warning, and the number beside it is used alone.
 MaterialDescription describe_mtl(const MtlEntry& entry, MtlFile& file, Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -1,6 +1,6 @@
-// Material files (MTL): which keys each material gives, with checked values. What they mean together is decided in
-// mtl/material.h. tinyobjloader reads these files too, but has no "was it given" (an absent Kd is black) and takes any
-// text for a number.
+// Parses material files (MTL): the keys of each material, with checked values. mtl/material.h interprets them.
+// tinyobjloader reads these files too, but cannot tell an absent key from its default (an absent Kd is black) and
+// accepts any text as a number.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The display server of a build that has none (LANCER_WITH_DISPLAY_SERVER=OFF): it says so.
+// The display server of a build without one (LANCER_WITH_DISPLAY_SERVER=OFF): it reports that.
 #include "io/net/display_server.h"
 
 namespace lancer {

@@ -1,5 +1,5 @@
-// A connection over TCP for what may fail or stall without harm: nothing here waits longer than it is told to, throws,
-// or raises SIGPIPE. Bytes go out; the other side is not listened to, only noticed when it leaves.
+// A TCP connection that never blocks beyond its time limits, throws on failure of the peer or raises SIGPIPE. It only
+// sends; it notices when the other side closes.
 #pragma once
 
 #include <chrono>

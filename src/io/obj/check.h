@@ -1,4 +1,4 @@
-// What is worth knowing of the text of an OBJ file, though nothing is wrong with it.
+// Notes of `lancer check` on an OBJ file that is valid.
 #pragma once
 
 #include <string>

@@ -1,8 +1,7 @@
-// OBJ files so large that one thread takes long over them: cut at line ends, the parts parsed by all threads and handed
-// to the builder in the order of the file. Only what most of such files hold is understood here, in its plain form:
-// anything else (a continued line, a comment behind numbers, an index out of range, a colour) is left to obj_scan and
-// the parser behind it, which say what is wrong and where. Numbers are rounded correctly, so that they may differ in
-// the last bit of a double from those of that parser.
+// Parallel parsing of large OBJ files: the text is divided at line ends, all threads parse parts, and the parts are
+// passed to the builder in order. Only the plain form of common statements is supported; anything else (a continued
+// line, a comment behind numbers, an index out of range, a colour) is left to obj_scan and its parser, which report
+// errors. Numbers are rounded correctly and may differ in the last bit of a double from those of that parser.
 #pragma once
 
 #include <functional>
@@ -17,21 +16,21 @@ namespace lancer {
 
 class ObjChunks {
 public:
-    // Counts what is in the text, which must live as long. chunk: bytes of a part, about. Nothing if something needs a
-    // closer look.
+    // Counts the statements of the text, which must outlive the result. chunk: approximate bytes of a part. Nothing if
+    // the text needs the other parser.
     static std::optional<ObjChunks> survey(std::string_view text, size_t chunk);
 
-    // As scan_obj() has it.
+    // As from scan_obj().
     const ObjSummary& summary() const { return summary_; }
 
-    // All statements into a fresh builder. done: told how much of the text, from its begin, is not needed any more.
-    // False if something needs a closer look; the builder is then of no use any more.
+    // Passes all statements to a new builder. done(bytes): the beginning of the text that is not needed any more.
+    // Returns false if the text needs the other parser; the builder is then unusable.
     bool feed(ObjMeshBuilder& builder, const std::function<void(std::string_view)>& done) const;
 
 private:
     struct Part {
         std::string_view text;
-        uint64_t vertices = 0, texcoords = 0, normals = 0;  // that come before
+        uint64_t vertices = 0, texcoords = 0, normals = 0;  // number of each before the part
         uint32_t lines = 0;
     };
 

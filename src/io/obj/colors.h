@@ -1,5 +1,5 @@
-// Colours of vertices in OBJ files, an extension that MeshLab, Blender and scanners write: "v x y z r g b". The parser
-// behind load_obj does not hand them on, so they are read here, in a walk of its own over files that have any.
+// Vertex colours of OBJ files, an extension of MeshLab, Blender and scanners: "v x y z r g b". The parser of load_obj
+// drops them, so they are read in a pass of their own.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace lancer {
 
-// The colours of the vertices of a text that passed scan_obj, in order, each in [0, 1]; white where a vertex has none.
-// Warns of what is no number, or lies outside.
+// The colours of the vertices of a text that passed scan_obj, in order, in [0, 1]; white where a vertex has none. Warns
+// of invalid ones.
 std::vector<Color> read_vertex_colors(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace lancer

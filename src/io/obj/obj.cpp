@@ -1,6 +1,6 @@
-// tinyobjloader does the parsing, through its callbacks: they keep the order of faces and materials, cost no memory
-// per face and do not wrap the number of corners at 256. What it is fed has been checked in obj_scan. Files so large
-// that this would take long are parsed by all threads (obj_chunks), if nothing in them needs a closer look.
+// Parsing is done by tinyobjloader through its callbacks: they keep the order of faces and materials, need no memory
+// per face and do not wrap the number of corners at 256. obj_scan checks its input first. Large files are parsed in
+// parallel (obj_chunks) if they are plain.
 #include "io/obj/obj.h"
 
 #include <tiny_obj_loader.h>
@@ -23,7 +23,7 @@ namespace {
 
 static_assert(sizeof(tinyobj::real_t) == sizeof(double), "the library for double must be linked");
 
-// Who hears the parser.
+// Receives the parser's callbacks.
 struct Listener {
     ObjMeshBuilder& builder;
     std::vector<ObjCorner> corners;
@@ -61,7 +61,7 @@ void feed(std::string_view text, const ObjSummary& summary, ObjFeed::Part part, 
     tinyobj::LoadObjWithCallback(stream, callbacks, &listener, nullptr, &warnings, &errors);
 }
 
-// None for each name that no material file defines, with a warning.
+// The material of each name; none, with a warning, if no material file defines it.
 UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& library, const std::string& file,
                                  Diagnostics& diagnostics)
 {
@@ -79,7 +79,7 @@ UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& lib
     return used;
 }
 
-// What its material files say, and where they are.
+// The material files.
 MaterialLibrary read_materials(const std::string& path, const ObjSummary& summary, const MeshOptions& options,
                                MeshData& mesh, Diagnostics& diagnostics)
 {
@@ -98,8 +98,8 @@ MaterialLibrary read_materials(const std::string& path, const ObjSummary& summar
     return library;
 }
 
-// The mesh of a file of which all is known that stands in the summary. chunks: null, or who parses it; the memory of
-// the content is then given back meanwhile, so that the mesh may have it.
+// Builds the mesh of a scanned file. chunks: the parallel parser, or null; it returns the memory of the content to the
+// system meanwhile.
 std::shared_ptr<const MeshData> build(const std::string& path, const FileContent& content, const ObjSummary& summary,
                                       const ObjChunks* chunks, const MeshOptions& options, Diagnostics& diagnostics)
 {
@@ -113,7 +113,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
         if (!m || !reads_textures(*m)) continue;
         textured = true;
         if (!options.pictures) continue;
-        // Pictures are read beside the faces.
+        // Pictures are read in the background.
         for (const TextureUse* use : textures_of(*m))
             if (*use && (*use)->type == TextureType::image) options.pictures((*use)->file);
     }
@@ -122,7 +122,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
     if (chunks) {
         if (!chunks->feed(builder, give_back)) return nullptr;
     } else {
-        // A face that is cut into triangles must know its vertices; a second round counts them for relative indices.
+        // Triangulation needs all vertices; a second pass counts them for relative indices.
         if (summary.forward_references) feed(text, summary, ObjFeed::Part::vertices, builder);
         feed(text, summary, ObjFeed::Part::all, builder);
     }
@@ -145,7 +145,7 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
     if (!content->is_text()) return fail("not an OBJ file: it holds NUL bytes", ErrorKind::invalid_input);
 
     if (content->bytes().size() >= options.parallel_from) {
-        // Whatever is wrong is found again, and said, by those who look closer.
+        // The other parser finds and reports the problem.
         Diagnostics said;
         const std::optional<ObjChunks> chunks = ObjChunks::survey(content->text(), options.chunk);
         auto mesh = chunks ? build(path, *content, chunks->summary(), &*chunks, options, said) : nullptr;

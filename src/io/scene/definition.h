@@ -1,5 +1,5 @@
-// A value of a scene file that the command line gives: "camera.fov=35", "light.0.radiance=[1, 2, 3]". It is put into
-// the tree of values before any table is read, so that it is checked as if it stood in the file.
+// A value of a scene file that the command line gives: "camera.fov=35", "light.0.radiance=[1, 2, 3]". It is inserted
+// into the tree of values before tables are read, so that it is checked like a value of the file.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace lancer {
 
 struct Definition {
-    std::vector<std::string> path;  // keys, and places in lists of tables; not empty
-    std::string value;              // TOML; what is none is a string
+    std::vector<std::string> path;  // keys, and indices into lists of tables; not empty
+    std::string value;              // TOML, else a string
 };
 
 // Parts of the key are separated by dots; one with a dot in it is written in quotes. Throws Error (usage) where a text

@@ -1,5 +1,5 @@
-// Reads a scene file (TOML, see docs/scene-format.md) into a SceneDescription. Everything that one table can tell is
-// checked here, with the place in the file; what only the whole scene can tell is left to Scene::build.
+// Reads a scene file (TOML, see docs/scene-format.md) into a SceneDescription. Each table is checked here, with its
+// place in the file; checks that need the whole scene are done when the scene is built.
 #pragma once
 
 #include <functional>
@@ -14,22 +14,22 @@
 
 namespace lancer {
 
-// Loads one mesh file. What is wrong with it goes to the diagnostics; may return null if there was an error.
+// Loads one mesh file. Problems go to the diagnostics; may return null if there was an error.
 using MeshLoader =
     std::function<std::shared_ptr<const MeshData>(const std::string& path, Diagnostics&, const MeshOptions&)>;
 
 struct SceneFileOptions {
     std::string asset_root = {};                // empty: only files in the folder of the scene file may be named in it
-    MeshLoader mesh_loader = {};                // called once for each mesh file; must be set if the scene names one
+    MeshLoader mesh_loader = {};                // called once per mesh file; must be set if the scene has one
     RasterSource pictures = {};                 // as in MeshOptions
-    std::vector<std::string> definitions = {};  // KEY=VALUE, over what the file says; see io/scene/definition.h
+    std::vector<std::string> definitions = {};  // KEY=VALUE, override the file; see io/scene/definition.h
 };
 
 // Collects every problem in `diagnostics`; after an error the description is not fit for use. Throws Error only if
 // the file cannot be read at all.
 SceneDescription load_scene_file(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics);
 
-// The same for a text already in memory; `path` stands in messages, and mesh files are sought relative to it.
+// The same for a text in memory; `path` is used in messages, and mesh files are relative to it.
 SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
                              Diagnostics& diagnostics);
 

@@ -1,7 +1,6 @@
-// A scene as JSON that other renderers' scripts can read: what is there, in the units of the scene file, with every
-// name resolved. It has words for meshes with instances, spheres, planes; lambert, mirror and smooth glass with
-// constant colours and emission; point, directional and sphere lights and a constant environment; one camera. Whatever
-// else a scene has is refused, not dropped.
+// Exports a scene as JSON for scripts of other renderers, in the units of the scene file, with all names resolved. It
+// supports meshes with instances, spheres, planes; lambert, mirror and smooth glass with constant colours and emission;
+// point, directional and sphere lights and a constant environment; one camera. Anything else is refused.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
-// The mean of a pixel's neighbours, without itself. value(i): of pixel i as Film::pixels has them.
+// The mean of a pixel's neighbours without the pixel itself. value(i): value of pixel i of Film::pixels.
 template <class Value>
 Channels mean_around(const Film& film, size_t x, size_t y, const Value& value)
 {
@@ -46,15 +46,15 @@ std::vector<Channels> means_of(const Film& film, size_t begin, size_t end)
 }
 std::vector<Channels> means_of(const Film& film) { return means_of(film, 0, film.pixels.size()); }
 
-// The square of what a pixel would show without noise, as far as that can be told without believing a sample that
-// sticks out: as the pixel has it (without bias: a product of independent halves, or less the variance) or its
-// neighbours, whichever is less. Beside a lamp the neighbours are too bright.
+// Estimates the square of a pixel's noise-free value so that outliers do not count: the minimum of the pixel's own
+// unbiased estimate (a product of independent halves, or the square minus the variance) and that of its neighbours,
+// which are too bright beside a light.
 double without_noise(double own_squared, double around)
 {
     return std::max(0.0, std::min(own_squared, around * around));
 }
 
-// What replicates tell of the pixels.
+// Statistics of the replicates.
 struct Seen {
     std::vector<Channels> mean, variance;  // of that mean; 0 where it is not known
     std::vector<bool> known;
@@ -79,9 +79,9 @@ Seen see(const Film& film, uint32_t replicates)
     return seen;
 }
 
-// The square of what each pixel would show without noise, without a bias to either side: of a value between its own
-// mean and that of its neighbours, by how much of what it differs from them is noise, less what noise there is in it
-// still. Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics", IEEE PAMI 2(2), 1980.
+// Estimates the square of each pixel's noise-free value without bias: a value between its own mean and that of its
+// neighbours, weighted by the share of noise in their difference, minus the remaining noise. Lee, "Digital Image
+// Enhancement and Noise Filtering by Use of Local Statistics", IEEE PAMI 2(2), 1980.
 std::vector<Channels> squares_without_noise(const Film& film, const Seen& seen)
 {
     std::vector<Channels> squares = seen.mean;
@@ -105,7 +105,7 @@ template <class Half, class Around>
 void look_at(const Pixel& pixel, Half& half, const Around& around)
 {
     const double n = pixel.n, before = half.n, since = n - before;
-    // A second half that is a fraction of the first is too few points to be spread evenly; but better than nothing.
+    // A second half much smaller than the first is not evenly distributed, but better than nothing.
     if (half.n != 0 && since < before && (half.error >= 0 || since == 0)) return;
     const Color mean = pixel.mean();
     if (half.n != 0) {
@@ -136,7 +136,7 @@ struct ErrorSum {
 void HalfBuffers::look(const Film& film)
 {
     halves_.resize(film.pixels.size());
-    // By strips, and these added up in order: the same for any threads.
+    // Strips are summed in order, so that the result is the same for any number of threads.
     constexpr size_t strip = 16;  // rows
     const size_t width = film.crop.width(), height = film.crop.height();
     std::vector<ErrorSum> strips((height + strip - 1) / strip);
@@ -157,7 +157,7 @@ void HalfBuffers::look(const Film& film)
     ErrorSum all;
     for (const ErrorSum& of_strip : strips) all += of_strip;
     if (all.count == 0) return;
-    // Where a few pixels have most of the error, those that shall have met their bright samples later are missing.
+    // If few pixels have most of the error, those that have not yet met their bright samples are missing.
     const double mean = all.sum / all.count;
     error_ = mean + std::sqrt(std::max(0.0, all.squares - mean * all.sum)) / all.count;
 }

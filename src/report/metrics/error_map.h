@@ -1,4 +1,4 @@
-// Errors of pixels as colours.
+// Colour maps of per-pixel errors.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace lancer {
 // perceived brightness rises evenly, so that it reads the same in grey.
 std::array<double, 3> cubehelix(double t);
 
-// One number for each pixel of an image as a picture: `errors` drawn from 0 to 1, or as powers of ten from 1e-5 to 10.
-// In linear light, to be written with the sRGB curve; windows as those of `like`.
+// A picture of one number per pixel: `errors` from 0 to 1, or as powers of ten from 1e-5 to 10. In linear light, for
+// writing with the sRGB curve; with the windows of `like`.
 Image draw_errors(const Image& like, std::span<const float> errors);
 Image draw_error_powers(const Image& like, std::span<const float> errors);
 

@@ -1,6 +1,6 @@
-// Colours as FLIP looks at them: the opponent space that its eye filters in, and how far apart two colours are.
-// Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating
-// Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020, sections 4.1.1 to 4.1.4. Linear RGB is in [0, 1].
+// Colour spaces of FLIP: the opponent space of its filters, and the distance of two colours. Andersson, Nilsson,
+// Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM
+// Comput. Graph. Interact. Tech. 3(2), 2020, sections 4.1.1 to 4.1.4. Linear RGB is in [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -61,7 +61,7 @@ constexpr Triple rgb_from_opponent(const Triple& o)
     return rgb_from_xyz * Triple{(y + o[1] / 500) * white_xyz[0], y * white_xyz[1], (y - o[2] / 200) * white_xyz[2]};
 }
 
-// CIELAB, its chroma scaled by lightness: colours of dark things look duller (Hunt's effect).
+// CIELAB with chroma scaled by lightness, as dark colours look less saturated (Hunt effect).
 inline Triple lab_from_rgb(const Triple& rgb)
 {
     constexpr double delta = 6.0 / 29;

@@ -11,7 +11,7 @@
 
 namespace lancer {
 
-// Added to r^2 where errors are relative: keeps dark pixels from ruling them.
+// Added to r^2 in relative errors, so that dark pixels do not dominate.
 inline constexpr double relmse_epsilon = 0.01;
 
 inline std::array<double, 3> channels(Color c)
@@ -30,7 +30,7 @@ struct Metrics {
     std::array<double, 3> mean = {}, reference_mean = {}, mean_ratio = {};  // each channel; ratio = mean / reference
     double max_difference = 0;                                              // largest |x - r| of any channel
     int32_t max_x = 0, max_y = 0;     // the pixel where it is, the first one in reading order
-    size_t differing_pixels = 0;      // not the same bit by bit (so 0 and -0 differ)
+    size_t differing_pixels = 0;      // with different bits (0 and -0 differ)
     size_t non_finite_pixels = 0;     // of the picture
     size_t reference_non_finite = 0;  // pixels of the reference
 };

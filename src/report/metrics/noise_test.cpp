@@ -32,7 +32,7 @@ struct Sums {
     }
 };
 
-// What one pixel tells.
+// The result of one pixel.
 Sums pair_at(const NoisyPicture& a, const NoisyPicture& b, size_t i)
 {
     const auto value = [i](const NoisyPicture& p) {
@@ -66,10 +66,10 @@ void judge_pixel(const Sums& pixel, double ratio, NoiseTest& t)
     t.beyond_10 += z2 > 100;
 }
 
-// What tells two tiles apart must hold for tiles whose noise is far from normal, too: bright specks in few pixels. A
-// sum of independent symmetric terms, over the root of the sum of their squares, exceeds x with a probability of
-// exp(-x^2 / 2) at most: Efron, "Student's t-test under symmetry conditions", JASA 64, 1969. Differences of pictures
-// with as many samples are symmetric where they have one distribution.
+// The limit for tiles must also hold for noise that is far from normal, such as bright samples in few pixels. A sum of
+// independent symmetric terms, over the root of the sum of their squares, exceeds x with a probability of at most
+// exp(-x^2 / 2): Efron, "Student's t-test under symmetry conditions", JASA 64, 1969. Differences of pictures with equal
+// sample counts are symmetric if the distributions are equal.
 double limit_of(size_t tiles) { return std::sqrt(2 * std::log(2 * static_cast<double>(tiles) / tiles_false_alarm)); }
 
 void judge_tiles(const std::vector<Sums>& tiles, size_t across, double ratio, const Window& window, NoiseTest& t)

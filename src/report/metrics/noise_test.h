@@ -1,7 +1,7 @@
-// Whether two pictures differ by more than their noise, where the variance of each pixel is known. Three looks at the
-// differences of luminance: pixel by pixel; in tiles of 8 x 8, after Jung, Hanika, Dachsbacher, "Detecting Bias in
-// Monte Carlo Renderers using Welch's t-test", JCGT 9(2), 2020; and the mean of the whole picture. The pictures must be
-// independent of each other: other random numbers.
+// Statistical tests of whether two pictures differ by more than their noise, given the variance of each pixel. Three
+// tests of luminance differences: per pixel; in tiles of 8 x 8, after Jung, Hanika, Dachsbacher, "Detecting Bias in
+// Monte Carlo Renderers using Welch's t-test", JCGT 9(2), 2020; and the mean of the whole picture. The pictures must
+// have independent random numbers.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace lancer {
 
-// A picture and the variance of each pixel's mean luminance. An upper estimate of it, as Sobol' points have, makes the
-// tests conservative: they find less than they might and do not cry wolf.
+// A picture and the variance of each pixel's mean luminance. With an upper estimate of the variance, as for Sobol'
+// points, the tests are conservative.
 struct NoisyPicture {
     const Image& image;
     std::span<const float> variance;  // as Image::pixels
-    double rounding;                  // a value may be off by this part of itself: 2^-24 for floats, 2^-11 for halfs
+    double rounding;                  // relative rounding error of values: 2^-24 for floats, 2^-11 for halfs
     double samples = 0;               // per pixel; 0: not known
 };
 
-// In pixels and tiles a picture of few samples often has met none of the rare bright ones: too dark, and sure of it. So
-// where both numbers of samples are known, each picture has there the variance that the other one predicts, if that is
-// larger; it holds for pictures made in the same way.
+// In pixels and tiles a picture with few samples often lacks rare bright samples and underestimates its variance. If
+// both numbers of samples are known, each picture therefore has at least the variance that the other one predicts; this
+// assumes that both are made in the same way.
 struct NoiseTest {
     // Pixels whose variance is more than rounding explains, z the difference over its standard deviation. Of the same
     // mean, about 0.27 % have |z| > 3 and chi_square is about `pixels`; less where the variance is an upper estimate,

@@ -1,6 +1,6 @@
-// Few numbers that say what many measurements were: medians with their range, means of ratios, power laws. Intervals
-// come from the bootstrap with a fixed seed, so the same measurements give the same intervals: Efron, Tibshirani, "An
-// Introduction to the Bootstrap", 1993, chapters 9 and 13.
+// Summary statistics: medians with their range, means of ratios, power laws. Intervals come from the bootstrap with a
+// fixed seed, so that the same measurements give the same intervals: Efron, Tibshirani, "An Introduction to the
+// Bootstrap", 1993, chapters 9 and 13.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace lancer {
 
-// Of an even count the mean of the middle two. values: not empty, no NaN, in any order.
+// The median; of an even count the mean of the middle two. values: not empty, no NaN, in any order.
 double median(std::vector<double> values);
 
 struct Spread {
@@ -19,7 +19,7 @@ struct Spread {
 // values: not empty, no NaN.
 Spread spread_of(std::span<const double> values);
 
-// Of positive values: the mean of ratios that treats r and 1/r alike; NaN of none.
+// The geometric mean of positive values; NaN if there are none.
 double geometric_mean(std::span<const double> values);
 
 struct Interval {
@@ -28,23 +28,23 @@ struct Interval {
     bool overlaps(const Interval& o) const { return low <= o.high && o.low <= high; }
 };
 
-// Of the median, 95 %, by resampling the values. Not empty.
+// A 95 % interval of the median by resampling the values. Not empty.
 Interval median_interval(std::span<const double> values, uint64_t seed = 0);
 
-// Of a statistic of `count` things, 95 %, by resampling the things. It is given the numbers of those that were drawn,
-// `count` of them, some more than once; it may return infinities but no NaN. count > 0. The same seed draws the same
-// things for every statistic.
+// A 95 % interval of a statistic of `count` items by resampling the items. The statistic gets the `count` indices that
+// were drawn, some repeated; it may return infinities but no NaN. count > 0. The same seed draws the same items for
+// every statistic.
 using ResampledStatistic = std::function<double(std::span<const size_t> drawn)>;
 Interval resampled_interval(size_t count, uint64_t seed, const ResampledStatistic& statistic);
 
-// The exponent of the law y = factor * x^exponent by least squares in logarithms. x, y: positive, of the same size, at
-// least two, x not all equal.
+// The exponent of y = factor * x^exponent by least squares in logarithms. x, y: positive, of the same size, at least
+// two, x not all equal.
 double fitted_exponent(std::span<const double> x, std::span<const double> y);
 
 // y = factor * x^exponent.
 struct PowerLaw {
     double exponent = 0, factor = 0;
-    Interval exponent_interval;  // 95 %, by resampling what the law leaves unexplained
+    Interval exponent_interval;  // 95 %, by resampling the residuals
 };
 // Least squares in logarithms. x, y: positive, of the same size, at least three, x not all equal; else Error (failed).
 PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, uint64_t seed = 0);

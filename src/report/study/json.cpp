@@ -71,7 +71,7 @@ Json level_json(const PictureLevel& level)
             {"systematic_interval", interval_json(level.systematic_interval)}};
 }
 
-// What the page says, for programs that do not want to work it out; not read again.
+// Derived values of the page, for other programs; not read back.
 Json time_ratios_json(const Study& study)
 {
     Json all = Json::array();

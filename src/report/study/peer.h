@@ -1,5 +1,4 @@
-// What other renderers say when a study asks them: the lines of JSON of bench/peers/run, and how many samples are asked
-// of them.
+// The JSON lines of bench/peers/run, by which other renderers report their runs, and the choice of their sample counts.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +14,20 @@ struct PeerAbout {
     bool seeds = false;    // else its random numbers are always the same
     bool squares = false;  // samples per pixel must be square numbers
 };
-// name: of who said it, for messages. Throws Error (failed) for what is not such an object.
+// name: of the peer, for messages. Throws Error (failed) for anything but such an object.
 PeerAbout read_peer_about(const std::string& name, const std::string& json);
 
 struct PeerRecord {
     uint32_t spp = 0;
     double render_wall_s = 0;
-    double render_cpu_s = std::numeric_limits<double>::quiet_NaN();  // NaN: it does not tell
+    double render_cpu_s = std::numeric_limits<double>::quiet_NaN();  // NaN: unknown
     std::vector<std::string> biases;
 };
 // A line for each picture, in this order of samples. Throws Error (failed) for anything else.
 std::vector<PeerRecord> read_peer_records(const std::string& name, const std::string& lines,
                                           const std::vector<uint32_t>& spps);
 
-// How long the first picture that its speed is told from should take at least, as a part of the study's time.
+// The minimal duration of the first picture used to measure speed, as a part of the study's time.
 inline constexpr double probe_part = 1.0 / 16;
 
 // Samples per pixel of the pictures of a run, ascending fourfold, so that all together take a third more than the last;

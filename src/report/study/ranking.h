@@ -1,6 +1,6 @@
-// Whether a method beats the baseline of its study on a scene: at equal time and at equal error, never at equal
-// samples, and only where the interval of the ratio leaves no doubt. What may not be ranked at all is not: other
-// biases, failed runs, few seeds, machines that differ, errors within the noise of the reference.
+// Ranks a method against the baseline of its study on a scene: at equal time and at equal error, never at equal
+// samples, and only if the interval of the ratio excludes 1. Not ranked: other biases, failed runs, few seeds,
+// different machines, errors within the noise of the reference.
 #pragma once
 
 #include <string>
@@ -25,8 +25,7 @@ struct Comparison {
                         // seed was drawn disturbed both. 0 and infinity: the range goes beyond what was measured.
 };
 
-// 1 / (relMSE * time): what a method makes of a second. The same at all times for plain Monte Carlo, so it is told with
-// its time.
+// Efficiency 1 / (relMSE * time). It is constant over time for plain Monte Carlo, so it is given with its time.
 struct Efficiency {
     double seconds =
         0;             // the longest time at which every run of this method and of the baseline was measured; NaN: none
@@ -36,7 +35,7 @@ struct Efficiency {
     Comparison gain;      // over the baseline: at equal time the ratio of the errors
 };
 
-// Why this method may not be ranked against the baseline on the scene, whatever its figures; empty if it may.
+// The reason why this method may not be ranked against the baseline on the scene; empty if it may.
 std::string why_not_ranked(const Study& study, const StudyScene& scene, const StudyMethod& method);
 
 // At equal time.

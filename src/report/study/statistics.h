@@ -1,6 +1,6 @@
-// What a study says of a method on a scene, over its seeds: median curves with bands, how fast the error falls, the
-// time to an error, each with an interval of 95 % by resampling the seeds (report/metrics/statistics.h). Whether one
-// method beats another is study/ranking.h.
+// Statistics of a method on a scene over its seeds: median curves with bands, the rate of convergence, the time to an
+// error, each with a 95 % interval by resampling the seeds (report/metrics/statistics.h). study/ranking.h compares
+// methods.
 #pragma once
 
 #include <array>
@@ -13,11 +13,10 @@
 
 namespace lancer {
 
-// The errors whose time is told, in relMSE.
+// Target errors of the time to error, in relMSE.
 inline constexpr std::array study_targets{1e-1, 1e-2, 1e-3};
 
-// At or below this relMSE at least half of what is measured against the reference is the reference's own noise, as the
-// two add up: differences there say nothing about methods.
+// At or below this relMSE at least half of the measured error is the reference's own noise.
 inline double noise_limit(double reference_noise_relmse) { return 2 * reference_noise_relmse; }
 
 // A slope is fitted above this relMSE: there the noise of the reference flattens the curve by less than a tenth.
@@ -42,7 +41,7 @@ enum class Reach {
     extrapolated,  // beyond the last one, by the slope; only of unbiased methods
     at_once,       // before the first measurement; seconds is the time of that
     not_reached,
-    below_noise,  // no time to such an error can be told with this reference
+    below_noise,  // the reference is too noisy for this error
     not_measured  // no run
 };
 struct TimeToError {

@@ -144,7 +144,7 @@ Table runs_table(const SceneFigures& f)
                 {}};
     for (const MethodFigures& m : f.all) {
         const auto end = [&](const auto& figure) { return number(at_end(f, *m.method, figure)); };
-        // Another program tells its samples, not its rays.
+        // Peers report samples, not rays.
         const auto traced = [&](const auto& figure) { return m.method->peer ? Cell{} : end(figure); };
         table.rows.push_back(
             {method_cell(*m.method),

@@ -1,16 +1,15 @@
-// Takes textures out of a scene that say the same everywhere, and keeps what is there twice once. Pictures stay what
-// they are, bit by bit.
+// Folds constant textures into parameters and merges duplicates. The picture keeps its bits.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace lancer {
 
-// Textures with the same texels share them. Call it when all textures are there.
+// Textures with equal texels share them. Call it when all textures are loaded.
 void share_texels(Scene& scene);
 
-// A texture of one value becomes a factor of the parameters that it belongs to, heights without a slope no bumps, and a
-// mix of one part alone that part. Materials that read no texture any more say so.
+// A constant texture becomes a factor of its parameters, constant heights no bumps, and a mix with weight 0 or 1 its
+// part. Updates which materials read textures.
 void fold_constants(Scene& scene);
 
 }  // namespace lancer

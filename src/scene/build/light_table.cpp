@@ -9,15 +9,15 @@
 namespace lancer {
 namespace {
 
-// What lights are weighed by: luminance in double, which no radiance overflows.
+// Luminance in double, which no radiance overflows.
 double power_of(Color c) { return luminance(c.r, c.g, c.b); }
 
-// What a textured emitter is said to give at least, of what it would give without its texture: however the estimate
-// fails, no place that shines is out of reach of light sampling.
+// Lower bound of a textured emitter's power relative to its power without the texture, so that every emitting point can
+// be sampled even if the estimate fails.
 constexpr double least_emission = 0.01;
 
-// The mean over a triangle of what one side of it emits, as far as choosing lights must know it: 16 equal parts, the
-// texture averaged over each.
+// Estimated mean radiance of one side of a triangle for light selection: 16 equal parts, the texture filtered over
+// each.
 double mean_emission(const Scene& scene, const TriangleLight& light, const ColorParam& radiance)
 {
     const double plain = power_of(radiance.value);
@@ -90,7 +90,7 @@ private:
         for (uint32_t i = 0; i < scene_.geometry.instances.size(); ++i)
             scene_.instance_first_light.push_back(add_triangle_lights(i, scene_.geometry.instances[i].mesh));
     }
-    // The triangles of a mesh that shine; empty if none does.
+    // The emissive triangles of a mesh; empty if there are none.
     RankedBitset emitters_of(uint32_t mesh) const
     {
         const MeshShading& s = scene_.shading[mesh];
@@ -107,7 +107,7 @@ private:
         const TriangleInteraction place = triangle_interaction(scene_, instance, mesh, triangle, {});
         return {instance, mesh, triangle, place.n, place.area};
     }
-    // Their powers are set in parallel: a scene can have millions of them, each with its texture to look up.
+    // Powers are computed in parallel: a scene may have millions of textured emitters.
     uint32_t add_triangle_lights(uint32_t instance, uint32_t mesh)
     {
         const uint32_t first = next();
@@ -138,7 +138,7 @@ private:
         add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
     }
 
-    // By power alone where lights are few: one more or less then costs less than to look at all of them.
+    // Few lights are selected by power alone: that is cheaper than evaluating their importance.
     void grow_tree()
     {
         constexpr uint32_t many = 64;

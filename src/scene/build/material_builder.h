@@ -10,10 +10,10 @@
 
 namespace lancer {
 
-// Choices for the whole picture.
+// Options of the whole picture.
 struct MaterialOptions {
-    bool multiscatter = false;  // compensate GGX for the light that it loses between its facets
-    bool fresnel = true;        // else smooth glass only refracts
+    bool multiscatter = false;  // energy compensation for multiple scattering
+    bool fresnel = true;        // false: smooth glass only refracts
 };
 
 class MaterialBuilder {
@@ -35,7 +35,7 @@ private:
     void finish(Interface& interface, const MaterialDescription& description);
 
     MaterialOptions options_;
-    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // of each index, for rough plastics to share
+    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // per index of refraction, shared by rough plastics
 };
 
 }  // namespace lancer

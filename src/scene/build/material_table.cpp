@@ -21,7 +21,7 @@ void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
                                    " are too far apart: their ratio is no number of 32 bits");
 }
 
-// What is no picture.
+// A texture that is not an image.
 Texture make_formula(const TextureDescription& t, bool legacy)
 {
     const Vec2 scale = t.use.scale, offset = t.use.offset;
@@ -59,8 +59,8 @@ MaterialTable::MaterialTable(const SceneDescription& description, const RenderSe
     for (size_t i = 0; i < d_.materials.size(); ++i) index_.emplace(d_.materials[i].name, i);
 }
 
-// On first use: what nobody uses is not loaded. Mixes name other materials, in any order; one that contains itself is
-// an error.
+// Created on first use; unused materials are not loaded. Mixes name other materials in any order; a mix that contains
+// itself is an error.
 void MaterialTable::resolve_named(size_t index)
 {
     if (ids_[index] != Scene::none) return;
@@ -111,7 +111,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     return static_cast<uint32_t>(scene_.materials.size() - 1);
 }
 
-// A mix has the emission, the opacity and the bumps of its own description; its parts only scatter.
+// A mix has its own emission, opacity and bumps; its parts only scatter.
 uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, uint32_t second, FloatParam weight)
 {
     const uint32_t id = add_plain(m, Lambert{});
@@ -132,7 +132,7 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
 
 uint32_t MaterialTable::add(const MaterialDescription& m)
 {
-    // A material file that several meshes name brings the same ones again and again.
+    // Meshes that share a material file bring the same materials repeatedly.
     for (const auto& [known, id] : added_[m.name]) {
         if (!(known == m)) continue;
         scene_.unused_features.add("duplicate materials", 1,

@@ -21,12 +21,12 @@ public:
                   std::vector<PendingPictures::OfTexture>& pending,
                   Diagnostics& diagnostics, const RasterSource& images);
 
-    // The id of a material as it is described.
-    uint32_t add(const MaterialDescription& material);  // again what there is: the same id
-    // The same of a mesh file, under the overrides.
+    // The id of a described material.
+    uint32_t add(const MaterialDescription& material);  // equal descriptions get the same id
+    // The same for a material of a mesh file, with overrides applied.
     uint32_t add_from_file(const MaterialDescription& material);
-    // The id of a named material or preset; an empty name is the default grey, as is an unknown one, so that building
-    // goes on to find what else is wrong.
+    // The id of a named material or preset; an empty name is the default grey, as is an unknown one, which is an error,
+    // so that building goes on to find further errors.
     uint32_t named(const std::string& name, const Location& where);
     // The id of a changed copy of a named material, the same for the same `how`; an empty name is `otherwise`.
     uint32_t changed(const std::string& name, const Location& where, const std::string& how,
@@ -34,7 +34,7 @@ public:
                      const std::function<MaterialDescription(const MaterialDescription&)>& change);
     // The id of a named material with bands of another. pattern: grid or rim.
     uint32_t banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where);
-    // Warns of what nobody uses.
+    // Warns of unused materials.
     void finish();
 
 private:

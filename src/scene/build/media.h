@@ -1,4 +1,4 @@
-// Which materials fill bodies with a medium, collected while the scene is built.
+// Collects the media of materials while the scene is built.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace lancer {
 // the same material.
 uint16_t add_medium(const MaterialDescription& material, const Material& bsdf, Scene& scene, Diagnostics& diagnostics);
 
-// Whether it makes a difference to a ray that it is inside.
+// Whether the medium affects rays inside it.
 bool matters(const Medium& medium);
 
-// When all are listed: forgets them if none has a priority or absorbs anything, so that nobody looks for them.
+// Removes all media if none has a priority or absorbs, so that rendering skips them.
 void finish_media(Scene& scene);
 
 }  // namespace lancer

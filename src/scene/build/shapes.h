@@ -1,5 +1,4 @@
-// Shapes that scene files know besides meshes, spheres and plain planes, in terms of these: planes with bands and with
-// waves, bubbles, triangles, pyramids.
+// Shapes of scene files that are built from others: planes with bands and with waves, bubbles, triangles, pyramids.
 #pragma once
 
 #include <array>
@@ -21,10 +20,10 @@ std::array<Vec3d, 2> default_axes(Vec3d n);
 
 PlaneMap make_plane_map(const PlaneDescription& plane);
 
-// What the waves of water are unless somebody says so. legacy: for slopes that lack their factor of 2 pi.
+// Default waves of water. legacy: for slopes without the factor of 2 pi.
 std::vector<Wave> default_waves(bool legacy);
 
-// The material of the same boundary with inside and outside changed over; nothing if it has no inside.
+// The material with inside and outside exchanged; nothing if it has no inside.
 std::optional<MaterialDescription> inside_out(MaterialDescription material);
 
 // One triangle. uv: in a picture the corner a is the upper left one, b the upper right one, c the lower left one; as
@@ -36,7 +35,7 @@ std::shared_ptr<const MeshData> make_triangle(Vec3d a, Vec3d b, Vec3d c);
 // apex.
 std::shared_ptr<const MeshData> make_pyramid(Vec3d center, double side, Vec3d up);
 
-// The id of the material. What cannot be turned inside out is an error.
+// The id of the material of a sphere. Reports an error if it cannot be turned inside out.
 uint32_t material_of(const SphereDescription& sphere, MaterialTable& materials, Diagnostics& diagnostics);
 uint32_t material_of(const PlaneDescription& plane, bool legacy, MaterialTable& materials);
 

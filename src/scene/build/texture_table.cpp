@@ -17,13 +17,13 @@ std::string reason_of(const Error& e, const std::string& file)
     return text.starts_with(before) ? text.substr(before.size()) : text;
 }
 
-// What became of one texture.
+// The result of one texture.
 struct Outcome {
     std::string problem;
     uint64_t not_finite = 0;
 };
 
-// What all the places that use a picture have to say of it.
+// The results of all uses of a picture.
 struct Report {
     Location first;
     std::string problem;
@@ -31,7 +31,7 @@ struct Report {
     bool gives_numbers = false, gives_bumps = false;
 };
 
-// Leaves no bumps where the texture was to give them. Whether it was.
+// Removes bumps that use the texture; returns whether there were any.
 bool take_bumps_away(Scene& scene, uint32_t texture)
 {
     bool found = false;

@@ -1,4 +1,4 @@
-// Makes the textures of a scene from the pictures that it asked for.
+// Makes the textures of a scene from its pictures.
 #pragma once
 
 #include "scene/build/pending_pictures.h"
