@@ -41,7 +41,7 @@ public:
             return low + part_ * (high - low);
         }
         // Four rows, each at its own cosine.
-        static Float4 losses(const std::array<Row, 4>& rows, Float4 cos)
+        static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
         {
             const Float4 x = max(min(cos, _mm_set1_ps(1)), _mm_set1_ps(least_cos));
             const auto of_all = [](uint32_t n) { return _mm_set1_epi32(static_cast<int>(n)); };
@@ -52,14 +52,14 @@ public:
             alignas(16) std::array<uint32_t, 4> first;
             _mm_store_si128(reinterpret_cast<__m128i*>(first.data()), index);
             const auto ends = [&](size_t i) {
-                const float* low = rows[i].losses_ + first[i];
+                const float* low = four[i].losses_ + first[i];
                 const __m128 two = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(low)));
                 return _mm_loadh_pi(two, reinterpret_cast<const __m64*>(low + cosines));
             };
             __m128 a = ends(0), b = ends(1), c = ends(2), d = ends(3);
             _MM_TRANSPOSE4_PS(a, b, c, d);
             const Float4 low = a + part * (b - a), high = c + part * (d - c);
-            return low + Float4{rows[0].part_, rows[1].part_, rows[2].part_, rows[3].part_} * (high - low);
+            return low + Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_} * (high - low);
         }
 
     private:

@@ -127,7 +127,7 @@ TEST(Warp, ResultsStayInTheirDomainAtTheEndsOfTheSquare)
             for (const Vec3 v : {square_to_cosine_hemisphere({x, y}), square_to_sphere({x, y})})
                 EXPECT_NEAR(length(v), 1, 4e-7f);
             EXPECT_GE(square_to_cosine_hemisphere({x, y}).z, 0);
-            const Vec2 b = square_to_triangle({x, y});
+            const Vec2 b = square_to_triangle(Vec2{x, y});
             EXPECT_TRUE(b.x >= 0 && b.y >= 0 && b.x + b.y <= 1) << x << " " << y;
         }
 }
