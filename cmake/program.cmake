@@ -3,6 +3,7 @@ file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "/(cpu_check|main)\\.cpp$")
 add_library(lancer_app STATIC ${app_sources})
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
+target_precompile_headers(lancer_app PRIVATE ${standard_headers})
 target_compile_definitions(lancer_app PRIVATE LANCER_VERSION="${PROJECT_VERSION}" LANCER_BUILD_TYPE="${CMAKE_BUILD_TYPE}")
 
 add_library(lancer_cpu_check OBJECT src/app/cpu_check.cpp)

@@ -19,13 +19,7 @@ struct Location {
 };
 
 // "file", "file:line" or "file:line:column", as far as known; "" for no file.
-inline std::string to_string(const Location& l)
-{
-    std::string s = l.file;
-    if (l.line) s += ":" + std::to_string(l.line);
-    if (l.line && l.column) s += ":" + std::to_string(l.column);
-    return s;
-}
+std::string to_string(const Location& l);
 
 // Category of an error; it decides the exit code of the program.
 enum class ErrorKind {
@@ -39,10 +33,7 @@ enum class ErrorKind {
 class Error : public std::exception {
 public:
     Error(ErrorKind kind, std::string text) : kind_(kind), text_(std::move(text)) {}
-    Error(ErrorKind kind, const Location& where, const std::string& message)
-        : kind_(kind), text_((where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message)
-    {
-    }
+    Error(ErrorKind kind, const Location& where, const std::string& message);
     const char* what() const noexcept override { return text_.c_str(); }
     ErrorKind kind() const { return kind_; }
 
@@ -61,20 +52,9 @@ public:
         uint64_t count = 0;
     };
 
-    void error(const Location& where, const std::string& message, ErrorKind kind = ErrorKind::invalid_input)
-    {
-        if (errors_ == 0) kind_ = kind;
-        if (++errors_ > max_errors) return;
-        if (!text_.empty()) text_ += '\n';
-        text_ += (where.file.empty() ? "" : to_string(where) + ": ") + "error: " + message;
-    }
+    void error(const Location& where, const std::string& message, ErrorKind kind = ErrorKind::invalid_input);
     // count > 1: the caller has counted the occurrences; `where` is the first one.
-    void warning(const Location& where, const std::string& message, uint64_t count = 1)
-    {
-        const auto [it, fresh] = index_.try_emplace(where.file + '\n' + message, warnings_.size());
-        if (fresh) warnings_.push_back({where, message, 0});
-        warnings_[it->second].count += count;
-    }
+    void warning(const Location& where, const std::string& message, uint64_t count = 1);
     // Appends the warnings of another object.
     void append(const Diagnostics& other)
     {
@@ -83,12 +63,7 @@ public:
     bool has_errors() const { return errors_ > 0; }
     const std::vector<Warning>& warnings() const { return warnings_; }
     // The kind is that of the first error.
-    void throw_if_errors() const
-    {
-        if (errors_ == 0) return;
-        const uint64_t more = errors_ > max_errors ? errors_ - max_errors : 0;
-        throw Error(kind_, more ? text_ + "\nerror: and " + std::to_string(more) + " more" : text_);
-    }
+    void throw_if_errors() const;
 
 private:
     static constexpr uint64_t max_errors = 50;  // a broken file of a million lines still gives a readable report
@@ -100,10 +75,6 @@ private:
 };
 
 // "place: warning: message (n times)"
-inline std::string to_string(const Diagnostics::Warning& w)
-{
-    return (w.where.file.empty() ? "" : to_string(w.where) + ": ") + "warning: " + w.message +
-           (w.count > 1 ? " (" + std::to_string(w.count) + " times)" : "");
-}
+std::string to_string(const Diagnostics::Warning& w);
 
 }  // namespace lancer

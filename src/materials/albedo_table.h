@@ -41,7 +41,7 @@ public:
             return low + part_ * (high - low);
         }
         // Four rows, each at its own cosine.
-        static Float4 losses(const std::array<Row, 4>& rows, Float4 cos)
+        static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
         {
             const Float4 x = max(min(cos, broadcast_to<Float4>(1)), broadcast_to<Float4>(least_cos));
             const UInt4 offset = reinterpret_cast<UInt4>(x) - std::bit_cast<uint32_t>(least_cos);
@@ -51,12 +51,12 @@ public:
             alignas(16) std::array<uint32_t, 4> first;
             store4_aligned(first.data(), index);
             const auto ends = [&](size_t i) {
-                const float* low = rows[i].losses_ + first[i];
+                const float* low = four[i].losses_ + first[i];
                 return load2x2(low, low + cosines);
             };
             const auto [a, b, c, d] = transpose4x4(std::array<Float4, 4>{ends(0), ends(1), ends(2), ends(3)});
             const Float4 low = a + part * (b - a), high = c + part * (d - c);
-            return low + Float4{rows[0].part_, rows[1].part_, rows[2].part_, rows[3].part_} * (high - low);
+            return low + Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_} * (high - low);
         }
 
     private:

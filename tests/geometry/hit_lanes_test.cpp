@@ -34,7 +34,7 @@ TEST(HitLanes, AreThoseOfEachHit)
             EXPECT_EQ(lanes.v[i], h.uv.y);
             EXPECT_EQ(lanes.geometry[i], h.geometry);
             EXPECT_EQ(lanes.primitive[i], h.primitive);
-            EXPECT_EQ(lanes.place[i], h.place);
+            EXPECT_EQ(lanes.leaf_hint[i], h.leaf_hint);
             EXPECT_EQ(lanes.exist[i], h ? -1 : 0);
         }
     }

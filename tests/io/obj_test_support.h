@@ -82,16 +82,6 @@ inline const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 inline const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 // Real and broken files are not part of the source; the tests pass without them.
-inline fs::path shared_folder()
-{
-    const char* const named = std::getenv("LANCER_SHARED");
-    if (named) return named;
-    fs::path up = fs::path(LANCER_SOURCE_DIR);
-    for (int i = 0; i < 2; ++i) {
-        up = up.parent_path();
-        if (fs::is_directory(up / "shared")) return up / "shared";
-    }
-    return {};
-}
+fs::path shared_folder();
 
 }  // namespace lancer

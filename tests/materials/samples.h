@@ -107,15 +107,7 @@ inline std::vector<Sample<Metal>> samples<Metal>()
             {"least rough", {copper, 0.004f}, false, false, 0, true}};
 }
 
-inline Plastic make_plastic(Color base, float roughness, float ior, Color specular = {1, 1, 1})
-{
-    return {base,
-            roughness,
-            ior,
-            specular,
-            mean_transmittance(ior),
-            roughness == 0 ? nullptr : std::make_shared<const AlbedoTable>(ior)};
-}
+Plastic make_plastic(Color base, float roughness, float ior, Color specular = {1, 1, 1});
 template <>
 inline std::vector<Sample<Plastic>> samples<Plastic>()
 {
@@ -207,20 +199,7 @@ struct Place {
 };
 
 // Both sides, from above to grazing.
-inline std::vector<Place> places()
-{
-    std::vector<Place> all;
-    double phi = 0.3;
-    for (const bool front : {true, false})
-        for (const double z : {1.0, 0.8, 0.5, 0.2, 0.02}) {
-            const double r = std::sqrt(1 - z * z);
-            phi += 2.1;
-            all.push_back({std::string(front ? "front" : "back") + " cos " + std::to_string(z),
-                           {.front = front},
-                           to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), z})});
-        }
-    return all;
-}
+std::vector<Place> places();
 
 template <class M>
 using BsdfOf = decltype(std::declval<M>().at(ShadingPoint{}));

@@ -4,8 +4,7 @@
 
 #include <array>
 
-#include "stability/row.h"
-#include "support/render.h"
+#include "stability/counted_render.h"
 #include "support/salt.h"
 #include "support/significance.h"
 
@@ -26,68 +25,17 @@ struct Shot {
     std::string isa = "avx2";
 };
 
-inline Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
-{
-    RenderRequest r;
-    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp}, r.threads = shot.threads;
-    r.settings.integrator = shot.integrator;
-    r.settings.accel = shot.accel;
-    r.settings.isa = shot.isa;
-    r.settings.kernel.sampler = shot.sampler;
-    r.settings.kernel.seed = salted(shot.seed);
-    r.settings.kernel.filter = Filter(FilterKind::box);
-    Rendered made = render(d, r);
-    out.samples += uint64_t{shot.width} * shot.height * shot.spp;
-    out.dropped += made.counters.dropped;
-    return std::move(made.film);
-}
+Film take(const SceneDescription& d, const Shot& shot, Outcome& out);
 
 inline double luminance_of(const Pixel& p) { return static_cast<double>(luminance(p.mean())); }
-inline double mean_luminance(const Film& film)
-{
-    double sum = 0;
-    for (const Pixel& p : film.pixels) sum += luminance_of(p);
-    return sum / static_cast<double>(film.pixels.size());
-}
+double mean_luminance(const Film& film);
 
-inline double pixels_that_differ(const Film& a, const Film& b)
-{
-    double n = 0;
-    for (size_t i = 0; i < a.pixels.size(); ++i)
-        n += a.pixels[i].sum != b.pixels[i].sum || a.pixels[i].n != b.pixels[i].n;
-    return n;
-}
 // Root of the mean squared difference over the mean of `a`.
-inline double relative_rmse(const Film& a, const Film& b)
-{
-    double squares = 0;
-    for (size_t i = 0; i < a.pixels.size(); ++i) {
-        const double d = luminance_of(a.pixels[i]) - luminance_of(b.pixels[i]);
-        squares += d * d;
-    }
-    return std::sqrt(squares / static_cast<double>(a.pixels.size())) / mean_luminance(a);
-}
+double relative_rmse(const Film& a, const Film& b);
 
 // Means of 8 x 8 pixels, and of the whole as the last, over pictures with seeds of their own: shot.seed says which. By
 // independent samples: what Sobol's points leave of the noise is too far from normal for tests of a few pictures.
-inline std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, Shot shot, uint32_t pictures, Outcome& out)
-{
-    const uint32_t across = shot.width / 8;
-    std::vector<stats::Tally> tiles(size_t{across} * (shot.height / 8) + 1);
-    const uint64_t first = shot.seed * 1000003;
-    shot.sampler = SamplerKind::independent;
-    for (uint32_t k = 0; k < pictures; ++k) {
-        shot.seed = first + k;
-        const Film film = take(d, shot, out);
-        std::vector<double> sum(tiles.size());
-        for (uint32_t y = 0; y < shot.height; ++y)
-            for (uint32_t x = 0; x < shot.width; ++x)
-                sum[size_t{y / 8} * across + x / 8] += luminance_of(film.at(x, y)) / 64;
-        for (size_t i = 0; i + 1 < tiles.size(); ++i) sum.back() += sum[i] / static_cast<double>(tiles.size() - 1);
-        for (size_t i = 0; i < tiles.size(); ++i) tiles[i].add(sum[i]);
-    }
-    return tiles;
-}
+std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, Shot shot, uint32_t pictures, Outcome& out);
 
 // The least p-value of a family of tests, held to Sidak's level of it.
 struct LeastP {

@@ -14,61 +14,18 @@ inline bool same_primitive(const Hit& a, const Hit& b)
     if (!a || !b) return !a && !b;
     return a.kind == b.kind && a.instance == b.instance && a.geometry == b.geometry && a.primitive == b.primitive;
 }
-inline bool same_bits(const Hit& a, const Hit& b)
-{
-    return same_primitive(a, b) && std::bit_cast<uint32_t>(a.t) == std::bit_cast<uint32_t>(b.t) &&
-           std::bit_cast<uint32_t>(a.uv.x) == std::bit_cast<uint32_t>(b.uv.x) &&
-           std::bit_cast<uint32_t>(a.uv.y) == std::bit_cast<uint32_t>(b.uv.y);
-}
+bool same_bits(const Hit& a, const Hit& b);
 
 // Distance of a ray's line to the nearest edge of a triangle, over the size of the coordinates involved, in ulps of
 // float: an accelerator that computes in float may decide either way within a few.
-inline double ulps_from_edge(const Geometry& g, const Ray& ray, const Hit& hit)
-{
-    Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
-    if (hit.instance != Hit::no_instance) {
-        const Transform& m = g.instances[hit.instance].to_mesh;
-        org = m.point(org), dir = m.vector(dir);
-    }
-    const Mesh& mesh = g.meshes[hit.geometry];
-    double least = INFINITY, size = length(org);
-    for (size_t k = 0; k < 3; ++k) {
-        const auto& t = mesh.triangles[hit.primitive];
-        const Vec3d a = to_double(mesh.positions[t[k]]), b = to_double(mesh.positions[t[(k + 1) % 3]]);
-        const Vec3d across = cross(b - a, dir);
-        least = std::min(least, std::abs(dot(across, a - org)) / length(across));
-        size = std::max(size, length(a));
-    }
-    return least / (size * 0x1p-24);
-}
+double ulps_from_edge(const Geometry& g, const Ray& ray, const Hit& hit);
 
 // How far along the ray float can tell where the hit is: 16 ulps of the coordinates, across the surface. A ray that
 // only grazes a triangle goes further within them.
-inline double doubt(const Geometry& g, const Ray& ray, const Hit& hit)
-{
-    Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
-    double cosine = 1;
-    if (hit.kind == Kind::triangle) {
-        if (hit.instance != Hit::no_instance) {
-            const Transform& m = g.instances[hit.instance].to_mesh;
-            org = m.point(org), dir = m.vector(dir);
-        }
-        const Mesh& mesh = g.meshes[hit.geometry];
-        const auto& t = mesh.triangles[hit.primitive];
-        const Vec3d a = to_double(mesh.positions[t[0]]), b = to_double(mesh.positions[t[1]]),
-                    c = to_double(mesh.positions[t[2]]);
-        cosine = std::abs(dot(normalize(cross(b - a, c - a)), dir));
-    }
-    return 16 * 0x1p-24 * std::max(length(org), static_cast<double>(hit.t) * length(dir)) / cosine;
-}
+double doubt(const Geometry& g, const Ray& ray, const Hit& hit);
 
 // Two answers to one ray that name different primitives are both right where float cannot tell which is nearer, or
 // whether the ray passes the nearer one's edge.
-inline bool explainable(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b)
-{
-    if (a && b && static_cast<double>(std::abs(a.t - b.t)) <= std::max(doubt(g, ray, a), doubt(g, ray, b))) return true;
-    const Hit& nearer = !b || (a && a.t < b.t) ? a : b;
-    return nearer.kind == Kind::triangle && ulps_from_edge(g, ray, nearer) < 32;
-}
+bool explainable(const Geometry& g, const Ray& ray, const Hit& a, const Hit& b);
 
 }  // namespace lancer

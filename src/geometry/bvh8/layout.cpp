@@ -112,7 +112,9 @@ private:
         Collapse::Children all = collapse_.children(node);
         const auto first = all.nodes.begin(), last = first + all.count;
         const auto merit = [&](uint32_t child) { return collapse_.merit(child); };
-        std::sort(first, last, [&](uint32_t a, uint32_t b) { return std::pair(merit(b), a) < std::pair(merit(a), b); });
+        const auto before = [&](uint32_t a, uint32_t b) { return std::pair(merit(b), a) < std::pair(merit(a), b); };
+        // Insertion, as there are at most eight: std::sort of so few makes g++ 14 warn of bounds that are kept.
+        for (auto i = first; i != last; ++i) std::rotate(std::upper_bound(first, i, *i, before), i, i + 1);
         Plan p;
         for (auto i = first; i != last; ++i) {
             Plan::Child& c = p.children[p.count++];

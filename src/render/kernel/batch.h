@@ -36,6 +36,8 @@ struct InPlace {
     const F& f;
     operator std::invoke_result_t<F>() const { return f(); }
 };
+template <class F>
+InPlace(const F&) -> InPlace<F>;
 
 // Film position of a sample in pixels. offset: from the centre of its pixel.
 inline Vec2 on_film(const SampleId& id, Vec2 offset)

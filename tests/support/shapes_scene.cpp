@@ -1,13 +1,11 @@
 // The scene of all_test_scenes() that is made of what scene/build/shapes.h makes.
-#pragma once
-
 #include "scene/build/shapes.h"
 #include "support/scenes.h"
 
 namespace lancer {
 
 // What is made of other shapes: planes with axes, bands and waves, a bubble, a pyramid and a triangle.
-inline SceneDescription shapes_scene()
+SceneDescription shapes_scene()
 {
     SceneDescription d;
     d.materials = {make_lambert("floor", {0.8f, 0.7f, 0.5f}), make_lambert("lines", {0.1f, 0.1f, 0.2f}),

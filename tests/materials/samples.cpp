@@ -1,0 +1,30 @@
+#include "materials/samples.h"
+
+namespace lancer {
+
+Plastic make_plastic(Color base, float roughness, float ior, Color specular)
+{
+    return {base,
+            roughness,
+            ior,
+            specular,
+            mean_transmittance(ior),
+            roughness == 0 ? nullptr : std::make_shared<const AlbedoTable>(ior)};
+}
+
+std::vector<Place> places()
+{
+    std::vector<Place> all;
+    double phi = 0.3;
+    for (const bool front : {true, false})
+        for (const double z : {1.0, 0.8, 0.5, 0.2, 0.02}) {
+            const double r = std::sqrt(1 - z * z);
+            phi += 2.1;
+            all.push_back({std::string(front ? "front" : "back") + " cos " + std::to_string(z),
+                           {.front = front},
+                           to_float(Vec3d{r * std::cos(phi), r * std::sin(phi), z})});
+        }
+    return all;
+}
+
+}  // namespace lancer

@@ -1,0 +1,1 @@
+// Nothing: the headers that tests read precompiled need a file to belong to.
