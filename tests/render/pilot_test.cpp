@@ -113,7 +113,7 @@ TEST(Pilot, SplitsLessWhereOneOfManyLightsIsChosen)
     ASSERT_TRUE(build_scene(many).lights.tree);
     uint32_t of_few = 0, of_many = 0;
     for (uint64_t seed = 0; seed < 8; ++seed) {
-        RenderSettings settings;
+        RendererConfig settings;
         settings.kernel.seed = seed;
         const uint32_t a = planned(few, settings).plan.split, b = planned(many, settings).plan.split;
         EXPECT_GE(a, b) << "seed " << seed;

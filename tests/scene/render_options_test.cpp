@@ -36,7 +36,7 @@ TEST(RenderOptions, EachHasANameAndAFieldOfItsOwn)
         EXPECT_FALSE(option.help.empty()) << option.name;
         const RenderSettings s = changed(option);
         for (const RenderOption& other : render_options())
-            EXPECT_EQ(has_default(s, other), &other != &option) << option.name << " and " << other.name;
+            EXPECT_EQ(is_default(s, other), &other != &option) << option.name << " and " << other.name;
     }
 }
 

@@ -47,7 +47,7 @@ std::string reproducing_options(const RenderSettings& s)
 {
     std::string text;
     for (const RenderOption& row : render_options()) {
-        if (row.name == "spp" || (row.is_switch() && has_default(s, row) && !is_given(s, row))) continue;
+        if (row.name == "spp" || (row.is_switch() && is_default(s, row) && !is_given(s, row))) continue;
         const std::string value = value_text(s, row);
         text += text.empty() ? "" : " ";
         text += row.is_switch() ? "--set " + std::string(row.name) + "=" + value : option_name(row) + " " + value;

@@ -211,7 +211,7 @@ void override_with(S& settings, const S& over)
     }
 }
 
-bool has_default(const S& settings, const RenderOption& option)
+bool is_default(const S& settings, const RenderOption& option)
 {
     return value_text(settings, option) == value_text({}, option);
 }
@@ -219,7 +219,7 @@ bool has_default(const S& settings, const RenderOption& option)
 bool is_biased(const S& settings, const RenderOption& option)
 {
     if (option.bias.effect.empty()) return false;
-    return option.bias.applies ? option.bias.applies(settings) : !has_default(settings, option);
+    return option.bias.applies ? option.bias.applies(settings) : !is_default(settings, option);
 }
 
 std::string value_text(const S& s, const RenderOption& option)

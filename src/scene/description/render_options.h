@@ -63,7 +63,7 @@ void mark_given(RenderSettings& settings, const RenderOption& option);
 // Copies every option that `over` was given.
 void override_with(RenderSettings& settings, const RenderSettings& over);
 
-bool has_default(const RenderSettings& settings, const RenderOption& option);
+bool is_default(const RenderSettings& settings, const RenderOption& option);
 // Whether the option makes the mean of the picture differ from the light that the scene describes.
 bool is_biased(const RenderSettings& settings, const RenderOption& option);
 
