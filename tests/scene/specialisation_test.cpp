@@ -77,9 +77,9 @@ TEST(Specialisation, TheSamePictureUnderTwoNamesIsKeptOnce)
     d.spheres = {sphere_of({0, 0, 0}, 1, "a"), sphere_of({3, 0, 0}, 1, "b")};
     const Scene s = build_scene(d, even_picture);
     ASSERT_EQ(s.textures.size(), 2u);
-    EXPECT_EQ(count_of(s, "texels of another"), 1u);
+    EXPECT_EQ(count_of(s, "same texels"), 1u);
     d.materials[1].base_color_map->use.channel = Channel::red;
-    EXPECT_EQ(count_of(build_scene(d, even_picture), "texels of another"), 0u);
+    EXPECT_EQ(count_of(build_scene(d, even_picture), "same texels"), 0u);
 }
 
 // Vertices, normals and texture coordinates that no triangle names, put between those that some does.
@@ -108,10 +108,10 @@ TEST(Specialisation, WhatNoTriangleNamesIsNotKept)
         return std::make_unique<Stage>(d, even_picture);
     };
     const auto a = stage_of(data), b = stage_of(padded);
-    EXPECT_EQ(count_of(a->scene, "vertices of no"), 0u);
-    EXPECT_EQ(count_of(b->scene, "vertices of no"), 2u);
-    EXPECT_EQ(count_of(a->scene, "normals of no"), 1u);
-    EXPECT_EQ(count_of(b->scene, "normals of no"), 3u);
+    EXPECT_EQ(count_of(a->scene, "unused vertices"), 0u);
+    EXPECT_EQ(count_of(b->scene, "unused vertices"), 2u);
+    EXPECT_EQ(count_of(a->scene, "unused vertex normals"), 1u);
+    EXPECT_EQ(count_of(b->scene, "unused vertex normals"), 3u);
     EXPECT_EQ(b->scene.geometry.meshes[0].positions.size(), 5u);
     EXPECT_EQ(b->scene.shading[0].normals.values.size(), 2u) << "one, and one behind the last";
     EXPECT_EQ(b->scene.shading[0].uvs.size(), 3u) << "of the triangle that reads them";
@@ -159,7 +159,7 @@ TEST(Specialisation, MaterialsThatComeAgainAreMerged)
     d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(data)));
     const Scene s = build_scene(d);
     EXPECT_EQ(s.materials.size(), 2u);
-    EXPECT_EQ(count_of(s, "there already"), 2u);
+    EXPECT_EQ(count_of(s, "duplicate materials"), 2u);
     EXPECT_EQ(s.shading[0].face_material.size(), 2u);
     EXPECT_TRUE(s.shading[1].face_material.empty());
     EXPECT_EQ(s.shading[1].material_of(1), s.shading[0].material_of(1));
