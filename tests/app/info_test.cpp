@@ -28,8 +28,7 @@ TEST_F(Info, OfAScene)
           "features      spheres, planes, instances, opacity, lambert, glass, point lights, triangle lights, smooth or "
           "instanced "
           "triangle lights\n",
-          "kernel        wide\n", "unused        \n  1 unused materials\n",
-          "  1 OpenImageIO module, not loaded\n",
+          "kernel        wide\n", "unused        \n  1 unused materials\n", "  1 OpenImageIO module, not loaded\n",
           "warnings      \n  full.toml:24:1: warning: material 'unused' is not used\n"})
         expect_words(said.out, line);
     EXPECT_EQ(run({"info", "none.toml"}).code, 66);

@@ -241,7 +241,7 @@ TEST_F(StudyPeers, WhatGoesWrongIsAFailedRun)
     expect(script("echo '{\"version\": 7}'"), "fake printed invalid peer JSON: {\"version\": 7}");
     expect(script(about, "echo out of luck >&2; exit 1"), "out of luck");
     expect(script(about, "kill -SEGV $$"), "ended with 139");
-    expect(script(about, "echo '{{{'"), "is not the JSON of a peer: {{{");
+    expect(script(about, "echo '{{{'"), "printed invalid peer JSON: {{{");
     expect(script(about, "[ $n = 1 ] && continue"), "told of 2 pictures and was asked for 3");
     expect(script(about, "echo '{\"spp\":3,\"render_wall_s\":1,\"render_cpu_s\":null,\"biases\":[]}'; exit 0"),
            "told of 3 samples");
