@@ -2,6 +2,7 @@
 // never does, must see the same.
 #pragma once
 
+#include "scene/build/shapes.h"
 #include "support/scenes.h"
 
 namespace lancer {

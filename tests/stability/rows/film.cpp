@@ -66,8 +66,7 @@ Outcome bright_and_faint(const Setup& setup)
     with_threads(1, [&] {
         const Renderer renderer(build_scene(d), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), 1, 1);
-        const PathListener deaf{[](auto&&...) {}, [](auto&&...) {}, [](auto&&...) {}, [](auto&&...) {},
-                                [](auto&&...) {}};
+        const PathListener deaf{[](auto&&...) {}, [](auto&&...) {}, [](auto&&...) {}, [](auto&&...) {}};
         for (uint32_t i = 0; i < spp; ++i) {
             const Color c = renderer.replay(camera, 1, 1, {0, 0, i}, deaf);
             faint += c.r == 1e-6f, other += c.r != 1e-6f && c.r != 1e6f;
