@@ -21,12 +21,12 @@ TEST(Significance, AFamilyIsRedForOneBadMemberAndForNone)
     EXPECT_NONFATAL_FAILURE(
         {
             stats::Family f;
-            for (int i = 0; i < 100; ++i) f.add(i == 50 ? 5e-5 : 0.5, std::to_string(i));
+            for (int i = 0; i < 100; ++i) f.add(i == 50 ? 1e-7 : 0.5, std::to_string(i));
         },
         "50, the least of 100");
     EXPECT_NONFATAL_FAILURE({ stats::Family f; }, "nothing was tested");
-    stats::Family f;  // 5e-3 alone would be red: not among a hundred
-    for (int i = 0; i < 100; ++i) f.add(i == 50 ? 5e-3 : 0.5, std::to_string(i));
+    stats::Family f;  // 1e-5 alone would be red (claim_level): not among a hundred
+    for (int i = 0; i < 100; ++i) f.add(i == 50 ? 1e-5 : 0.5, std::to_string(i));
 }
 
 TEST(Significance, WelchAndStudentSeeAShiftOfTheMean)
