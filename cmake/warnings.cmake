@@ -3,7 +3,8 @@ add_library(lancer_warnings INTERFACE)
 target_compile_options(lancer_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wno-psabi)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms about strings that are added up, by another name where <string> is precompiled (GCC's bug 105651).
-  target_compile_options(lancer_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(lancer_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
+                         -Wno-stringop-overread)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   target_compile_options(lancer_warnings INTERFACE -Wno-sign-conversion)  # a part of -Wconversion to clang, but not to g++
 endif()

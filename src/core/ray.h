@@ -27,8 +27,8 @@ struct Ray {
 // Upper limit of coordinates, below the magnitude that Embree treats as infinite.
 inline constexpr float largest_traceable = 1.8e18f;
 
-// Whether accelerators accept the ray: all numbers but t_max are finite, and the direction is not 0. T: float or Float8,
-// for which the result is a mask.
+// Whether accelerators accept the ray: all numbers but t_max are finite, and the direction is not 0. T: float or
+// Float8, for which the result is a mask.
 template <class T>
 auto is_traceable(const Vec3T<T>& org, const Vec3T<T>& dir, T t_min, T t_max)
 {

@@ -18,8 +18,8 @@ class MaterialTable {
 public:
     // settings: resolved. pending: where the pictures of textures are put that are still being read.
     MaterialTable(const SceneDescription& description, const RenderSettings& settings, Scene& scene,
-                  std::vector<PendingPictures::OfTexture>& pending,
-                  Diagnostics& diagnostics, const RasterSource& images);
+                  std::vector<PendingPictures::OfTexture>& pending, Diagnostics& diagnostics,
+                  const RasterSource& images);
 
     // The id of a described material.
     uint32_t add(const MaterialDescription& material);  // equal descriptions get the same id
