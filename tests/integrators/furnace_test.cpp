@@ -8,19 +8,6 @@ namespace {
 
 constexpr Color emitted{1, 0.5f, 0.25f};
 
-// The inside of a sphere that emits everywhere and reflects rho: E (1 + rho + rho^2 + ...).
-SceneDescription closed_furnace(float rho)
-{
-    SceneDescription d;
-    MaterialDescription m = make_lambert("wall", {rho, rho, rho});
-    m.emission = emitted;
-    m.emission_both_sides = true;
-    d.materials = {m};
-    d.spheres.push_back(sphere_of({0, 0, 0}, 1.3, "wall"));
-    d.camera = make_camera({0.3, 0.2, 0}, {0, 0, -1}, 70);
-    return d;
-}
-
 std::string name_of(DirectLight how) { return way_names[!how.nee ? 2 : how.mis ? 0 : 1]; }
 
 TEST(ClosedFurnace, RadianceIsTheGeometricSeries)
@@ -28,11 +15,11 @@ TEST(ClosedFurnace, RadianceIsTheGeometricSeries)
     stats::Family family;
     for (const float rho : {0.5f, 0.9f})
         for (const DirectLight how : ways) {
-            const Film film = shoot(closed_furnace(rho), {.integrator = Path{.direct = how},
-                                                          .width = 24,
-                                                          .height = 16,
-                                                          .spp = rho > 0.8f ? 1024u : 256u,
-                                                          .sampler = SamplerKind::independent});
+            const Film film = shoot(closed_furnace(rho, emitted), {.integrator = Path{.direct = how},
+                                                                   .width = 24,
+                                                                   .height = 16,
+                                                                   .spp = rho > 0.8f ? 1024u : 256u,
+                                                                   .sampler = SamplerKind::independent});
             const stats::Tally t = tally(film);
             const double expected = static_cast<double>(luminance(emitted)) / (1 - static_cast<double>(rho));
             EXPECT_LE(t.error(), 0.002 * expected) << rho << name_of(how);
@@ -49,8 +36,8 @@ TEST(ClosedFurnace, TruncatedSeriesCountsScatteringVertices)
     for (const uint32_t depth : {1u, 2u, 3u, 8u, 64u}) {
         const float rho = 0.9f, series = (1 - std::pow(rho, static_cast<float>(depth + 1))) / (1 - rho);
         const Path path = without_roulette({.max_depth = depth, .direct = {false, false}});
-        expect_all_equal(shoot(closed_furnace(rho), {.integrator = path, .width = 8, .height = 8}), emitted * series,
-                         1e-5f, "depth " + std::to_string(depth));
+        expect_all_equal(shoot(closed_furnace(rho, emitted), {.integrator = path, .width = 8, .height = 8}),
+                         emitted * series, 1e-5f, "depth " + std::to_string(depth));
     }
 }
 
@@ -62,7 +49,7 @@ TEST(ClosedFurnace, TruncatedSeriesBySamplingLights)
             const double rho = 0.9, series = (1 - std::pow(rho, depth + 1)) / (1 - rho);
             const Path path = without_roulette({.max_depth = depth, .direct = how});
             const Film film =
-                shoot(closed_furnace(0.9f),
+                shoot(closed_furnace(0.9f, emitted),
                       {.integrator = path, .width = 16, .height = 16, .spp = 256, .sampler = SamplerKind::independent});
             family.add(stats::mean_p(tally(film), static_cast<double>(luminance(emitted)) * series),
                        name_of(how) + " " + std::to_string(depth));

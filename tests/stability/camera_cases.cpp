@@ -17,19 +17,6 @@ void write(const TempFolder& folder, const std::string& name, const std::string&
     write_bytes(folder.file(name), text);
 }
 
-// The inside of a ball that emits 1 and reflects rho.
-SceneDescription closed_furnace(float rho)
-{
-    SceneDescription d;
-    MaterialDescription m = make_lambert("wall", {rho, rho, rho});
-    m.emission = {1, 1, 1};
-    m.emission_both_sides = true;
-    d.materials = {m};
-    d.spheres.push_back(sphere_of({0, 0, 0}, 1.3, "wall"));
-    d.camera = make_camera({0.3, 0.2, 0}, {0, 0, -1}, 70);
-    return d;
-}
-
 }  // namespace
 
 // By every integrator: what is where there is nothing, exactly.

@@ -12,10 +12,7 @@ Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
     r.settings.kernel.sampler = shot.sampler;
     r.settings.kernel.seed = salted(shot.seed);
     r.settings.kernel.filter = Filter(FilterKind::box);
-    Rendered made = render(d, r);
-    out.samples += uint64_t{shot.width} * shot.height * shot.spp;
-    out.dropped += made.counters.dropped;
-    return std::move(made.film);
+    return counted_render(d, r, out);
 }
 
 double mean_luminance(const Film& film)

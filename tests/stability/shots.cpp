@@ -13,10 +13,7 @@ Film shoot(const SceneDescription& d, const Shot& shot, const Setup& setup, Outc
     r.settings.kernel.sampler = shot.sampler;
     r.settings.kernel.seed = salted(shot.seed);
     r.settings.kernel.filter = Filter(FilterKind::box);
-    Rendered rendered = render(d, r);
-    out.samples += uint64_t{shot.spp} * shot.width * shot.height;
-    out.dropped += rendered.counters.dropped;
-    return std::move(rendered.film);
+    return counted_render(d, r, out);
 }
 
 double worst_pixel(const Film& film, Color expected)

@@ -140,6 +140,18 @@ InstanceDescription instance_of(std::string mesh, TransformDescription transform
     return i;
 }
 
+SceneDescription closed_furnace(float rho, Color emitted)
+{
+    SceneDescription d;
+    MaterialDescription m = make_lambert("wall", {rho, rho, rho});
+    m.emission = emitted;
+    m.emission_both_sides = true;
+    d.materials = {m};
+    d.spheres.push_back(sphere_of({0, 0, 0}, 1.3, "wall"));
+    d.camera = make_camera({0.3, 0.2, 0}, {0, 0, -1}, 70);
+    return d;
+}
+
 SceneDescription cornell_scene()
 {
     SceneDescription d;

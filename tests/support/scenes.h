@@ -62,6 +62,9 @@ LightDescription sky_map_of(Color factor, Vec3d rotate_deg = {}, Location where 
 inline LightDescription sky_of(Color radiance) { return light_of(LightType::environment, radiance); }
 InstanceDescription instance_of(std::string mesh, TransformDescription transform, Location where = {});
 
+// The inside of a sphere that emits everywhere and reflects rho: its radiance is emitted (1 + rho + rho^2 + ...).
+SceneDescription closed_furnace(float rho, Color emitted = {1, 1, 1});
+
 // A box open to the front with coloured walls, two blocks and a quad light of two triangles: meshes only, all diffuse.
 SceneDescription cornell_scene();
 

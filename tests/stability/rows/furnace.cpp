@@ -94,19 +94,6 @@ Outcome white_furnace(const Setup& setup)
     return out;
 }
 
-// The inside of a sphere that emits everywhere and reflects rho: (1 + rho + rho^2 + ...).
-SceneDescription closed_furnace(float rho)
-{
-    SceneDescription d;
-    MaterialDescription m = make_lambert("wall", {rho, rho, rho});
-    m.emission = {1, 1, 1};
-    m.emission_both_sides = true;
-    d.materials = {m};
-    d.spheres.push_back(sphere_of({0, 0, 0}, 1.3, "wall"));
-    d.camera = make_camera({0.3, 0.2, 0}, {0, 0, -1}, 70);
-    return d;
-}
-
 Outcome closed_furnaces(const Setup& setup)
 {
     Outcome out;
