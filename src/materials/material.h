@@ -82,7 +82,7 @@ constexpr void for_each_material_type(const F& f)
 static_assert([] {
     size_t found = 0;
     for_each_material_type([&]<class M> { found += size_t{1} << static_cast<size_t>(M::type); });
-    return found == (size_t{1} << material_type_names.size()) - 1;
+    return found == (size_t{1} << enum_names<MaterialType>.size()) - 1;
 }());
 
 }  // namespace lancer

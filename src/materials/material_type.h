@@ -2,20 +2,19 @@
 // its member `type`.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
+
+#include "core/enum_names.h"
 
 namespace lancer {
 
 // A mix is the last one: it has no BSDF of its own.
 enum class MaterialType : uint8_t { lambert, mirror, metal, glass, plastic, interface, mix };
 
-inline constexpr std::array<std::string_view, 7> material_type_names{"lambert", "mirror",    "metal", "glass",
-                                                                     "plastic", "interface", "mix"};
-static_assert(static_cast<size_t>(MaterialType::mix) + 1 == material_type_names.size());
-
-constexpr std::string_view name_of(MaterialType type) { return material_type_names[static_cast<size_t>(type)]; }
+template <>
+inline constexpr auto enum_names<MaterialType> = std::to_array<std::string_view>({"lambert", "mirror", "metal", "glass",
+                                                                                  "plastic", "interface", "mix"});
+static_assert(static_cast<size_t>(MaterialType::mix) + 1 == enum_names<MaterialType>.size());
 
 }  // namespace lancer

@@ -53,7 +53,7 @@ public:
     const Scene& scene() const { return *scene_; }
     const Accelerator& accelerator() const { return *accel_; }
     const KernelChoice& kernel_choice() const { return choice_; }
-    Profile profile() const { return choice_.profile; }
+    Profile profile() const { return choice_.profile(); }
     // Never automatic.
     AccelKind accelerator_kind() const { return settings_.accel; }
 

@@ -25,7 +25,7 @@ KernelChoice choose_kernel(const Scene& scene, const AnyIntegrator& integrator, 
     if (scene.has_constant_environment() && path->direct.always) return {};  // light sampling that the tables leave out
     std::optional<WideScene> wide = WideScene::of(scene);
     if (!wide) return {};
-    return {Profile::wide, std::make_shared<const WideScene>(std::move(*wide))};
+    return {std::make_shared<const WideScene>(std::move(*wide))};
 }
 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,

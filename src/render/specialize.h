@@ -12,10 +12,10 @@ namespace lancer {
 using TileKernel =
     std::function<void(const SamplingPlan&, const Camera&, Film&, Tile, SampleRange, Workspace&, Counters&)>;
 
-// A kernel variant, and the tables of the scene that it reads.
+// A kernel variant: by the tables of the scene that it reads.
 struct KernelChoice {
-    Profile profile = Profile::all;
     std::shared_ptr<const WideScene> wide{};  // null for Profile::all
+    Profile profile() const { return wide ? Profile::wide : Profile::all; }
 };
 // The most specialised kernel variant that supports a complete scene, or the requested one if it does. Building the
 // tables reads every material and light: it is done once per scene.

@@ -72,10 +72,11 @@ std::string name_of(Feature feature)
     static_assert(place(Feature::triangle_lights) + after.size() == place(Feature::count));
     if (feature < Feature::materials) return before[place(feature)];
     if (feature == feature_of(MaterialType::mix)) return "mixes";
-    if (feature < Feature::media) return std::string(material_type_names[place(feature) - place(Feature::materials)]);
+    if (feature < Feature::media)
+        return std::string(enum_names<MaterialType>[place(feature) - place(Feature::materials)]);
     if (feature == Feature::media) return "media";
     if (feature < Feature::triangle_lights)
-        return std::string(light_type_names[place(feature) - place(Feature::lights)]) + " lights";
+        return std::string(enum_names<LightType>[place(feature) - place(Feature::lights)]) + " lights";
     return after[place(feature) - place(Feature::triangle_lights)];
 }
 

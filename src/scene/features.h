@@ -28,10 +28,10 @@ enum class Feature {
     normal_maps,
     cut_outs,
     materials,  // the first of one for each MaterialType
-    media = materials + material_type_names.size(),
+    media = materials + enum_names<MaterialType>.size(),
     // lights
     lights,  // the first of one for each LightType but the environment
-    triangle_lights = lights + light_type_names.size() - 1,
+    triangle_lights = lights + enum_names<LightType>.size() - 1,
     shaped_triangle_lights,  // smooth or instanced ones; their triangle is read when they are sampled
     constant_sky,
     sky_map,
@@ -65,13 +65,13 @@ public:
     static constexpr Features all_materials()
     {
         Features f;
-        for (size_t i = 0; i < material_type_names.size(); ++i) f.add(feature_of(static_cast<MaterialType>(i)));
+        for (size_t i = 0; i < enum_names<MaterialType>.size(); ++i) f.add(feature_of(static_cast<MaterialType>(i)));
         return f;
     }
     static constexpr Features all_lights()
     {
         Features f{Feature::triangle_lights, Feature::shaped_triangle_lights};
-        for (size_t i = 0; i + 1 < light_type_names.size(); ++i) f.add(feature_of(static_cast<LightType>(i)));
+        for (size_t i = 0; i + 1 < enum_names<LightType>.size(); ++i) f.add(feature_of(static_cast<LightType>(i)));
         return f;
     }
     static constexpr Features all() { return Features((uint64_t{1} << static_cast<size_t>(Feature::count)) - 1); }

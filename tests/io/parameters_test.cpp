@@ -73,7 +73,7 @@ std::string range_of(ParameterRange range, bool is_color)
 std::string listed(const std::vector<MaterialType>& types)
 {
     if (types.empty()) return "all";
-    if (types.size() + 1 == material_type_names.size() && types.back() != MaterialType::mix) return "all but mix";
+    if (types.size() + 1 == enum_names<MaterialType>.size() && types.back() != MaterialType::mix) return "all but mix";
     std::string text;
     for (const MaterialType type : types) text += (text.empty() ? "" : ", ") + std::string(name_of(type));
     return text;
@@ -162,10 +162,10 @@ TEST(Parameters, OfMaterialsAreWhatTheManualSays)
 TEST(Parameters, OfLightsAreWhatTheManualSays)
 {
     const std::map<std::string, std::string> manual = manual_rows("## `[[light]]`", 7, 2);
-    for (size_t i = 0; i < light_type_names.size(); ++i)
+    for (size_t i = 0; i < enum_names<LightType>.size(); ++i)
         for_each_parameter_of(static_cast<LightType>(i), [&](const auto& row) {
             const std::string key =
-                "`\"" + std::string(light_type_names[i]) + "\"` | `" + std::string(row.key) + "` | ";
+                "`\"" + std::string(enum_names<LightType>[i]) + "\"` | `" + std::string(row.key) + "` | ";
             ASSERT_TRUE(manual.count(key)) << key;
             const LightDescription d;
             const std::string kind = kind_of(d.*row.field) + " | ";

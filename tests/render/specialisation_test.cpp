@@ -25,7 +25,7 @@ TEST(Specialisation, EveryProfileThatCoversASceneDrawsTheSameBits)
             const Rendered all = render(d, r);
             for (size_t i = 0; i < enum_names<Profile>.size(); ++i) {
                 const auto profile = static_cast<Profile>(i);
-                if (profile == Profile::all || choose_kernel(scene, integrator, profile).profile != profile) continue;
+                if (profile == Profile::all || choose_kernel(scene, integrator, profile).profile() != profile) continue;
                 r.settings.kernel.profile = profile;
                 const Rendered some = render(d, r);
                 EXPECT_TRUE(same_bits(all.film, some.film)) << name << ", " << name_of(profile);

@@ -55,12 +55,11 @@ T weight_of_light_sample(T pdf_light, T pdf_bsdf, const Mask& delta, DirectLight
     return how.mis ? select(delta, one, power_heuristic(pdf_light, pdf_bsdf)) : one;
 }
 
-// Contribution of a light sample. weight: weight_of_light_sample() divided by its density.
-inline Color sampled_light(Color throughput, Color f_cos, Color radiance, float weight)
-{
-    return throughput * f_cos * radiance * weight;
-}
-inline Vec3x8 sampled_light(const Vec3x8& throughput, const Vec3x8& f_cos, const Vec3x8& radiance, Float8 weight)
+inline Color times(Color a, Color b) { return a * b; }
+// Contribution of a light sample. weight: weight_of_light_sample() divided by its density. Spectrum: Color, or Vec3x8
+// with T = Float8.
+template <class Spectrum, class T>
+Spectrum sampled_light(const Spectrum& throughput, const Spectrum& f_cos, const Spectrum& radiance, T weight)
 {
     return times(times(throughput, f_cos), radiance) * weight;
 }

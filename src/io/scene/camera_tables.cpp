@@ -36,7 +36,7 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
 {
     CameraDescription camera = base;
     camera.where = table.where();
-    const NameList types{camera_type_names.begin(), camera_type_names.end()};
+    const NameList types{enum_names<CameraType>.begin(), enum_names<CameraType>.end()};
     if (const std::optional<size_t> type = table.choice("type", types, static_cast<size_t>(base.type))) {
         camera.type = static_cast<CameraType>(*type);
         table.reject_keys_of_other_types(types[*type], typed_keys);

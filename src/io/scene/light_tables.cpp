@@ -54,7 +54,7 @@ void read_picture(const TomlTable& table, const AssetFolder& assets, LightDescri
 
 LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
 {
-    const NameList types{light_type_names.begin(), light_type_names.end()};
+    const NameList types{enum_names<LightType>.begin(), enum_names<LightType>.end()};
     const std::vector<TypedKey> keys = typed_keys();
     NameList known{"type"};
     for (const TypedKey& k : keys) known.push_back(k.key);

@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-NameList names_of_types() { return {material_type_names.begin(), material_type_names.end()}; }
+NameList names_of_types() { return {enum_names<MaterialType>.begin(), enum_names<MaterialType>.end()}; }
 
 // The keys that only some types have, those of their textures included.
 const std::vector<TypedKey>& typed_keys()

@@ -25,7 +25,6 @@ double geometric_mean(std::span<const double> values);
 struct Interval {
     double low = 0, high = 0;
     bool contains(double x) const { return low <= x && x <= high; }
-    bool overlaps(const Interval& o) const { return low <= o.high && o.low <= high; }
 };
 
 // A 95 % interval of the median by resampling the values. Not empty.

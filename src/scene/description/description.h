@@ -91,8 +91,8 @@ struct PlaneDescription {
 };
 
 enum class CameraType { pinhole, thin_lens };
-inline constexpr std::array<std::string_view, 2> camera_type_names{"pinhole", "thin_lens"};
-constexpr std::string_view name_of(CameraType type) { return camera_type_names[static_cast<size_t>(type)]; }
+template <>
+inline constexpr auto enum_names<CameraType> = std::to_array<std::string_view>({"pinhole", "thin_lens"});
 
 struct CameraDescription {
     std::string name;  // empty: the [camera] itself

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/color.h"
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "core/vec.h"
 #include "scene/description/parameter_range.h"
@@ -20,10 +21,10 @@ namespace lancer {
 // The environment is the last one: there is one light for all that are said.
 enum class LightType : uint8_t { point, directional, sphere, environment };
 
-inline constexpr std::array<std::string_view, 4> light_type_names{"point", "directional", "sphere", "environment"};
-static_assert(static_cast<size_t>(LightType::environment) + 1 == light_type_names.size());
-
-constexpr std::string_view name_of(LightType type) { return light_type_names[static_cast<size_t>(type)]; }
+template <>
+inline constexpr auto enum_names<LightType> = std::to_array<std::string_view>({"point", "directional", "sphere",
+                                                                               "environment"});
+static_assert(static_cast<size_t>(LightType::environment) + 1 == enum_names<LightType>.size());
 
 struct LightDescription {
     Location where;
@@ -64,7 +65,7 @@ void for_each_light_parameter(const F& f)
     f(LightParameter{"radius", &L::radius, positive, {LightType::sphere}});
     f(LightParameter{"radiance", &L::power, not_negative, {LightType::sphere, environment}});
 }
-// The same of those that a type of light has.
+// f(row) for each parameter of one type of light.
 template <class F>
 void for_each_parameter_of(LightType type, const F& f)
 {
