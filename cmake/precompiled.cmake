@@ -3,7 +3,10 @@
 set(standard_headers <algorithm> <array> <atomic> <bit> <charconv> <chrono> <cmath> <cstdint> <cstdio> <cstdlib>
   <cstring> <filesystem> <fstream> <functional> <initializer_list> <iterator> <limits> <map> <memory> <mutex> <numbers>
   <numeric> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread> <tuple> <type_traits>
-  <unordered_map> <utility> <variant> <vector> <immintrin.h>)
+  <unordered_map> <utility> <variant> <vector>)
+if(NOT LANCER_PORTABLE_LANES)
+  list(APPEND standard_headers <immintrin.h>)  # long, and part of nearly every file by core/lanes/x86.h
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   add_compile_options("SHELL:-Xclang -fno-pch-timestamp")  # or ccache finds none again
 endif()
