@@ -11,6 +11,7 @@
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
 #include "app/render/progress.h"
+#include "app/render/summary.h"
 #include "app/signals.h"
 #include "app/specialisation.h"
 #include "app/system_info.h"
@@ -50,11 +51,6 @@ private:
     std::string hash_with(uint32_t spp) const;
     void write(const Film& film);
     void write_stats();
-    void print_settings() const;
-    void print_specialisation() const;
-    void print_sampling_plan(const Renderer& renderer, const SamplingPlan& plan) const;
-    void print_summary() const;
-    void print_dropped_samples() const;
 
     const RenderOptions& options_;
     Signals signals_;
@@ -245,7 +241,7 @@ void Run::render(const Renderer& renderer)
         }
         // Here, as the plan is computed in the first pass.
         progress.clear();
-        if (options_.verbose) print_sampling_plan(renderer, *renderer.plan(camera, width, height));
+        if (options_.verbose) print_sampling_plan(renderer.integrator(), *renderer.plan(camera, width, height));
     });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (!has_samples()) return;
@@ -273,70 +269,6 @@ void Run::write_stats()
     write_text(options_.stats, to_json(stats_));
 }
 
-void Run::print_settings() const
-{
-    const RunStats::SceneFigures& c = stats_.scene;
-    print_note(
-        format_text("%s: %zu triangles, %zu meshes, %zu instances, %zu spheres, %zu planes, %zu lights, %zu "
-                    "materials",
-                    c.file.c_str(), c.triangles, c.meshes, c.instances, c.spheres, c.planes, c.lights, c.materials));
-    print_note(reproducing_options(settings_) +
-               format_text(" --spp %u --threads %u", settings_.spp, prepared_.threads));
-}
-
-void Run::print_specialisation() const
-{
-    print_note("kernel '" + stats_.settings.kernel + "'; unused features:");
-    for (const UnusedFeature& l : stats_.scene.unused_features) print_note("  " + to_string(l));
-}
-
-void Run::print_sampling_plan(const Renderer& renderer, const SamplingPlan& plan) const
-{
-    const auto open = static_cast<size_t>(std::count(plan.background_only.begin(), plan.background_only.end(), 1));
-    if (open)
-        print_note(format_text("background only: %zu of %zu cells of %u pixels; their camera rays are not traced", open,
-                               plan.background_only.size(), plan.background_cell));
-    if (!std::holds_alternative<Path>(renderer.integrator())) return;
-    print_note(format_text("sampling plan: paths split into %u", plan.split) + "; Russian roulette by " +
-               (plan.importance.empty() ? std::string("the throughput")
-                                        : format_text("an importance map, cells of %u pixels", plan.cell)));
-}
-
-void Run::print_dropped_samples() const
-{
-    const auto& first = stats_.counters.first_dropped;
-    if (!first) return;
-    std::string command = "lancer pixel " + in_shell_quotes(options_.picture.scene.file) +
-                          format_text(" %u %u %u ", first->x, first->y, first->sample) +
-                          reproducing_options(settings_) + options_text(options_.picture.scene);
-    print_problem(format_text("warning: dropped samples, as they were not finite: %zu; to see the first one:\n  ",
-                              stats_.counters.dropped) +
-                  command);
-}
-
-void Run::print_summary() const
-{
-    const Counters& c = stats_.counters;
-    const double rays = static_cast<double>(stats_.rays());
-    std::string error;
-    if (const auto& interval = stats_.estimated_interval)
-        error = format_text(", error %.3g [%.3g, %.3g]", *stats_.estimated_error, interval->low, interval->high);
-    else if (stats_.estimated_error)
-        error = format_text(", error < ~%.3g", *stats_.estimated_error);
-    print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats_.rays(), c.camera_rays,
-                           c.bounce_rays, c.shadow_rays, stats_.render_s > 0 ? 1e-6 * rays / stats_.render_s : 0) +
-               error);
-    if (!stats_.stopped_by.empty())
-        print_note(format_text("stopped by --%s at %u spp", stats_.stopped_by.c_str(), stats_.settings.render.spp));
-    if (const auto& m = log_->last())
-        print_note(format_text("against %s: rmse %.3g, relmse %.3g, without the worst 0.1 %% of pixels %.3g",
-                               options_.reference.c_str(), m->rmse, m->relmse, m->relmse_trimmed));
-    std::string phases;
-    for (const auto& p : stats_.phases)
-        phases += (phases.empty() ? "" : ", ") + p.name + format_text(" %.2f", p.wall_s);
-    print_note("seconds: " + phases);
-}
-
 int Run::execute()
 {
     probe_outputs(options_);
@@ -349,7 +281,7 @@ int Run::execute()
         });
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe(*renderer);
-        if (options_.verbose) print_settings(), print_specialisation();
+        if (options_.verbose) print_start(stats_, settings_);
         render(*renderer);
     });
     if (stats_.phases.back().name != "write") {
@@ -357,8 +289,8 @@ int Run::execute()
         return exit_interrupted;
     }
     write_stats();
-    print_dropped_samples();
-    if (!options_.quiet) print_summary();
+    print_dropped_samples(stats_, settings_, options_.picture.scene);
+    if (!options_.quiet) print_summary(stats_, options_, log_->last());
     for (const std::string& path : options_.outputs) print_result(path);
     if (!stats_.partial) return exit_done;
     print_problem(format_text(

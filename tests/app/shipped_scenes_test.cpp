@@ -42,6 +42,21 @@ TEST_P(Shipped, HasNoProblemsAndIsSeen)
     EXPECT_GT(lit, static_cast<std::ptrdiff_t>(picture.pixels.size() / 2));
 }
 
+// Each sample brings light or none, so no mean of them is negative, nor is a mean square of differences.
+TEST_P(Shipped, HasNoNegativeValue)
+{
+    for (const char* spp : {"1", "4", "16"}) {
+        const Said said = run({"render", shipped + GetParam() + ".toml", "--size", "48x32", "-s", spp, "-q", "--aov",
+                               "albedo,variance", "-o", "a.exr"});
+        ASSERT_EQ(said.code, 0) << said.err;
+        const std::vector<ExrInfo::Channel> channels = read_exr_info(file("a.exr")).channels;
+        ASSERT_EQ(channels.size(), 7u);
+        for (const ExrInfo::Channel& c : channels)
+            for (const float value : read_exr_channel(file("a.exr"), c.name))
+                ASSERT_GE(value, 0) << c.name << " at " << spp << " samples";
+    }
+}
+
 // What the camera sees first does not depend on how light is followed: not one bit of albedo, normal and the rest.
 TEST_P(Shipped, LooksTheSameToEveryIntegrator)
 {

@@ -43,7 +43,7 @@ constexpr size_t rings = 32, sectors = 24;
 size_t cell_of(Vec3 w)
 {
     const double z = 0.5 * (1 + std::copysign(std::sqrt(std::abs(static_cast<double>(w.z))), static_cast<double>(w.z)));
-    const double phi = std::atan2(static_cast<double>(w.y), static_cast<double>(w.x)) / (2 * std::numbers::pi);
+    const double phi = static_cast<double>(std::atan2(w.y, w.x)) / (2 * std::numbers::pi);
     const auto at = [](double x, size_t n) { return std::min(n - 1, static_cast<size_t>(x * static_cast<double>(n))); };
     return at(z, rings) * sectors + at(phi < 0 ? phi + 1 : phi, sectors);
 }

@@ -33,12 +33,25 @@ TEST(Wide, HasATreeAndEveryFeatureAmongItsCases)
     EXPECT_TRUE(all.covers(WideScene::plain | WideScene::textured | WideScene::any));
 }
 
-void expect_same(const WideCase& c, const RenderRequest& r, const std::string& how)
+// A case with its scene, which is built once for all that is drawn of it.
+struct Built {
+    explicit Built(const WideCase& of) : name(of.name), description(of.scene), scene(build_scene(of.scene)) {}
+    std::string name;
+    SceneDescription description;
+    Scene scene;
+};
+std::vector<Built> built_cases()
 {
-    ASSERT_TRUE(WideScene::of(build_scene(c.scene))) << c.name;
+    const std::vector<WideCase> cases = wide_cases();
+    return {cases.begin(), cases.end()};
+}
+
+void expect_same(const Built& c, const RenderRequest& r, const std::string& how)
+{
+    ASSERT_TRUE(WideScene::of(c.scene)) << c.name;
     RenderRequest by_one = r;
     by_one.settings.kernel.profile = Profile::all;
-    const Rendered eight = render(c.scene, r), one = render(c.scene, by_one);
+    const Rendered eight = render(c.scene, c.description, r), one = render(c.scene, c.description, by_one);
     EXPECT_TRUE(same_bits(eight.film, one.film)) << c.name << ", " << how;
     EXPECT_EQ(eight.counters.bounce_rays, one.counters.bounce_rays) << c.name << ", " << how;
     EXPECT_EQ(eight.counters.shadow_rays, one.counters.shadow_rays) << c.name << ", " << how;
@@ -47,7 +60,7 @@ void expect_same(const WideCase& c, const RenderRequest& r, const std::string& h
 
 TEST(Wide, HasTheBitsOfTheLoopForAll)
 {
-    for (const WideCase& c : wide_cases()) {
+    for (const Built& c : built_cases()) {
         RenderRequest r;
         r.settings.kernel.batch = 100;  // no multiple of eight
         expect_same(c, r, "plain");
@@ -59,7 +72,7 @@ TEST(Wide, HasTheBitsOfTheLoopForAll)
 // Where both ask an accelerator that begins on the triangle where a ray starts.
 TEST(Wide, HasThemWithATreeOfOurOwn)
 {
-    for (const WideCase& c : wide_cases()) {
+    for (const Built& c : built_cases()) {
         RenderRequest r;
         r.spp = {4};
         r.settings.accel = AccelKind::bvh8;
@@ -69,7 +82,7 @@ TEST(Wide, HasThemWithATreeOfOurOwn)
 
 TEST(Wide, HasThemWithAnyTechnique)
 {
-    for (const WideCase& c : wide_cases())
+    for (const Built& c : built_cases())
         for (const bool nee : {true, false})
             for (const bool mis : {true, false})
                 for (const bool plan : {true, false})
@@ -85,7 +98,7 @@ TEST(Wide, HasThemWithAnyTechnique)
 
 TEST(Wide, HasThemForEachPartOfTheLight)
 {
-    for (const WideCase& c : wide_cases())
+    for (const Built& c : built_cases())
         for (const auto part : {&RenderSettings::direct, &RenderSettings::indirect, &RenderSettings::emitters}) {
             RenderSettings settings;
             settings.*part = false;
@@ -100,11 +113,12 @@ TEST(Wide, HasThemThroughALensAndAnyFilter)
     for (WideCase c : wide_cases()) {
         c.scene.camera->type = CameraType::thin_lens;
         c.scene.camera->aperture = 0.05;
+        const Built built(c);
         for (const FilterKind filter : {FilterKind::box, FilterKind::blackman_harris}) {
             RenderRequest r;
             r.spp = {2};
             r.settings.kernel.filter = Filter(filter);
-            expect_same(c, r, "lens");
+            expect_same(built, r, "lens");
         }
     }
 }

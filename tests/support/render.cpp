@@ -12,11 +12,18 @@ std::vector<AnyIntegrator> all_integrators()
 
 Rendered render(const SceneDescription& d, const RenderRequest& r)
 {
+    std::optional<Scene> scene;
+    with_threads(r.threads, [&] { scene = build_scene(d, r.images); });
+    return render(*scene, d, r);
+}
+
+Rendered render(const Scene& scene, const SceneDescription& d, const RenderRequest& r)
+{
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
     out.film.keep_aovs(layout_of(r.aovs));
     if (r.settings.kernel.stop != StopRule::never) out.film.wanted.resize(out.film.pixels.size());
     with_threads(r.threads, [&] {
-        const Renderer renderer(build_scene(d, r.images), r.settings);
+        const Renderer renderer(Scene(scene), r.settings);
         const Camera camera = camera_of(d, renderer.scene(), r.width, r.height);
         const std::vector<Tile> tiles = make_tiles(out.film.crop, r.tile);
         const auto pass = [&](SampleRange samples) {

@@ -29,5 +29,7 @@ struct Rendered {
 };
 
 Rendered render(const SceneDescription& d, const RenderRequest& r);
+// The same of a scene that is built from d already, for tests that draw it in many ways.
+Rendered render(const Scene& scene, const SceneDescription& d, const RenderRequest& r);
 
 }  // namespace lancer

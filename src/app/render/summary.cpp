@@ -1,0 +1,84 @@
+#include "app/render/summary.h"
+
+#include <algorithm>
+#include <string>
+
+#include "app/console.h"
+#include "app/options/settings.h"
+#include "app/specialisation.h"
+
+namespace lancer {
+namespace {
+
+void print_settings(const RunStats& stats, const RenderSettings& settings)
+{
+    const RunStats::SceneFigures& c = stats.scene;
+    print_note(
+        format_text("%s: %zu triangles, %zu meshes, %zu instances, %zu spheres, %zu planes, %zu lights, %zu "
+                    "materials",
+                    c.file.c_str(), c.triangles, c.meshes, c.instances, c.spheres, c.planes, c.lights, c.materials));
+    print_note(reproducing_options(settings) +
+               format_text(" --spp %u --threads %u", settings.spp, stats.settings.threads));
+}
+
+void print_specialisation(const RunStats& stats)
+{
+    print_note("kernel '" + stats.settings.kernel + "'; unused features:");
+    for (const UnusedFeature& l : stats.scene.unused_features) print_note("  " + to_string(l));
+}
+
+}  // namespace
+
+void print_start(const RunStats& stats, const RenderSettings& settings)
+{
+    print_settings(stats, settings);
+    print_specialisation(stats);
+}
+
+void print_sampling_plan(const AnyIntegrator& integrator, const SamplingPlan& plan)
+{
+    const auto open = static_cast<size_t>(std::count(plan.background_only.begin(), plan.background_only.end(), 1));
+    if (open)
+        print_note(format_text("background only: %zu of %zu cells of %u pixels; their camera rays are not traced", open,
+                               plan.background_only.size(), plan.background_cell));
+    if (!std::holds_alternative<Path>(integrator)) return;
+    print_note(format_text("sampling plan: paths split into %u", plan.split) + "; Russian roulette by " +
+               (plan.importance.empty() ? std::string("the throughput")
+                                        : format_text("an importance map, cells of %u pixels", plan.cell)));
+}
+
+void print_dropped_samples(const RunStats& stats, const RenderSettings& settings, const SceneChoice& scene)
+{
+    const auto& first = stats.counters.first_dropped;
+    if (!first) return;
+    std::string command = "lancer pixel " + in_shell_quotes(scene.file) +
+                          format_text(" %u %u %u ", first->x, first->y, first->sample) + reproducing_options(settings) +
+                          options_text(scene);
+    print_problem(format_text("warning: dropped samples, as they were not finite: %zu; to see the first one:\n  ",
+                              stats.counters.dropped) +
+                  command);
+}
+
+void print_summary(const RunStats& stats, const RenderOptions& options, const std::optional<Metrics>& metrics)
+{
+    const Counters& c = stats.counters;
+    const double rays = static_cast<double>(stats.rays());
+    std::string error;
+    if (const auto& interval = stats.estimated_interval)
+        error = format_text(", error %.3g [%.3g, %.3g]", *stats.estimated_error, interval->low, interval->high);
+    else if (stats.estimated_error)
+        error = format_text(", error < ~%.3g", *stats.estimated_error);
+    print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats.rays(), c.camera_rays,
+                           c.bounce_rays, c.shadow_rays, stats.render_s > 0 ? 1e-6 * rays / stats.render_s : 0) +
+               error);
+    if (!stats.stopped_by.empty())
+        print_note(format_text("stopped by --%s at %u spp", stats.stopped_by.c_str(), stats.settings.render.spp));
+    if (const auto& m = metrics)
+        print_note(format_text("against %s: rmse %.3g, relmse %.3g, without the worst 0.1 %% of pixels %.3g",
+                               options.reference.c_str(), m->rmse, m->relmse, m->relmse_trimmed));
+    std::string phases;
+    for (const auto& p : stats.phases) phases += (phases.empty() ? "" : ", ") + p.name + format_text(" %.2f", p.wall_s);
+    print_note("seconds: " + phases);
+}
+
+}  // namespace lancer
