@@ -13,7 +13,7 @@
 #include "harness/record.h"
 #include "report/metrics/statistics.h"
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer::bench {
 namespace {

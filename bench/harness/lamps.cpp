@@ -5,7 +5,7 @@
 #include "harness/generate.h"
 #include "harness/stage.h"
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer::bench {
 namespace {

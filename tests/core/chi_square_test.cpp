@@ -1,5 +1,5 @@
 // The test of the test: what the statistical tests of every folder stand on.
-#include "support/chi_square.h"
+#include "support/statistics/chi_square.h"
 
 #include <gtest/gtest.h>
 

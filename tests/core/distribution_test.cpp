@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/chi_square.h"
 #include "support/random.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer {
 namespace {

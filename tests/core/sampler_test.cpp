@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "support/chi_square.h"
 #include "support/random.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer {
 namespace {

@@ -1,9 +1,9 @@
 // The judges themselves, against values from tables and R.
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 #include <gtest/gtest-spi.h>
 
-#include "support/kolmogorov.h"
+#include "support/statistics/kolmogorov.h"
 
 namespace lancer {
 namespace {

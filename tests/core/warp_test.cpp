@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "support/chi_square.h"
 #include "support/random.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer {
 namespace {

@@ -2,7 +2,7 @@
 // the mean of the whole tree, material by material, depth by depth.
 #include <gtest/gtest.h>
 
-#include "support/classic.h"
+#include "support/scenes/classic.h"
 
 namespace lancer {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
-#include "support/lit_places.h"
 #include "support/random.h"
+#include "support/scenes/lit_places.h"
 #include "support/shoot.h"
 
 namespace lancer {

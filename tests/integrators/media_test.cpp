@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
-#include "support/media_scenes.h"
+#include "support/scenes/media_scenes.h"
 #include "support/ways.h"
 
 namespace lancer {

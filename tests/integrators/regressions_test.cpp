@@ -2,7 +2,7 @@
 // one of them back into the source, and the test of that name must then be red.
 #include <gtest/gtest.h>
 
-#include "support/classic.h"
+#include "support/scenes/classic.h"
 
 namespace lancer {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
-#include "support/classic.h"
+#include "support/scenes/classic.h"
 
 namespace lancer {
 namespace {

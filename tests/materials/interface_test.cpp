@@ -5,8 +5,8 @@
 
 #include "core/ray.h"
 #include "materials/samples.h"
-#include "support/chi_square.h"
-#include "support/significance.h"
+#include "support/statistics/chi_square.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/ray.h"
 #include "materials/samples.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/ray.h"
 #include "materials/samples.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/description/presets.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

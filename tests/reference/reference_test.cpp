@@ -7,7 +7,7 @@
 
 #include "reference/judged_scenes.h"
 #include "reference/walk.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -8,8 +8,8 @@
 #include <deque>
 
 #include "reference/reference.h"
-#include "support/kolmogorov.h"
 #include "support/shoot.h"
+#include "support/statistics/kolmogorov.h"
 
 namespace lancer {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene/build/shapes.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

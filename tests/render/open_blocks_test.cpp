@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/render.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "support/lamp_grid.h"
-#include "support/media_scenes.h"
 #include "support/render.h"
 #include "support/salt.h"
+#include "support/scenes/lamp_grid.h"
+#include "support/scenes/media_scenes.h"
 
 namespace lancer {
 namespace {

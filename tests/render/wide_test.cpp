@@ -4,7 +4,7 @@
 
 #include "scene/wide_scene.h"
 #include "support/render.h"
-#include "support/wide_cases.h"
+#include "support/scenes/wide_cases.h"
 
 namespace lancer {
 namespace {

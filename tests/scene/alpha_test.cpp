@@ -5,9 +5,9 @@
 
 #include "geometry/accel.h"
 #include "scene/build/scene_builder.h"
-#include "support/chi_square.h"
-#include "support/significance.h"
 #include "support/stage.h"
+#include "support/statistics/chi_square.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

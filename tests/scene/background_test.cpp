@@ -6,8 +6,8 @@
 #include "scene/environment/environment.h"
 #include "support/random.h"
 #include "support/rasters.h"
-#include "support/scenes.h"
-#include "support/significance.h"
+#include "support/scenes/scenes.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "scene/surface.h"
 #include "scene/triangle_interaction.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 #include "support/stage.h"
 
 namespace lancer {

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/chi_square.h"
 #include "support/random.h"
 #include "support/rasters.h"
-#include "support/scenes.h"
-#include "support/significance.h"
+#include "support/scenes/scenes.h"
+#include "support/statistics/chi_square.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

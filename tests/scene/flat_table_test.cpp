@@ -7,8 +7,8 @@
 #include <cstring>
 
 #include "support/random.h"
+#include "support/scenes/wide_cases.h"
 #include "support/stage.h"
-#include "support/wide_cases.h"
 
 namespace lancer {
 namespace {

@@ -6,8 +6,8 @@
 #include "integrators/path/transport.h"
 #include "support/random.h"
 #include "support/rasters.h"
-#include "support/significance.h"
 #include "support/stage.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "integrators/path/transport.h"
-#include "support/lit_places.h"
 #include "support/rasters.h"
+#include "support/scenes/lit_places.h"
 
 namespace lancer {
 namespace {

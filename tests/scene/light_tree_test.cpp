@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "support/chi_square.h"
-#include "support/lamp_grid.h"
 #include "support/random.h"
 #include "support/render.h"
+#include "support/scenes/lamp_grid.h"
 #include "support/shoot.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer {
 namespace {

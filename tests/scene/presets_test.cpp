@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 namespace {

@@ -6,7 +6,7 @@
 #include "scene/environment/background.h"
 #include "support/random.h"
 #include "support/rasters.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "scene/build/scene_builder.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 #include "support/stage.h"
 
 namespace lancer {

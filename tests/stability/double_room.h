@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/vec.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer::stability {
 

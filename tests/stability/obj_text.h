@@ -6,7 +6,7 @@
 
 #include "io/obj/obj.h"
 #include "io/temp_folder.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer::stability {
 

@@ -4,14 +4,9 @@ namespace lancer::stability {
 
 Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
 {
-    RenderRequest r;
-    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp}, r.threads = shot.threads;
-    r.settings.integrator = shot.integrator;
-    r.settings.accel = shot.accel;
+    RenderRequest r = request_of(shot);
+    r.threads = shot.threads;
     r.settings.isa = shot.isa;
-    r.settings.kernel.sampler = shot.sampler;
-    r.settings.kernel.seed = salted(shot.seed);
-    r.settings.kernel.filter = Filter(FilterKind::box);
     return counted_render(d, r, out);
 }
 

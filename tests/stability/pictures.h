@@ -6,7 +6,7 @@
 
 #include "stability/counted_render.h"
 #include "support/salt.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer::stability {
 

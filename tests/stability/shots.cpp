@@ -4,15 +4,9 @@ namespace lancer::stability {
 
 Film shoot(const SceneDescription& d, const Shot& shot, const Setup& setup, Outcome& out)
 {
-    RenderRequest r;
-    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp},
+    RenderRequest r = request_of(shot);
     r.threads = setup.tier == Tier::A ? 1 : available_threads();
     r.images = shot.images;
-    r.settings.integrator = shot.integrator;
-    r.settings.accel = shot.accel;
-    r.settings.kernel.sampler = shot.sampler;
-    r.settings.kernel.seed = salted(shot.seed);
-    r.settings.kernel.filter = Filter(FilterKind::box);
     return counted_render(d, r, out);
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "stability/sweep.h"
-#include "support/lit_places.h"
+#include "support/scenes/lit_places.h"
 
 namespace lancer::stability {
 namespace {

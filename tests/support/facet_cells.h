@@ -4,7 +4,7 @@
 #pragma once
 
 #include "materials/samples.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 

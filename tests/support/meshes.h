@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/geometry.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "render/aov.h"
 #include "render/renderer.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

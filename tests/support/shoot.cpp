@@ -4,14 +4,9 @@ namespace lancer {
 
 Film shoot(const SceneDescription& d, const Shot& shot)
 {
-    RenderRequest r;
-    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp}, r.threads = 2;
+    RenderRequest r = request_of(shot);
+    r.threads = 2;
     r.images = shot.images;
-    r.settings.integrator = shot.integrator;
-    r.settings.accel = shot.accel;
-    r.settings.kernel.sampler = shot.sampler;
-    r.settings.kernel.seed = salted(shot.seed);
-    r.settings.kernel.filter = Filter(FilterKind::box);
     Rendered out = render(d, r);
     EXPECT_EQ(out.counters.dropped, 0u) << "samples that are no numbers";
     return std::move(out.film);

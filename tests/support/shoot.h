@@ -10,7 +10,7 @@
 
 #include "support/render.h"
 #include "support/salt.h"
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 
@@ -22,6 +22,20 @@ struct Shot {
     uint64_t seed = 0;
     RasterSource images = test_picture;
 };
+
+// What a render is asked for, on one thread. S: a Shot, or another struct with its fields.
+template <class S>
+RenderRequest request_of(const S& shot)
+{
+    RenderRequest r;
+    r.width = shot.width, r.height = shot.height, r.spp = {shot.spp};
+    r.settings.integrator = shot.integrator;
+    r.settings.accel = shot.accel;
+    r.settings.kernel.sampler = shot.sampler;
+    r.settings.kernel.seed = salted(shot.seed);
+    r.settings.kernel.filter = Filter(FilterKind::box);
+    return r;
+}
 
 Film shoot(const SceneDescription& d, const Shot& shot);
 

@@ -6,7 +6,7 @@
 #include "geometry/list/list.h"
 #include "scene/alpha_test.h"
 #include "scene/surface.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

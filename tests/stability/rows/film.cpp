@@ -5,7 +5,7 @@
 
 #include "stability/counted_render.h"
 #include "support/random.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer::stability {
 namespace {

@@ -4,7 +4,7 @@
 #include "io/scene/scene_file.h"
 #include "stability/groups.h"
 #include "stability/shots.h"
-#include "support/lit_places.h"
+#include "support/scenes/lit_places.h"
 
 namespace lancer::stability {
 namespace {

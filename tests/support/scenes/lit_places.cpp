@@ -1,4 +1,4 @@
-#include "support/lit_places.h"
+#include "support/scenes/lit_places.h"
 
 namespace lancer {
 

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <string>
 
-#include "support/chi_square.h"
 #include "support/salt.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer::stats {
 

@@ -1,7 +1,7 @@
 // Many lamps in rows.
 #pragma once
 
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

@@ -1,4 +1,4 @@
-#include "support/wide_cases.h"
+#include "support/scenes/wide_cases.h"
 
 namespace lancer {
 

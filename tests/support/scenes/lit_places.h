@@ -6,8 +6,8 @@
 
 #include "scene/lights/light.h"
 #include "support/random.h"
-#include "support/significance.h"
 #include "support/stage.h"
+#include "support/statistics/significance.h"
 
 namespace lancer {
 

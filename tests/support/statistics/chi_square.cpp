@@ -1,4 +1,4 @@
-#include "support/chi_square.h"
+#include "support/statistics/chi_square.h"
 
 namespace lancer {
 

@@ -1,4 +1,4 @@
-#include "support/significance.h"
+#include "support/statistics/significance.h"
 
 namespace lancer::stats {
 

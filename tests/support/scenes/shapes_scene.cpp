@@ -1,6 +1,6 @@
 // The scene of all_test_scenes() that is made of what scene/build/shapes.h makes.
 #include "scene/build/shapes.h"
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 

@@ -1,4 +1,4 @@
-#include "support/media_scenes.h"
+#include "support/scenes/media_scenes.h"
 
 namespace lancer {
 

@@ -1,8 +1,8 @@
 // Scenes that are traced eight paths at a time, between them with all that such scenes may have.
 #pragma once
 
-#include "support/classic.h"
-#include "support/scenes.h"
+#include "support/scenes/classic.h"
+#include "support/scenes/scenes.h"
 #include "support/shoot.h"
 
 namespace lancer {

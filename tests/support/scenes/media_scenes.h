@@ -1,7 +1,7 @@
 // Scenes with media: bodies that overlap, and light that is absorbed in them.
 #pragma once
 
-#include "support/scenes.h"
+#include "support/scenes/scenes.h"
 
 namespace lancer {
 
