@@ -1,5 +1,7 @@
 #include "stability/pictures.h"
 
+#include "support/shoot.h"
+
 namespace lancer::stability {
 
 Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
