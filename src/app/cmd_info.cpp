@@ -1,6 +1,7 @@
 // lancer info: what is in a scene and what it takes, or what a picture says of its making.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "app/commands.h"
@@ -112,6 +113,12 @@ private:
             ++counts[std::string(name_of(is_mix ? MaterialType::mix : type))];
         }
         print_field("materials", listed(counts));
+        std::set<std::string> told;
+        for (const MeshDescription& mesh : d_.meshes)
+            for (const MaterialDescription& m : mesh.data->materials) {
+                if (m.why.empty() || !told.insert(m.where.file + '\n' + m.name).second) continue;
+                print_field("material", m.name + ": " + std::string(name_of(m.type)) + ", by " + m.why);
+            }
     }
     void print_textures() const
     {

@@ -31,4 +31,26 @@ Image to_image(const Raster& raster, Encoding encoding)
     return image;
 }
 
+bool looks_like_normals(const Raster& raster)
+{
+    if (raster.channels < 3 || raster.is_float) return false;
+    const LinearValues value(raster, Encoding::linear);
+    constexpr uint32_t samples = 64;  // along each side, at most
+    constexpr double off_unit = 0.15, share = 0.9;
+    const uint32_t step_x = (raster.width + samples - 1) / samples, step_y = (raster.height + samples - 1) / samples;
+    uint64_t count = 0, unit = 0;
+    double z = 0, tint = 0;
+    for (uint32_t y = 0; y < raster.height; y += step_y)
+        for (uint32_t x = 0; x < raster.width; x += step_x) {
+            const size_t first = (size_t{y} * raster.width + x) * raster.channels;
+            const auto part = [&](size_t k) { return 2 * static_cast<double>(value[first + k]) - 1; };
+            const double length = std::sqrt(part(0) * part(0) + part(1) * part(1) + part(2) * part(2));
+            ++count;
+            unit += std::abs(length - 1) < off_unit ? 1 : 0;
+            z += part(2), tint += std::abs(part(2) - part(0));
+        }
+    const auto n = static_cast<double>(count);
+    return static_cast<double>(unit) >= share * n && z > 0.5 * n && tint > 0.3 * n;
+}
+
 }  // namespace lancer

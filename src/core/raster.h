@@ -23,6 +23,7 @@ struct Raster {
     std::vector<uint8_t> bytes;
     std::vector<float> floats;
     bool is_float = false;  // the file held floats: linear, whatever they are used for
+    std::string damage{};   // what the decoder had to guess at; empty: nothing
 
     bool has_alpha() const { return channels == 2 || channels == 4; }
     size_t value_count() const { return size_t{width} * height * channels; }
@@ -42,6 +43,10 @@ private:
 
 // Linear RGB: integers decoded as `encoding` says, floats as they stand; alpha is dropped, grey becomes RGB.
 Image to_image(const Raster& raster, Encoding encoding);
+
+// Whether it looks like normals in tangent space, encoded in [0, 1]: nearly all texels are of unit length, and most
+// point outwards. Grey pictures are heights.
+bool looks_like_normals(const Raster& raster);
 
 // A picture that is being read. get() throws Error if it could not be read.
 using RasterFuture = std::shared_future<std::shared_ptr<const Raster>>;

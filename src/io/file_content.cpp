@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "io/utf16.h"
 
 namespace lancer {
 namespace {
@@ -79,6 +81,11 @@ void FileContent::read(int descriptor, size_t size)
     }
     size_ = size;
     is_text_ = is_text;
+    if (!is_text_)
+        if (std::optional<std::string> text = text_of_utf16(bytes())) {
+            converted_ = std::move(*text);
+            is_text_ = converted_.find('\0') == std::string::npos;
+        }
     hash_ = hashes.size() == 1
                 ? hashes[0]
                 : hash_bytes({reinterpret_cast<const char*>(hashes.data()), sizeof(uint64_t) * hashes.size()});
@@ -86,6 +93,7 @@ void FileContent::read(int descriptor, size_t size)
 
 std::string_view FileContent::text() const
 {
+    if (!converted_.empty()) return converted_;
     const std::string_view all = bytes();
     return all.starts_with("\xEF\xBB\xBF") ? all.substr(3) : all;
 }

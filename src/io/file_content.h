@@ -18,18 +18,19 @@ public:
 
     const std::string& problem() const { return problem_; }  // empty if the file could be read
     bool missing() const { return missing_; }
-    bool is_text() const { return is_text_; }  // no NUL byte
+    bool is_text() const { return is_text_; }  // no NUL character
     // Of all bytes, as hash_bytes; of more than a block, of the hashes of the blocks.
     uint64_t hash() const { return hash_; }
 
     std::string_view bytes() const { return {bytes_.get(), size_}; }
-    std::string_view text() const;  // without the byte order mark of UTF-8
+    std::string_view text() const;  // in UTF-8, without a byte order mark
 
 private:
     void read(int descriptor, size_t size);
 
     RawArray<char> bytes_;
     size_t size_ = 0;
+    std::string converted_;  // from UTF-16; empty if the bytes are the text
     std::string problem_;
     bool missing_ = false, is_text_ = true;
     uint64_t hash_ = 0;

@@ -18,10 +18,40 @@ bool is_there(const fs::path& path, bool as_file)
 std::string to_lower(std::string_view s)
 {
     std::string lower(s);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    for (char& c : lower) c = to_lower(c);
     return lower;
 }
+
+namespace {
+
+int digit_of(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    c = to_lower(c);
+    return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+// The path of a URL of a file (RFC 8089), with %20 as a space; any other name as it is.
+std::string path_of(const std::string& name)
+{
+    constexpr std::string_view scheme = "file:";
+    if (!to_lower(name.substr(0, scheme.size())).starts_with(scheme)) return name;
+    std::string path;
+    for (size_t i = scheme.size(); i < name.size(); ++i) {
+        const int high = i + 2 < name.size() ? digit_of(name[i + 1]) : -1,
+                  low = i + 2 < name.size() ? digit_of(name[i + 2]) : -1;
+        if (name[i] == '%' && high >= 0 && low >= 0) {
+            path += static_cast<char>(16 * high + low);
+            i += 2;
+        } else {
+            path += name[i];
+        }
+    }
+    if (path.starts_with("//")) path.erase(0, std::min(path.find('/', 2), path.size()));  // the host
+    return path;
+}
+
+}  // namespace
 
 FileFinder::FileFinder(const std::string& file, const AssetFolder* allowed)
     : folder_(fs::path(file).parent_path()), allowed_(allowed)
@@ -37,17 +67,36 @@ std::string FileFinder::problem_of(const fs::path& path) const
 
 FileFinder::Found FileFinder::find(const std::string& name)
 {
+    const std::string path = path_of(name);
+    Found found = find_at(path);
+    if (!found.path.empty()) return found;
+    const std::string bare = path.substr(path.rfind('/') + 1);
+    if (bare.empty() || bare == "." || bare == "..") return found;
+    for (const char* folder : {"", "textures/", "../textures/"}) {
+        Found other = find_at(folder + bare);
+        if (other.path.empty()) continue;
+        other.other_folder = true;
+        return other;
+    }
+    if (allowed_)
+        if (const AssetFolder::Found asset = allowed_->find(bare); asset.problem.empty())
+            return {.path = asset.path, .other_folder = true};
+    return found;
+}
+
+FileFinder::Found FileFinder::find_at(const std::string& name)
+{
     const fs::path path = (folder_ / name).lexically_normal();
     // Before anything is looked for: a message must not tell what there is in other folders.
-    if (std::string problem = problem_of(path); !problem.empty()) return {{}, false, std::move(problem)};
-    if (is_there(path, true)) return {path.string(), false, {}};
+    if (std::string problem = problem_of(path); !problem.empty()) return {.problem = std::move(problem)};
+    if (is_there(path, true)) return {.path = path.string()};
     fs::path other = path.root_path();
     const fs::path relative = path.relative_path();
     for (auto part = relative.begin(); part != relative.end(); ++part)
         if (!step(other, part->string(), std::next(part) == relative.end())) return {};
     if (other.empty() || !is_there(other, true)) return {};
-    if (std::string problem = problem_of(other); !problem.empty()) return {{}, false, std::move(problem)};
-    return {other.string(), true, {}};
+    if (std::string problem = problem_of(other); !problem.empty()) return {.problem = std::move(problem)};
+    return {.path = other.string(), .other_case = true};
 }
 
 // Goes on to the file or folder of this name, or the first by name that differs in case only.

@@ -46,6 +46,8 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
     }
     if (const uint64_t twice = count_repeated(data.triangles))
         notes.warning({data.file}, "the corners of another triangle in " + std::to_string(twice) + of_all);
+    for (const MaterialDescription& m : data.materials)
+        if (m.is_doubtful) notes.warning(m.where, std::string(name_of(m.type)) + ", by " + m.why);
 }
 
 // An emitter for the test: the triangles of a mesh that share a material.

@@ -72,6 +72,23 @@ TEST_F(FileContentTest, FindsAZeroByteInAnyBlock)
     }
 }
 
+TEST_F(FileContentTest, ReadsUtf16)
+{
+    using namespace std::string_literals;
+    for (const std::string& bytes :
+         {"\xFF\xFEn\0\xE9\0\x3D\xD8\x00\xDE\n\0"s, "\xFF\xFE\xFF\xFEn\0\xE9\0\x3D\xD8\x00\xDE\n\0"s,
+          "\xFE\xFF\0n\0\xE9\xD8\x3D\xDE\x00\0\n"s}) {
+        const FileContent content(write("a.txt", bytes));
+        EXPECT_TRUE(content.is_text());
+        EXPECT_EQ(content.text(), "n\xC3\xA9\xF0\x9F\x98\x80\n");
+        EXPECT_EQ(content.bytes(), bytes);
+    }
+    EXPECT_EQ(FileContent(write("a.txt", "n\0e\0w\0"s)).text(), "new");
+    EXPECT_EQ(FileContent(write("a.txt", "\xFF\xFE\x00\xDCx\0"s)).text(), "\xEF\xBF\xBDx");  // half a character
+    EXPECT_FALSE(FileContent(write("a.txt", "\xFF\xFEn\0\0\0"s)).is_text());
+    EXPECT_FALSE(FileContent(write("a.txt", "n\0ew"s)).is_text());
+}
+
 TEST_F(FileContentTest, LeavesOutTheByteOrderMark)
 {
     const FileContent content(write("a.txt", "\xEF\xBB\xBFv 1 2 3\n"));

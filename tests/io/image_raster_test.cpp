@@ -201,5 +201,27 @@ TEST(ImageRaster, MalformedFilesAreReadOrRefused)
         for (const std::string& file : malformed_files(folder)) expect_raster_or_refused(file);
 }
 
+// Of a damaged JPEG there is what can be decoded, and a word about the rest.
+TEST(ImageRaster, DamagedJpegsAreReadAsFarAsTheyGo)
+{
+    const std::string whole = jpeg(), end = "\xff\xd9"s;
+    const Raster expected = raster_of("a.jpg", whole);
+    EXPECT_EQ(expected.damage, "");
+    std::string extra = whole;
+    extra.insert(whole.size() - 2, std::string(23, '\x2a'));
+    for (const std::string& bytes : {whole.substr(0, whole.size() - 2), extra}) {
+        const Raster damaged = raster_of("a.jpg", bytes);
+        EXPECT_NE(damaged.damage, "");
+        expect_bytes(damaged, expected.channels, expected.bytes);
+    }
+    EXPECT_EQ(raster_of("a.jpg", whole + "trailing").damage, "");
+    // Half a header is nothing, and a few bytes are no large picture.
+    EXPECT_THROW(raster_of("a.jpg", whole.substr(0, 60)), Error);
+    std::string large = whole.substr(0, whole.size() - 4);
+    const size_t size = large.find("\x08\0\x08\0\x08"s);
+    ASSERT_NE(size, std::string::npos);
+    EXPECT_THROW(raster_of("a.jpg", large.replace(size, 5, "\x08\x10\0\x10\0"s)), Error);
+}
+
 }  // namespace
 }  // namespace lancer

@@ -178,7 +178,7 @@ TEST_F(MtlMapTest, StatementsEndWhereTheyShould)
 TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
 {
     const auto entries = scan_mtl(
-        "newmtl m\nkd 1 0 0\nkd 1 0 0\nmap_kd a.png\nKa 1 1 1\nmap_Ka a.png\nsharpness 60\ndisp a.png\ndecal a.png\n"
+        "newmtl m\nKdd 1 0 0\nKdd 1 0 0\nmap_Kdd a.png\nKa 1 1 1\nmap_Ka a.png\nsharpness 60\ndisp a.png\ndecal a.png\n"
         "illum 11\nillum 2.5\nNs many\nNi 0\nNi 99\nNs -1\nd 2\nPr\nxyzzy\nillum 2\nKt 0 0 0\nKm .25\n",
         "a.mtl", diagnostics_);
     EXPECT_EQ(entries.at(0).illum.value, 2);
@@ -186,8 +186,8 @@ TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
     EXPECT_EQ(entries.at(0).ni.value, 10);
     EXPECT_FALSE(entries.at(0).pr);
     EXPECT_THAT(warnings(),
-                ElementsAre("a.mtl:2: warning: unknown statement 'kd' ignored; did you mean 'Kd'? (2 times)",
-                            "a.mtl:4: warning: unknown statement 'map_kd' ignored; did you mean 'map_Kd'?",
+                ElementsAre("a.mtl:2: warning: unknown statement 'Kdd' ignored; did you mean 'Kd'? (2 times)",
+                            "a.mtl:4: warning: unknown statement 'map_Kdd' ignored; did you mean 'map_Kd'?",
                             "a.mtl:8: warning: statement 'disp' is not supported; ignored",
                             "a.mtl:9: warning: statement 'decal' is not supported; ignored",
                             "a.mtl:10: warning: illum is not a whole number from 0 to 10; ignored (2 times)",

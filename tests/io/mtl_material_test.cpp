@@ -44,10 +44,8 @@ TEST_F(MtlMaterial, GivenKeysDecideTheType)
         {"Ks .95 .95 .95\nillum 8", MaterialType::mirror},
         {"Ks .95 .95 .95\nNs 999\nillum 3", MaterialType::metal},
         {"map_Ks a.png\nNs 20\nillum 5", MaterialType::metal},
-        {"illum 4", MaterialType::glass},
-        {"Kd .01 .01 .01\nKs .3 .3 .3\nillum 6", MaterialType::glass},
-        {"illum 7", MaterialType::glass},
-        {"Kd 1 1 1\nillum 9", MaterialType::glass},
+        {"Ni 1.5\nillum 4", MaterialType::glass},
+        {"Kd .01 .01 .01\nKs .3 .3 .3\nNi 1.5\nillum 6", MaterialType::glass},
         {"d .5\nNi 1.33", MaterialType::glass},
         {"Tr .5\nNi 1.33", MaterialType::glass},
         {"d .5\nNi 1", MaterialType::lambert},
@@ -90,14 +88,14 @@ TEST_F(MtlMaterial, GlassIsTintedBySurfaceAndRoughOnlyIfSaid)
     EXPECT_FLOAT_EQ(tinted.base_color.g * tinted.base_color.g, .5f);
     EXPECT_EQ(tinted.base_color.b, 1);
     EXPECT_EQ(tinted.ior, 1.5f);
-    EXPECT_EQ(material("illum 7\nTf 0 0 0").base_color, (Color{1, 1, 1}));
-    EXPECT_EQ(material("illum 7\nNs 100").roughness, 0);
-    EXPECT_FLOAT_EQ(material("illum 7\nNs 99").roughness, roughness(99));
-    EXPECT_EQ(material("illum 7\nNi 1").ior, 1);
+    EXPECT_EQ(material("illum 7\nNi 1.5\nTf 0 0 0").base_color, (Color{1, 1, 1}));
+    EXPECT_EQ(material("illum 7\nNi 1.5\nNs 100").roughness, 0);
+    EXPECT_FLOAT_EQ(material("illum 7\nNi 1.5\nNs 99").roughness, roughness(99));
+    EXPECT_EQ(material("illum 7\nNi 1\nd .3").ior, 1);
     EXPECT_THAT(warnings(), IsEmpty());
-    material("illum 7\nmap_Kd a.png\nmap_Ks a.png");
+    material("illum 7\nd .1\nmap_Kd a.png\nmap_Ks a.png");
     EXPECT_THAT(warnings(),
-                ElementsAre("a.mtl:3: warning: map_Kd of glass ignored", "a.mtl:4: warning: map_Ks of glass ignored"));
+                ElementsAre("a.mtl:4: warning: map_Kd of glass ignored", "a.mtl:5: warning: map_Ks of glass ignored"));
 }
 
 // At normal incidence the coat reflects F0(ior) * specular: Ks itself while that is no more than the coat can do.
@@ -151,7 +149,6 @@ TEST_F(MtlMaterial, PhysicalKeysAreTakenAsTheyAre)
     EXPECT_THAT(warnings(), IsEmpty());
     material("Pr .5\nPs 0\nPc 0.5\nPcr .03\naniso 0\nanisor 0\nmap_Ps a.png\nmap_Ks a.png");
     EXPECT_THAT(warnings(), ElementsAre("a.mtl:4: warning: statement 'Pc' is not supported; ignored",
-                                        "a.mtl:5: warning: statement 'Pcr' is not supported; ignored",
                                         "a.mtl:8: warning: statement 'map_Ps' is not supported; ignored",
                                         "a.mtl:9: warning: map_Ks beside Pr or Pm ignored"));
 }
@@ -164,7 +161,7 @@ TEST_F(MtlMaterial, OpacityIsDOrWhatTrLeaves)
     EXPECT_EQ(material("Kd 1 1 1\nPr .5\nd .25").opacity, .25f);
     EXPECT_EQ(material("Ks 1 1 1\nd .25").opacity, .25f);
     EXPECT_EQ(material("d 1\nTr 0").opacity, 1);
-    EXPECT_EQ(material("illum 7\nTr 1").opacity, 1);
+    EXPECT_EQ(material("illum 7\nNi 1.5\nTr 1").opacity, 1);
     EXPECT_THAT(warnings(), IsEmpty());
     EXPECT_EQ(material("d 1\nTr 1").opacity, 1);
     EXPECT_THAT(warnings(), ElementsAre("a.mtl:3: warning: d and Tr contradict each other; d is used"));
@@ -176,6 +173,9 @@ TEST_F(MtlMaterial, OpacityIsDOrWhatTrLeaves)
     EXPECT_EQ(material("d -halo .5").opacity, .5f);
     EXPECT_THAT(warnings(),
                 ElementsAre("a.mtl:2: warning: option -halo of d is not supported; d is the same from all sides"));
+    // Programs write d 0 where they mean that the map decides.
+    EXPECT_EQ(material("d 0\nmap_d a.png").opacity, 1);
+    EXPECT_THAT(warnings(), ElementsAre("a.mtl:2: warning: d 0 would make map_d invisible; the map alone is used"));
     const auto leaf = material("d 1\nmap_d a.png\nNi 1.5");
     ASSERT_TRUE(leaf.opacity_map);
     EXPECT_EQ(leaf.opacity_map->use.channel, Channel::automatic);
@@ -197,6 +197,10 @@ TEST_F(MtlMaterial, ColoursMultiplyTheirTextures)
     EXPECT_THAT(warnings(), IsEmpty());
     EXPECT_EQ(material("Kd 0 0 0\nmap_Kd a.png").base_color, (Color{1, 1, 1}));
     EXPECT_THAT(warnings(), ElementsAre("a.mtl:2: warning: a black Kd would blacken map_Kd; white is used"));
+    // Without its picture it is as any surface of which nothing is known.
+    EXPECT_EQ(material("Kd 0 0 0\nmap_Kd missing.png").base_color, (Color{.8f, .8f, .8f}));
+    EXPECT_THAT(warnings(), ElementsAre("a.mtl:3: warning: texture file 'missing.png' not found; not used",
+                                        "a.mtl:2: warning: a black Kd would blacken map_Kd; white is used"));
     EXPECT_FALSE(material("Ke 0 0 0\nmap_Ke a.png").emission_map);
     EXPECT_THAT(warnings(), ElementsAre("a.mtl:3: warning: map_Ke beside a black Ke emits nothing"));
     material("Kd 1 1 1\nKs 1 1 1\nmap_Ks a.png");

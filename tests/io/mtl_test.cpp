@@ -139,5 +139,55 @@ TEST_F(Mtl, TheHashIsOfAllBytesRead)
     EXPECT_NE(first, hash("newmtl a\n", "f 1 2 3\n\n"));
 }
 
+// KeyShot numbers its materials.
+TEST_F(Mtl, AHashBelongsToANameThatHasIt)
+{
+    write("wood #1.png", "");
+    write("a.png", "");
+    const auto m = load_with(
+        "newmtl Metal #1\nKd 1 0 0\nmap_Kd wood #1.png\nnewmtl Metal #2\nKd 0 0 1\nmap_Kd a.png # c\n"
+        "newmtl plain # c\nKd 0 1 0\n",
+        "usemtl Metal #1\nf 1 2 3\nusemtl Metal #2\nf 1 2 3\nusemtl plain\nf 1 2 3\nusemtl plain # d\nf 1 2 3\n");
+    ASSERT_TRUE(m) << errors();
+    ASSERT_EQ(m->materials.size(), 4u);
+    EXPECT_EQ(m->materials[0].name, "Metal #1");
+    EXPECT_EQ(m->materials[0].base_color, (Color{1, 0, 0}));
+    EXPECT_EQ(relative(m->materials[0].base_color_map->file), "wood #1.png");
+    EXPECT_EQ(m->materials[1].name, "Metal #2");
+    EXPECT_EQ(m->materials[1].base_color, (Color{0, 0, 1}));
+    EXPECT_EQ(relative(m->materials[1].base_color_map->file), "a.png");
+    EXPECT_EQ(m->materials[2].name, "plain");
+    EXPECT_EQ(m->materials[3].base_color, (Color{0, 1, 0}));
+    EXPECT_THAT(warnings(), IsEmpty());
+    write("b #2.mtl", "newmtl b\nKd 1 0 0\n");
+    const auto library = load("mtllib b #2.mtl\n" + corners + "usemtl b\nf 1 2 3\n");
+    ASSERT_TRUE(library) << errors();
+    EXPECT_EQ(library->materials[0].base_color, (Color{1, 0, 0}));
+    EXPECT_THAT(warnings(), IsEmpty());
+}
+
+// Paths of the machine where the file was written mean nothing here.
+TEST_F(Mtl, TexturesElsewhereAreTakenByTheirBareNames)
+{
+    fs::create_directories(folder_ / "textures");
+    write("wood grain.png", "");
+    write("textures/b.png", "");
+    for (const auto& [written, found] : {std::pair{"file:///C:/x/wood%20grain.png", "wood grain.png"},
+                                         {"file:///C:/x/wood grain.png", "wood grain.png"},
+                                         {"C:\\maps\\wood grain.png", "wood grain.png"},
+                                         {"/home/me/maps/WOOD grain.png", "wood grain.png"},
+                                         {"..\\maps\\b.png", "textures/b.png"},
+                                         {"b.png", "textures/b.png"}}) {
+        const auto m =
+            load_with(std::string("newmtl a\nmap_Kd ") + written + "\nmap_Ke " + written + "\n", "usemtl a\nf 1 2 3\n");
+        ASSERT_TRUE(m) << errors();
+        ASSERT_TRUE(m->materials[0].base_color_map) << written;
+        EXPECT_EQ(relative(m->materials[0].base_color_map->file), found) << written;
+        EXPECT_THAT(warnings(), testing::Contains("a.mtl:3: warning: texture files that are not where their paths say "
+                                                  "are taken by their bare names (2 times)"))
+            << written;
+    }
+}
+
 }  // namespace
 }  // namespace lancer

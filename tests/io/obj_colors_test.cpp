@@ -31,8 +31,8 @@ TEST_F(ObjColors, AreNotThere)
 
 TEST_F(ObjColors, ThatAreWrongAreWhiteOrCutOff)
 {
-    const auto m = load(
-        "v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 x 0\nv 2 0 0 255 -1 .5\nv 3 0 0 1\nf 1 2 3\nf 2 4 3\n");
+    const auto m =
+        load("v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 x 0\nv 2 0 0 1 -1 .5\nv 3 0 0 1\nf 1 2 3\nf 2 4 3\n");
     ASSERT_TRUE(m) << errors();
     EXPECT_THAT(m->colors, ElementsAre(Color{1, 1, 1}, Color{1, 0, 0}, Color{1, 1, 1}, Color{1, 1, 1},
                                        Color{1, 0, 0.5f}, Color{1, 1, 1}));
@@ -40,7 +40,18 @@ TEST_F(ObjColors, ThatAreWrongAreWhiteOrCutOff)
         warnings(),
         ElementsAre("a.obj:1: warning: vertex without a colour among such that have one: white is taken (2 times)",
                     "a.obj:3: warning: vertex colour is not finite numbers: white is taken (2 times)",
-                    "a.obj:5: warning: vertex colour outside of 0 to 1 cut off"));
+                    "a.obj:5: warning: vertex colour outside of its range cut off"));
+}
+
+TEST_F(ObjColors, AboveOneAreBytes)
+{
+    const auto m = load("v 0 0 0 255 51 0\nv 1 0 0\nv 0 1 0 1 0 300\nf 1 2 3\n");
+    ASSERT_TRUE(m) << errors();
+    EXPECT_THAT(m->colors, ElementsAre(Color{1, 0.2f, 0}, Color{1, 1, 1}, Color{1 / 255.0f, 0, 1}));
+    EXPECT_THAT(warnings(),
+                ElementsAre("a.obj:2: warning: vertex without a colour among such that have one: white is taken",
+                            "a.obj:1: warning: vertex colour above 1: all colours are divided by 255 (2 times)",
+                            "a.obj:3: warning: vertex colour outside of its range cut off"));
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ TEST_F(Obj, IndicesOutOfRangeAreErrorsWithTheirLine)
         {"f 1 2 -4294967295", "a.obj:4: error: face index -4294967295 is out of range: 3 vertices come before it"},
         {"f 1 2 18446744073709551617",
          "a.obj:4: error: face index 18446744073709551617 is out of range: the file has 3 vertices"},
-        {"f 1/1 2 3", "a.obj:4: error: face texture index 1 is out of range: the file has 0 texture coordinates"},
+        {"vt 0 0\nf 1/2 2 3",
+         "a.obj:5: error: face texture index 2 is out of range: the file has 1 texture coordinate"},
         {"f 1//2 2 3\nvn 0 0 1", "a.obj:4: error: face normal index 2 is out of range: the file has 1 normal"},
         {"vn 0 0 1\nf 1//-2 2 3", "a.obj:5: error: face normal index -2 is out of range: 1 normal comes before it"},
         {"f 1 2 x", "a.obj:4: error: face index 'x' is not an integer"},
@@ -137,8 +138,6 @@ TEST_F(Obj, NumbersAreChecked)
         {"v 0 0 \x01z", "a.obj:1: error: '?z' is not a number"},
         {"v 0 0", "a.obj:1: error: v needs 3 numbers, has 2"},
         {"v 0 # 0 0", "a.obj:1: error: v needs 3 numbers, has 1"},
-        {"vn nan 0 0", "a.obj:1: error: 'nan' is not a finite number"},
-        {"vn 0 0", "a.obj:1: error: vn needs 3 numbers, has 2"},
     };
     for (const auto& [line, message] : cases) EXPECT_EQ(error_of(line + ("\n" + corners) + "f 1 2 3\n"), message);
     EXPECT_EQ(error_of("v " + std::string(400, '9') + " 0 0\nf 1 1 1"),
@@ -225,14 +224,70 @@ TEST_F(Obj, NormalsAreUnitOrAbsent)
     constexpr uint32_t no = MeshData::no_normal;
     EXPECT_THAT(m->normal_triangles,
                 ElementsAre(Triangle{0, 0, 2}, Triangle{no, no, no}, Triangle{no, no, no}, Triangle{no, no, no}));
-    EXPECT_THAT(warnings(),
-                ElementsAre("a.obj:6: warning: normal of zero length ignored (2 times)",
-                            "a.obj:11: warning: face with normals at some corners only: they are ignored there"));
+    EXPECT_THAT(
+        warnings(),
+        ElementsAre(
+            "a.obj:6: warning: vn of zero length or not of three finite numbers; faces that use it are flat (2 times)",
+            "a.obj:11: warning: face with normals at some corners only: they are ignored there"));
 
     const auto flat = load(square + "vn 0 0 0\nf 1//1 2//1 3//1\n");
     ASSERT_TRUE(flat) << errors();
     EXPECT_THAT(flat->normals, IsEmpty());
     EXPECT_THAT(flat->normal_triangles, IsEmpty());
+}
+
+// Cinema 4D writes 0 for none, others write indices of attributes that they did not export.
+TEST_F(Obj, AttributesThatAreNotThereAreIgnored)
+{
+    constexpr uint32_t no = MeshData::no_normal;
+    const auto m = load(square + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 1/1/0 3/3/0 4/4/0\nf 1/0/1 3/0/1 4/0/1\n");
+    ASSERT_TRUE(m) << errors();
+    EXPECT_THAT(m->normal_triangles, ElementsAre(Triangle{0, 0, 0}, Triangle{no, no, no}, Triangle{0, 0, 0}));
+    EXPECT_THAT(warnings(),
+                ElementsAre("a.obj:6: warning: texture index ignored: the file has no vt (6 times)",
+                            "a.obj:7: warning: index 0 of a texture coordinate or normal ignored (6 times)"));
+    const auto no_normals = load(square + "f 1//1 2//2 3//99\nf 1//-1 3//0 4\n");
+    ASSERT_TRUE(no_normals) << errors();
+    EXPECT_EQ(no_normals->triangles.size(), 2u);
+    EXPECT_THAT(no_normals->normals, IsEmpty());
+    EXPECT_THAT(warnings(), ElementsAre("a.obj:5: warning: normal index ignored: the file has no vn (4 times)",
+                                        "a.obj:6: warning: index 0 of a texture coordinate or normal ignored"));
+}
+
+TEST_F(Obj, NormalsThatAreNoNumbersAreDropped)
+{
+    constexpr uint32_t no = MeshData::no_normal;
+    const auto m = load(square +
+                        "vn 0 0 1\nvn nan nan nan\nvn -nan(ind) 0 0\nvn 0 0\nvn\nvn 1 0 0\n"
+                        "f 1//1 2//2 3//1\nf 1//6 3//6 4//6\nf 1//3 2//3 3//3\n");
+    ASSERT_TRUE(m) << errors();
+    EXPECT_EQ(m->normals[5], (Vec3{1, 0, 0}));
+    EXPECT_THAT(m->normal_triangles, ElementsAre(Triangle{no, no, no}, Triangle{5, 5, 5}, Triangle{no, no, no}));
+    EXPECT_THAT(warnings(), ElementsAre("a.obj:6: warning: vn of zero length or not of three finite numbers; faces "
+                                        "that use it are flat (4 times)"));
+}
+
+TEST_F(Obj, MayBeWrittenInUtf16)
+{
+    const std::string text = corners + "usemtl \xC3\xA9\nf 1 2 3\n";
+    for (const bool little : {true, false})
+        for (const bool marked : {true, false}) {
+            std::string wide;
+            const auto add = [&](uint32_t unit) {
+                const char low = static_cast<char>(unit & 0xFF), high = static_cast<char>(unit >> 8);
+                wide += little ? low : high;
+                wide += little ? high : low;
+            };
+            if (marked) add(0xFEFF);
+            for (const char c : corners + "usemtl ") add(static_cast<uint8_t>(c));
+            add(0xE9);
+            for (const char c : std::string("\nf 1 2 3\n")) add(static_cast<uint8_t>(c));
+            const auto m = load(wide);
+            ASSERT_TRUE(m) << errors();
+            EXPECT_EQ(m->positions.size(), 3u);
+            EXPECT_THAT(warnings(),
+                        ElementsAre("a.obj:4: warning: unknown material '\xC3\xA9'; the default grey is used"));
+        }
 }
 
 TEST_F(Obj, OtherStatementsAreIgnored)

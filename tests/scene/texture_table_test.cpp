@@ -139,6 +139,29 @@ TEST(TextureTable, ABrokenPictureGivesNoBumps)
     EXPECT_THAT(warnings(diagnostics)[0], testing::HasSubstr("1 is used instead, and no bumps (2 times)"));
 }
 
+// Exporters name maps of normals as heights.
+TEST(TextureTable, HeightsThatLookLikeNormalsBecomeNormals)
+{
+    for (const bool may_be : {true, false})
+        for (const char* file : {"tilted normals", "flat normals", "waves", "colours"}) {
+            MaterialDescription a = make_lambert("a", {1, 1, 1});
+            a.bump_map = picture(file, 4, Channel::red);
+            a.bump_map->may_be_normals = may_be;
+            a.roughness_map = picture(file, 5, Channel::red);
+            Diagnostics diagnostics;
+            const Scene scene = Scene::build(scene_of({a}), {}, diagnostics, test_picture);
+            const MaterialTraits& traits = scene.traits[scene.sphere_material[0]];
+            const bool is_normals = may_be && std::string_view(file).ends_with("normals");
+            EXPECT_EQ(traits.normal_map != no_texture, is_normals) << file;
+            EXPECT_EQ(traits.bump != no_texture, !is_normals) << file;
+            EXPECT_EQ(diagnostics.warnings().size(), is_normals ? 1u : 0u) << file;
+            if (is_normals) {
+                EXPECT_GT(color_of(scene, traits.normal_map).b, 0.8f) << file;
+                EXPECT_THAT(warnings(diagnostics)[0], testing::HasSubstr("used as normals"));
+            }
+        }
+}
+
 TEST(TextureTable, WithoutASourceNothingIsReadButAllIsBuilt)
 {
     MaterialDescription a = make_lambert("a", {1, 1, 1});

@@ -10,8 +10,8 @@
 namespace lancer {
 
 // Grey or RGB as stored: Exif rotation and colour profiles are ignored. Nothing for a CMYK picture, which OpenImageIO
-// converts. A broken or truncated file, and one in which libjpeg had to guess, is ErrorKind::invalid_input, never a
-// partial picture.
+// converts. A file of which nothing can be decoded is ErrorKind::invalid_input. Of a damaged or truncated one there is
+// what could be decoded, the rest is grey, and Raster::damage says what libjpeg said.
 std::optional<Raster> read_jpeg(InputFile& file);
 
 }  // namespace lancer

@@ -31,7 +31,7 @@ std::string error_of(OIIO::ImageInput& input)
     return text.empty() ? "damaged or cut short" : text;
 }
 
-// Some decoders report success and leave only an error text behind: that of JPEG fills what a cut file lacks with grey.
+// Some decoders report success and leave only an error text behind.
 bool succeeded(bool ok, OIIO::ImageInput& input, LancerOiioInfo* info)
 {
     if (ok && !input.has_error()) return true;
@@ -115,6 +115,12 @@ bool read_rows(LancerOiioPicture& picture, int32_t y0, int32_t y1, void* values,
                         ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
                                            picture.channels, type, values)
                         : input.read_scanlines(0, 0, begin, end, spec.z, 0, picture.channels, type, values);
+    // That of JPEG fills what a cut file lacks with grey.
+    if (ok && input.has_error() && input.format_name() == std::string("jpeg")) {
+        info->is_damaged = 1;
+        set_message(info, error_of(input));
+        return true;
+    }
     return succeeded(ok, input, info);
 }
 

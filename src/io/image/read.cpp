@@ -165,6 +165,7 @@ Raster read_with_module(const InputFile& file, const std::string& format)
     const bool done =
         info.kind == lancer_oiio_bytes ? read_rows(raster.bytes, info, read) : read_rows(raster.floats, info, read);
     if (!done) throw broken();
+    if (info.is_damaged) raster.damage = info.message;
     return raster;
 }
 
@@ -199,6 +200,7 @@ Image read_image(const std::string& path, Encoding encoding, PictureKind* kind)
     if (kind) *kind = {format, true};
     if (format == "openexr") return read_exr(path);
     const Raster raster = read_format(file, format);
+    if (!raster.damage.empty()) throw file.invalid("not a valid " + format + " file: " + raster.damage);
     if (kind) kind->is_float = raster.is_float;
     return to_image(raster, encoding);
 }

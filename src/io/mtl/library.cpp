@@ -21,6 +21,10 @@ public:
         std::replace(names.begin(), names.end(), '\\', '/');
         const Location where{obj_file_, library.line, 0};
         if (try_add(names, where)) return;
+        if (const std::string without_comment(name_argument(names)); without_comment != names) {
+            names = without_comment;
+            if (try_add(names, where)) return;
+        }
         std::vector<std::string> words;
         constexpr size_t most_words = 16;  // of one statement; every start and end among them is tried as a name
         std::string_view rest = names;
@@ -57,7 +61,10 @@ private:
         if (!found.problem.empty())
             diagnostics_.warning(where, "material file " + in_quotes(name) + " " + found.problem + "; not used");
         if (found.path.empty()) return !found.problem.empty();
-        if (found.other_case)
+        if (found.other_folder)
+            diagnostics_.warning(
+                where, "material file " + in_quotes(name) + " not found; " + in_quotes(found.path) + " is used");
+        else if (found.other_case)
             diagnostics_.warning(where, "material file " + in_quotes(name) + " not found; " +
                                             in_quotes(std::filesystem::path(found.path).filename().string()) +
                                             " is used");
@@ -97,17 +104,27 @@ void MaterialLibrary::add_file(const std::string& path, std::string_view text, c
 {
     files_.push_back({{path, FileFinder(path, assets)}, scan_mtl(text, path, diagnostics)});
     const std::vector<MtlEntry>& entries = files_.back().entries;
-    for (size_t i = 0; i < entries.size(); ++i)
-        if (!index_.try_emplace(entries[i].name, Place{files_.size() - 1, i}).second)
+    for (size_t i = 0; i < entries.size(); ++i) {
+        const Place place{files_.size() - 1, i};
+        if (!index_.try_emplace(entries[i].name, place).second)
             diagnostics.warning({path, entries[i].line, 0}, "material of this name exists already; the first is used");
+        without_comment_.try_emplace(std::string(name_argument(entries[i].name)), place);
+    }
 }
 
+// A '#' belongs to a name where both files have it there. Otherwise it begins a comment.
 std::optional<MaterialDescription> MaterialLibrary::describe(const std::string& name, Diagnostics& diagnostics)
 {
-    const auto found = index_.find(name);
-    if (found == index_.end()) return {};
-    Content& content = files_[found->second.file];
-    return describe_mtl(content.entries[found->second.entry], content.file, diagnostics);
+    const auto describe_at = [&](const Place& place) {
+        Content& content = files_[place.file];
+        return describe_mtl(content.entries[place.entry], content.file, diagnostics);
+    };
+    if (const auto found = index_.find(name); found != index_.end()) return describe_at(found->second);
+    const auto found = without_comment_.find(std::string(name_argument(name)));
+    if (found == without_comment_.end()) return {};
+    MaterialDescription m = describe_at(found->second);
+    m.name = found->first;
+    return m;
 }
 
 }  // namespace lancer

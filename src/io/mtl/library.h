@@ -36,7 +36,7 @@ private:
         std::vector<MtlEntry> entries;
     };
     std::deque<Content> files_;
-    std::unordered_map<std::string, Place> index_;
+    std::unordered_map<std::string, Place> index_, without_comment_;  // by name
 };
 
 }  // namespace lancer

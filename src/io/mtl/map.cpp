@@ -42,16 +42,21 @@ public:
         map_.line = where_.line;
         while (take_option()) {
         }
-        std::string_view name = name_argument(rest_);
-        if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-        map_.file = name;
-        std::replace(map_.file.begin(), map_.file.end(), '\\', '/');
+        map_.file = path_of(name_argument(rest_));
+        if (std::string whole = path_of(trim(rest_)); whole != map_.file) map_.whole = std::move(whole);
         if (!map_.file.empty()) return map_;
         warn("names no file");
         return {};
     }
 
 private:
+    static std::string path_of(std::string_view name)
+    {
+        if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+        std::string path(name);
+        std::replace(path.begin(), path.end(), '\\', '/');
+        return path;
+    }
     void warn(const std::string& what) { diagnostics_.warning(where_, std::string(key_) + " " + what); }
 
     bool take_option()

@@ -12,7 +12,8 @@
 namespace lancer {
 
 struct MtlMap {
-    std::string file;  // '/' between folders; may hold spaces
+    std::string file;   // '/' between folders; may hold spaces
+    std::string whole;  // with what may be a comment behind it; empty: nothing is
     uint32_t line = 0;
     Wrap wrap = Wrap::repeat;
     Vec2 scale{1, 1}, offset{0, 0};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/names.h"
+#include "io/mtl/kind.h"
 
 namespace lancer {
 namespace {
@@ -12,12 +13,12 @@ constexpr Color grey{0.8f, 0.8f, 0.8f}, white{1, 1, 1};
 constexpr float usual_roughness = 0.5f;  // of a coat or a metal of which nothing is said
 constexpr float usual_ior = 1.5f;
 
-// Files write 0.01 where they mean that nothing is scattered.
-bool is_dark(const MtlValue<Color>& c) { return !c || max_component(c.value) <= 0.02f; }
-
 // Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, section 5.2: the alpha whose
 // highlight is about as wide as that of the Phong exponent. Roughness is its root.
-float roughness_of_exponent(float ns) { return std::sqrt(std::sqrt(2 / (ns + 2))); }
+float roughness_of_phong(float ns) { return std::sqrt(std::sqrt(2 / (ns + 2))); }
+
+// Blender's exporter writes 1000 (1 - roughness)^2.
+float roughness_of_blender(float ns) { return std::max(0.0f, 1 - std::sqrt(ns / 1000)); }
 
 class Describer {
 public:
@@ -31,19 +32,35 @@ public:
     MaterialDescription describe()
     {
         describe_emission();
-        const float stopped = dissolve();
-        if (e_.pr || e_.pm || e_.map(MtlMapKind::pr) || e_.map(MtlMapKind::pm))
-            describe_pbr();
-        else if (is_glass(stopped))
-            describe_glass();
-        else
-            describe_classic();
-        // The d of glass says that it is clear, not that rays pass without meeting it.
-        m_.opacity = m_.type == MaterialType::glass ? 1 : stopped;
-        m_.opacity_map = texture(MtlMapKind::d, Encoding::linear, Channel::automatic);
-        if (m_.opacity == 0) warn(e_.d ? e_.d.line : e_.tr.line, "d 0 makes the surface invisible");
+        const MtlDecision decision = decide_kind(e_);
+        m_.why = decision.why, m_.is_doubtful = decision.doubtful;
+        switch (decision.kind) {
+            case MtlKind::physical:
+                describe_physical();
+                break;
+            case MtlKind::glass:
+                describe_glass();
+                break;
+            case MtlKind::metal:
+                describe_metal_of_kd();
+                break;
+            case MtlKind::reflector:
+                describe_reflector();
+                break;
+            case MtlKind::coated:
+                describe_classic(), describe_coat();
+                break;
+            case MtlKind::matt:
+                describe_classic();
+                break;
+        }
+        describe_opacity();
         m_.bump_map = texture(MtlMapKind::bump, Encoding::linear, Channel::red);
-        if (m_.bump_map) m_.bump_scale = e_.map(MtlMapKind::bump)->bump;
+        if (m_.bump_map) {
+            const MtlMap& map = *e_.map(MtlMapKind::bump);
+            m_.bump_scale = map.bump;
+            m_.bump_map->may_be_normals = !map.channel;
+        }
         m_.normal_map = texture(MtlMapKind::normal, Encoding::linear, Channel::color);
         return std::move(m_);
     }
@@ -55,16 +72,26 @@ private:
         if (const MtlMap* map = e_.map(kind)) warn(map->line, message);
     }
 
+    // With what may be a comment behind the name, or without.
+    FileFinder::Found find(const MtlMap& map)
+    {
+        if (!map.whole.empty())
+            if (FileFinder::Found found = file_.finder.find(map.whole); !found.path.empty()) return found;
+        return file_.finder.find(map.file);
+    }
+
     TextureUse texture(MtlMapKind kind, Encoding encoding, Channel channel)
     {
         const MtlMap* const map = e_.map(kind);
         if (!map) return {};
-        const FileFinder::Found found = file_.finder.find(map->file);
+        const FileFinder::Found found = find(*map);
         if (found.path.empty()) {
             warn_missing(*map, found.problem);
             return {};
         }
-        if (found.other_case)
+        if (found.other_folder)
+            warn(map->line, "texture files that are not where their paths say are taken by their bare names");
+        else if (found.other_case)
             warn(map->line,
                  "texture file " + in_quotes(map->file) + " not found; " + in_quotes(found.path) + " is used");
         TextureDescription t;
@@ -96,27 +123,24 @@ private:
         if (m_.emission_map && !e_.ke) m_.emission = white;
     }
 
-    // d, or what Tr says instead. A material with Tr 1 alone would not be seen at all; programs that write it mean the
-    // opposite.
-    float dissolve()
+    // The d of glass says that it is clear, not that rays pass without meeting it.
+    void describe_opacity()
     {
         if (e_.d && e_.tr && std::abs(e_.d.value + e_.tr.value - 1) > 0.01f)
             warn(e_.tr.line, "d and Tr contradict each other; d is used");
-        if (e_.d) return e_.d.value;
-        if (!e_.tr) return 1;
-        if (e_.tr.value < 1) return 1 - e_.tr.value;
-        if (!says_glass()) warn(e_.tr.line, "Tr 1 without d would make the surface invisible; taken for opaque");
-        return 1;
-    }
-
-    bool illum_is(std::initializer_list<int> models) const
-    {
-        return e_.illum && std::find(models.begin(), models.end(), e_.illum.value) != models.end();
-    }
-    bool says_glass() const { return illum_is({4, 6, 7, 9}); }
-    bool is_glass(float stopped) const
-    {
-        return says_glass() || (stopped < 1 && e_.ni.value > 1 && !e_.map(MtlMapKind::d));
+        m_.opacity_map = texture(MtlMapKind::d, Encoding::linear, Channel::automatic);
+        if (m_.type == MaterialType::glass) return;
+        m_.opacity = stopped_part(e_);
+        // A material with Tr 1 alone would not be seen at all; programs that write it mean the opposite.
+        if (!e_.d && e_.tr.value == 1)
+            warn(e_.tr.line, "Tr 1 without d would make the surface invisible; taken for opaque");
+        if (m_.opacity > 0) return;
+        if (m_.opacity_map) {  // programs write it where they mean that the map decides
+            warn(e_.d.line, "d 0 would make map_d invisible; the map alone is used");
+            m_.opacity = 1;
+        } else {
+            warn(e_.d.line, "d 0 makes the surface invisible");
+        }
     }
 
     // Kd with its texture: for all but glass, mirrors and metals of the classic keys.
@@ -127,55 +151,74 @@ private:
         m_.base_color = m_.base_color_map ? white : is_black(m_.emission) ? grey : Color{};
         if (!e_.kd) return;
         m_.base_color = e_.kd.value;
-        if (!m_.base_color_map || !is_black(m_.base_color)) return;
-        m_.base_color = white;
+        if (!e_.map(MtlMapKind::kd) || !is_black(m_.base_color)) return;
+        m_.base_color = m_.base_color_map ? white : grey;
         warn(e_.kd.line, "a black Kd would blacken map_Kd; white is used");
     }
 
-    void describe_pbr()
+    void describe_physical()
     {
         describe_base();
         m_.ior = coat_ior();
         m_.roughness_map = texture(MtlMapKind::pr, Encoding::linear, Channel::red);
-        m_.roughness = e_.pr              ? e_.pr.value
-                       : m_.roughness_map ? 1
-                       : e_.ns            ? roughness_of_exponent(e_.ns.value)
-                                          : usual_roughness;
+        m_.roughness = e_.pr ? e_.pr.value : m_.roughness_map ? 1 : e_.ns ? roughness_of_exponent() : usual_roughness;
         m_.metallic_map = texture(MtlMapKind::pm, Encoding::linear, Channel::red);
         m_.type = !m_.metallic_map && e_.pm.value >= 0.5f ? MaterialType::metal : MaterialType::plastic;
         if (m_.metallic_map) m_.metallic = e_.pm ? e_.pm.value : 1;
         not_used(MtlMapKind::ks, "map_Ks beside Pr or Pm ignored");
     }
 
-    // Tf is what of the light comes through the whole object, and each ray crosses its surface twice.
+    // What of the light comes through the whole object. Kd is its colour where it is one: programs write greys on all.
+    Color transmittance() const
+    {
+        if (filters_light(e_)) return e_.tf.value;
+        if (!e_.kd) return white;
+        const Color kd = e_.kd.value;
+        const float least = std::min({kd.r, kd.g, kd.b});
+        return max_component(kd) - least > 0.02f ? kd : white;
+    }
+
+    // Each ray crosses the surface twice.
     void describe_glass()
     {
         m_.type = MaterialType::glass;
-        m_.base_color = white;
-        if (e_.tf && !is_black(e_.tf.value))
-            m_.base_color = {std::sqrt(e_.tf.value.r), std::sqrt(e_.tf.value.g), std::sqrt(e_.tf.value.b)};
+        const Color through = transmittance();
+        m_.base_color = {std::sqrt(through.r), std::sqrt(through.g), std::sqrt(through.b)};
         m_.ior = e_.ni ? e_.ni.value : usual_ior;
-        if (e_.ns && e_.ns.value < 100) m_.roughness = roughness_of_exponent(e_.ns.value);
+        m_.roughness_map = texture(MtlMapKind::pr, Encoding::linear, Channel::red);
+        if (e_.pr || m_.roughness_map)
+            m_.roughness = e_.pr ? e_.pr.value : 1;
+        else if (e_.ns && e_.ns.value < 100)
+            m_.roughness = roughness_of_exponent();
         not_used(MtlMapKind::kd, "map_Kd of glass ignored");
         not_used(MtlMapKind::ks, "map_Ks of glass ignored");
     }
 
     void describe_classic()
     {
-        const bool reflects = (e_.ks && !is_black(e_.ks.value)) || (!e_.ks && e_.map(MtlMapKind::ks));
-        if (reflects && illum_is({3, 5, 8}) && is_dark(e_.kd) && !e_.map(MtlMapKind::kd)) return describe_metal();
         describe_base();
         not_used(MtlMapKind::ks, "map_Ks is used for mirrors and metals only; ignored");
-        if (e_.ks && !is_black(e_.ks.value)) describe_coat();
     }
 
-    void describe_metal()
+    void describe_metal_of_kd()
+    {
+        describe_classic();
+        m_.type = MaterialType::metal;
+        m_.roughness = e_.ns ? roughness_of_exponent() : usual_roughness;
+    }
+
+    void describe_reflector()
     {
         m_.base_color_map = texture(MtlMapKind::ks, Encoding::srgb, Channel::color);
         m_.base_color = e_.ks ? e_.ks.value : m_.base_color_map ? white : grey;
         const bool perfect = !e_.ns || e_.ns.value >= 1000;
         m_.type = perfect ? MaterialType::mirror : MaterialType::metal;
-        if (!perfect) m_.roughness = roughness_of_exponent(e_.ns.value);
+        if (!perfect) m_.roughness = roughness_of_exponent();
+    }
+
+    float roughness_of_exponent() const
+    {
+        return e_.by_blender ? roughness_of_blender(e_.ns.value) : roughness_of_phong(e_.ns.value);
     }
 
     float coat_ior() const { return e_.ni.value > 1 ? e_.ni.value : usual_ior; }
@@ -187,7 +230,7 @@ private:
     {
         m_.type = MaterialType::plastic;
         m_.ior = coat_ior();
-        m_.roughness = e_.ns ? roughness_of_exponent(e_.ns.value) : usual_roughness;
+        m_.roughness = e_.ns ? roughness_of_exponent() : usual_roughness;
         const float amplitude = (m_.ior - 1) / (m_.ior + 1), f0 = amplitude * amplitude;
         m_.specular = e_.ks.value / std::max(max_component(e_.ks.value), f0);
     }

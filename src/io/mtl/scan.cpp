@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/names.h"
+#include "io/file_finder.h"
 #include "io/text_file.h"
 
 namespace lancer {
@@ -46,31 +47,38 @@ struct MapKey {
     MtlMapKind kind;
 };
 constexpr std::array map_keys{
-    MapKey{"map_Kd", MtlMapKind::kd}, MapKey{"map_Ks", MtlMapKind::ks},     MapKey{"map_Ke", MtlMapKind::ke},
-    MapKey{"map_d", MtlMapKind::d},   MapKey{"map_opacity", MtlMapKind::d}, MapKey{"map_Pr", MtlMapKind::pr},
-    MapKey{"map_Pm", MtlMapKind::pm}, MapKey{"map_bump", MtlMapKind::bump}, MapKey{"map_Bump", MtlMapKind::bump},
-    MapKey{"bump", MtlMapKind::bump}, MapKey{"norm", MtlMapKind::normal},
+    MapKey{"map_Kd", MtlMapKind::kd},   MapKey{"map_Ks", MtlMapKind::ks},     MapKey{"map_Ke", MtlMapKind::ke},
+    MapKey{"map_d", MtlMapKind::d},     MapKey{"map_opacity", MtlMapKind::d}, MapKey{"map_Pr", MtlMapKind::pr},
+    MapKey{"map_Pm", MtlMapKind::pm},   MapKey{"map_bump", MtlMapKind::bump}, MapKey{"bump", MtlMapKind::bump},
+    MapKey{"norm", MtlMapKind::normal},
 };
 
 // What would be seen if it were supported; a value of 0 asks for nothing.
-constexpr std::array<std::string_view, 22> unsupported{
-    "Ps",       "Pc",       "Pcr",       "aniso",      "anisor", "Km",      "Kt",     "map_Ps",
-    "map_Pc",   "map_Pcr",  "map_aniso", "map_anisor", "map_Ns", "map_Tf",  "map_Tr", "disp",
-    "map_disp", "map_Disp", "decal",     "map_decal",  "refl",   "map_refl"};
-// What a path tracer computes by itself or that says how others should draw.
-constexpr std::array<std::string_view, 4> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness"};
+constexpr std::array<std::string_view, 19> unsupported{
+    "Ps",     "Pc",     "aniso",  "Km",   "Kt",   "map_Ps",   "map_Pc", "map_Pcr",   "map_aniso", "map_anisor",
+    "map_Ns", "map_Tf", "map_Tr", "disp", "refl", "map_disp", "decal",  "map_decal", "map_refl"};
+// What a path tracer computes by itself, what says how others should draw, and details of Pc and aniso, which ask for
+// nothing alone.
+constexpr std::array<std::string_view, 6> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness", "Pcr", "anisor"};
+
+// Programs write keys in any case, and no two differ in case alone.
+bool is_key(std::string_view word, std::string_view name)
+{
+    return std::equal(word.begin(), word.end(), name.begin(), name.end(),
+                      [](char a, char b) { return to_lower(a) == to_lower(b); });
+}
 
 template <class Keys>
-auto find_key(const Keys& keys, std::string_view name)
+auto find_key(const Keys& keys, std::string_view word)
 {
-    const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return k.name == name; });
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return is_key(word, k.name); });
     return found == keys.end() ? nullptr : &*found;
 }
 
 template <class Names>
-bool contains(const Names& names, std::string_view name)
+bool contains(const Names& names, std::string_view word)
 {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_key(word, name); });
 }
 
 float to_range(double v, float low, float high, bool& changed)
@@ -114,8 +122,8 @@ bool ends_in_name(std::string_view line)
 {
     if (line.size() < 2 || is_blank(line[line.size() - 2])) return false;
     const std::string_view key = take_word(line);
-    return !line.empty() &&
-           (key.starts_with("map_") || find_key(map_keys, key) || key == "disp" || key == "decal" || key == "refl");
+    return !line.empty() && (is_key(key.substr(0, 4), "map_") || find_key(map_keys, key) || is_key(key, "disp") ||
+                             is_key(key, "decal") || is_key(key, "refl"));
 }
 
 class Scanner {
@@ -129,9 +137,13 @@ public:
             line_ = lines.number();
             std::string_view arguments = lines.line();
             const std::string_view key = take_word(arguments);
-            if (key.empty() || key[0] == '#') continue;
-            if (key == "newmtl")
-                add_material(name_argument(arguments));
+            if (key.empty()) continue;
+            if (key[0] == '#') {
+                if (materials_.empty() && lines.line().find("Blender") != std::string_view::npos) by_blender_ = true;
+                continue;
+            }
+            if (is_key(key, "newmtl"))
+                add_material(trim(arguments));
             else if (!materials_.empty())
                 use(key, arguments);
             else if (strays_++ == 0)
@@ -150,6 +162,7 @@ private:
         materials_.emplace_back();
         materials_.back().name = name;
         materials_.back().line = line_;
+        materials_.back().by_blender = by_blender_;
     }
 
     void use(std::string_view key, std::string_view arguments)
@@ -157,7 +170,7 @@ private:
         if (const ColorKey* color = find_key(color_keys, key)) return use_color(*color, arguments);
         if (const NumberKey* number = find_key(number_keys, key)) return use_number(*number, arguments);
         if (const MapKey* map = find_key(map_keys, key)) return use_map(*map, arguments);
-        if (key == "illum") return use_illum(arguments);
+        if (is_key(key, "illum")) return use_illum(arguments);
         if (contains(without_meaning, key)) return;
         if (!contains(unsupported, key)) return warn_unknown(key);
         const std::optional<double> value = number_argument(arguments);
@@ -234,6 +247,7 @@ private:
     Diagnostics& diagnostics_;
     std::vector<MtlEntry> materials_;
     std::vector<std::string> unknown_;
+    bool by_blender_ = false;
     uint32_t line_ = 0, first_stray_ = 0;
     uint64_t strays_ = 0;
 };

@@ -24,8 +24,9 @@ struct MtlValue {
 enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, bump, normal };
 
 struct MtlEntry {
-    std::string name;
+    std::string name;  // with what may be a comment behind it
     uint32_t line = 0;
+    bool by_blender = false;                          // as the first comment of the file says
     MtlValue<Color> kd, ks, tf;                       // in [0, 1]
     MtlValue<Color> ke;                               // finite, >= 0
     MtlValue<float> ns;                               // finite, >= 0

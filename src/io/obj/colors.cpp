@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "io/text_file.h"
 
@@ -24,10 +25,13 @@ struct Tally {
 
 std::vector<Color> read_vertex_colors(std::string_view text, const std::string& file, Diagnostics& diagnostics)
 {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr Color unknown{-infinity, -infinity, -infinity};  // becomes white
     std::vector<Color> colors;
     Tally none{"vertex without a colour among such that have one: white is taken"};
     Tally broken{"vertex colour is not finite numbers: white is taken"};
-    Tally outside{"vertex colour outside of 0 to 1 cut off"};
+    Tally above{"vertex colour above 1: all colours are divided by 255"};
+    Tally outside{"vertex colour outside of its range cut off"};
     TextLines lines(text);
     while (lines.next()) {
         std::string_view rest = lines.line();
@@ -35,7 +39,7 @@ std::vector<Color> read_vertex_colors(std::string_view text, const std::string& 
         rest = rest.substr(0, rest.find('#'));
         for (int i = 0; i < 3; ++i) take_word(rest);
         const std::array words{take_word(rest), take_word(rest), take_word(rest)};
-        Color& color = colors.emplace_back(Color{1, 1, 1});
+        Color& color = colors.emplace_back(unknown);
         if (words[2].empty()) {
             none.add(lines.number());
             continue;
@@ -45,13 +49,24 @@ std::vector<Color> read_vertex_colors(std::string_view text, const std::string& 
             broken.add(lines.number());
             continue;
         }
-        std::array<double, 3> said{};
-        for (size_t i = 0; i < 3; ++i) said[i] = number_value(words[i]);
-        if (std::any_of(said.begin(), said.end(), [](double x) { return x < 0 || x > 1; })) outside.add(lines.number());
-        const auto cut = [](double x) { return static_cast<float>(std::clamp(x, 0.0, 1.0)); };
-        color = {cut(said[0]), cut(said[1]), cut(said[2])};
+        const auto number = [&](size_t i) {
+            constexpr double most = std::numeric_limits<float>::max();
+            return static_cast<float>(std::clamp(number_value(words[i]), -most, most));
+        };
+        color = {number(0), number(1), number(2)};
+        if (max_component(color) > 1) above.add(lines.number());
+        if (std::min({color.r, color.g, color.b}) < 0 || max_component(color) > 255) outside.add(lines.number());
     }
-    for (const Tally* t : {&none, &broken, &outside})
+    const float most = above.count ? 255.0f : 1.0f;
+    for (Color& c : colors) {
+        if (c == unknown) {
+            c = {1, 1, 1};
+            continue;
+        }
+        const auto part = [&](float x) { return std::clamp(x / most, 0.0f, 1.0f); };
+        c = {part(c.r), part(c.g), part(c.b)};
+    }
+    for (const Tally* t : {&none, &broken, &above, &outside})
         if (t->count) diagnostics.warning({file, t->line, 0}, t->message, t->count);
     return colors;
 }

@@ -39,7 +39,7 @@ void ObjMeshBuilder::add_vertex(Vec3d p)
     mesh_.positions.push_back(p);
 }
 
-// A normal of no length is kept as zero until the end: indices count it.
+// A normal of no length, or of what is no number, is kept as zero until the end: indices count it.
 void ObjMeshBuilder::add_normal(Vec3d n)
 {
     if (normals_++ < mesh_.normals.size() || !summary_.face_normals) return;
@@ -182,7 +182,7 @@ bool ObjMeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
     const auto warn = [&](const Tally& t, const char* message) {
         if (t.count) diagnostics.warning(at(t), message, t.count);
     };
-    warn(zero_normals_, "normal of zero length ignored");
+    warn(zero_normals_, "vn of zero length or not of three finite numbers; faces that use it are flat");
     warn(partial_normals_, "face with normals at some corners only: they are ignored there");
     warn(broken_uvs_, "vt is not finite numbers; faces that use it get no texture coordinates");
     warn(partial_uvs_, "face with texture coordinates at some corners only: they are ignored there");

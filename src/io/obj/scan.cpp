@@ -17,14 +17,59 @@ std::string_view without_comment(std::string_view s)
     return trim(s.substr(0, at));
 }
 
-// A slash without a number behind it is left out: the parser would take the next corner's number instead.
-void assign_face(std::string& out, std::string_view corners)
+// The numbers of a corner i, i/j, i//k or i/j/k; those left out are empty. Nothing if there are more, or no i.
+using CornerParts = std::array<std::string_view, 3>;
+std::optional<CornerParts> split_corner(std::string_view corner)
+{
+    CornerParts parts;
+    size_t part = 0, begin = 0;
+    for (size_t i = 0; i <= corner.size(); ++i) {
+        if (i < corner.size() && corner[i] != '/') continue;
+        if (part == 3) return {};
+        parts[part++] = corner.substr(begin, i - begin);
+        begin = i + 1;
+    }
+    if (parts[0].empty()) return {};
+    return parts;
+}
+
+// 0, as some programs write where there is nothing: 0, 00, -0.
+bool is_zero(std::string_view digits)
+{
+    if (!digits.empty() && (digits[0] == '-' || digits[0] == '+')) digits.remove_prefix(1);
+    return !digits.empty() && digits.find_first_not_of('0') == std::string_view::npos;
+}
+
+// Whether a corner's index of an attribute is one: it is not 0, and the file has such attributes at all.
+bool refers(std::string_view digits, uint64_t there) { return !digits.empty() && there > 0 && !is_zero(digits); }
+
+// Without what refers to nothing, and without a slash that has no number behind it: the parser would take the next
+// corner's number instead.
+void assign_face(std::string& out, std::string_view corners, const ObjSummary& summary)
 {
     out = 'f';
     for (std::string_view word = take_word(corners); !word.empty(); word = take_word(corners)) {
-        while (word.ends_with('/')) word.remove_suffix(1);
-        (out += ' ') += word;
+        const CornerParts parts = *split_corner(word);
+        (out += ' ') += parts[0];
+        const bool normal = refers(parts[2], summary.normals);
+        if (refers(parts[1], summary.texcoords))
+            (out += '/') += parts[1];
+        else if (normal)
+            out += '/';
+        if (normal) (out += '/') += parts[2];
     }
+}
+
+// One that is not three finite numbers has no length: indices count it.
+void assign_normal(std::string& out, std::string_view arguments)
+{
+    std::string_view rest = arguments;
+    for (int i = 0; i < 3; ++i)
+        if (classify_number(take_word(rest)) != NumberKind::finite) {
+            out = "vn 0 0 0";
+            return;
+        }
+    out.assign("vn ").append(arguments);
 }
 
 // One or two numbers; a third is for solid textures.
@@ -63,7 +108,8 @@ private:
     void count_elements();
     void check_line(const ObjStatementText& statement);
     void check_vertex(std::string_view arguments);
-    bool check_numbers(std::string_view& arguments, const char* statement);
+    bool check_numbers(std::string_view& arguments);
+    bool check_attribute(std::string_view digits, Kind& kind, Tally& none);
     void check_face(std::string_view corners);
     bool check_corner(std::string_view corner);
     bool check_index(std::string_view digits, Kind& kind);
@@ -94,6 +140,9 @@ private:
     Tally unknown_{"statement of an unknown kind ignored"};
     Tally skipped_{"line or point ignored"};
     Tally short_{"face with fewer than 3 corners dropped"};
+    Tally no_texcoord_{"texture index ignored: the file has no vt"};
+    Tally no_normal_{"normal index ignored: the file has no vn"};
+    Tally zero_index_{"index 0 of a texture coordinate or normal ignored"};
 };
 
 std::optional<ObjSummary> Scanner::scan()
@@ -107,7 +156,7 @@ std::optional<ObjSummary> Scanner::scan()
     }
     line_ = 0;
     if (errors_ == 0) check_limits();
-    for (const Tally* t : {&unknown_, &skipped_, &short_})
+    for (const Tally* t : {&unknown_, &skipped_, &short_, &no_texcoord_, &no_normal_, &zero_index_})
         if (t->count) diagnostics_.warning({file_, t->line, 0}, t->message, t->count);
     if (errors_) return {};
     return std::move(summary_);
@@ -136,12 +185,9 @@ void Scanner::check_line(const ObjStatementText& statement)
         case ObjStatement::vertex:
             ++vertex_.so_far;
             return check_vertex(statement.arguments);
-        case ObjStatement::normal: {
+        case ObjStatement::normal:
             ++normal_.so_far;
-            std::string_view arguments = statement.arguments;
-            check_numbers(arguments, "vn");
             return;
-        }
         case ObjStatement::texcoord:
             ++texcoord_.so_far;
             return;
@@ -163,20 +209,18 @@ void Scanner::check_line(const ObjStatementText& statement)
 // A single number after the three coordinates is a weight and not used, three are a colour.
 void Scanner::check_vertex(std::string_view arguments)
 {
-    if (!check_numbers(arguments, "v") || summary_.vertex_colors) return;
+    if (!check_numbers(arguments) || summary_.vertex_colors) return;
     take_word(arguments);
     take_word(arguments);
     summary_.vertex_colors = !take_word(arguments).empty();
 }
 
 // Takes them off the arguments.
-bool Scanner::check_numbers(std::string_view& arguments, const char* statement)
+bool Scanner::check_numbers(std::string_view& arguments)
 {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = take_word(arguments);
-        if (word.empty()) {
-            return error(std::string(statement) + " needs 3 numbers, has " + std::to_string(i));
-        }
+        if (word.empty()) return error("v needs 3 numbers, has " + std::to_string(i));
         const NumberKind kind = classify_number(word);
         if (kind == NumberKind::finite) continue;
         return error(in_quotes(word) +
@@ -201,21 +245,22 @@ void Scanner::check_face(std::string_view corners)
 // i, i/j, i//k or i/j/k, where j and k may be left out: some programs write "1//" for "1".
 bool Scanner::check_corner(std::string_view corner)
 {
-    std::array<std::string_view, 3> parts;
-    size_t part = 0, begin = 0;
-    for (size_t i = 0; i <= corner.size(); ++i) {
-        if (i < corner.size() && corner[i] != '/') continue;
-        if (part == 3) return error("face corner " + in_quotes(corner) + " is not an index like 1, 1/2, 1//3 or 1/2/3");
-        parts[part++] = corner.substr(begin, i - begin);
-        begin = i + 1;
-    }
-    if (parts[0].empty())
-        return error("face corner " + in_quotes(corner) + " is not an index like 1, 1/2, 1//3 or 1/2/3");
-    if (!check_index(parts[0], vertex_)) return false;
-    if (!parts[1].empty() && !check_index(parts[1], texcoord_)) return false;
-    if (parts[2].empty()) return true;
-    summary_.face_normals = true;
-    return check_index(parts[2], normal_);
+    const std::optional<CornerParts> parts = split_corner(corner);
+    if (!parts) return error("face corner " + in_quotes(corner) + " is not an index like 1, 1/2, 1//3 or 1/2/3");
+    if (!check_index((*parts)[0], vertex_)) return false;
+    if (!check_attribute((*parts)[1], texcoord_, no_texcoord_)) return false;
+    if (!check_attribute((*parts)[2], normal_, no_normal_)) return false;
+    if (refers((*parts)[2], normal_.all)) summary_.face_normals = true;
+    return true;
+}
+
+// What a corner may do without is ignored where there is nothing that it could refer to.
+bool Scanner::check_attribute(std::string_view digits, Kind& kind, Tally& none)
+{
+    if (digits.empty()) return true;
+    if (refers(digits, kind.all)) return check_index(digits, kind);
+    count(is_zero(digits) ? zero_index_ : none);
+    return true;
 }
 
 bool Scanner::check_index(std::string_view digits, Kind& kind)
@@ -283,8 +328,8 @@ ObjStatementText parse_statement(std::string_view line)
     if (word == "vn") return {ObjStatement::normal, without_comment(line)};
     if (word == "vt") return {ObjStatement::texcoord, without_comment(line)};
     if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
-    if (word == "usemtl") return {ObjStatement::use_material, name_argument(line)};
-    if (word == "mtllib") return {ObjStatement::library, name_argument(line)};
+    if (word == "usemtl") return {ObjStatement::use_material, trim(line)};
+    if (word == "mtllib") return {ObjStatement::library, trim(line)};
     if (word == "l" || word == "p") return {ObjStatement::line_or_point, {}};
     for (const char* known : {"g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
         if (word == known) return {ObjStatement::ignored, {}};
@@ -302,7 +347,7 @@ uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
     TextLines lines(text);
     while (lines.next()) {
         const ObjStatementText s = parse_statement(lines.line());
-        const bool counts = !s.arguments.empty() || kind == ObjStatement::texcoord;
+        const bool counts = !s.arguments.empty() || kind == ObjStatement::texcoord || kind == ObjStatement::normal;
         if (s.kind == kind && counts && index-- == 0) return lines.number();
     }
     return 0;
@@ -312,16 +357,18 @@ ObjFeed::int_type ObjFeed::underflow()
 {
     while (lines_.next()) {
         const ObjStatementText s = parse_statement(lines_.line());
-        const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord;
-        if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv) continue;
-        const bool coordinates = s.kind == ObjStatement::vertex || s.kind == ObjStatement::normal;
+        const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord, is_normal = s.kind == ObjStatement::normal;
+        if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv && !is_normal) continue;
+        const bool coordinates = s.kind == ObjStatement::vertex || is_normal;
         if (part_ == Part::vertices && !coordinates && !is_uv) continue;
         if (is_uv)
             assign_uv(buffer_, s.arguments);
+        else if (is_normal)
+            assign_normal(buffer_, s.arguments);
         else if (coordinates)
-            buffer_.assign(s.kind == ObjStatement::vertex ? "v " : "vn ").append(s.arguments);
+            buffer_.assign("v ").append(s.arguments);
         else if (s.kind == ObjStatement::face)
-            assign_face(buffer_, s.arguments);
+            assign_face(buffer_, s.arguments, *summary_);
         else if (s.kind == ObjStatement::use_material)
             buffer_.assign("usemtl ").append(std::to_string(summary_->material_index.find(s.arguments)->second));
         else

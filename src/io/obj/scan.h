@@ -25,7 +25,7 @@ struct ObjLimits {
 
 struct ObjSummary {
     struct Name {
-        std::string name;  // of a material; as written after mtllib: one or more files
+        std::string name;  // of a material; after mtllib one or more files; with what may be a comment behind it
         uint32_t line = 0;
         uint64_t count = 0;
     };

@@ -6,13 +6,25 @@
 #include "scene/environment/environment.h"
 
 namespace lancer {
+namespace {
+
+// Throws as what reads pictures does.
+std::shared_ptr<const Raster> received(const RasterFuture& image, const Location& where, Diagnostics& diagnostics)
+{
+    if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+    std::shared_ptr<const Raster> picture = image.get();
+    if (!picture->damage.empty())
+        diagnostics.warning(where, "the picture is damaged: " + picture->damage + "; what could be read is used");
+    return picture;
+}
+
+}  // namespace
 
 void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, Diagnostics& diagnostics)
 {
     const LightDescription& light = pending.what;
     try {
-        if (!pending.image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
-        std::shared_ptr<const Raster> picture = pending.image.get();
+        std::shared_ptr<const Raster> picture = received(pending.image, light.where, diagnostics);
         pending.image = {};  // the last to hold the picture shall be who makes texels of it
         scene.environment_map =
             std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
@@ -31,8 +43,7 @@ void receive_background(Scene& scene, PendingPictures::OfBackground pending, Dia
     const auto receive = [&](const BackgroundPicture& picture, RasterFuture& image) -> std::shared_ptr<const Raster> {
         if (picture.file.empty()) return {};
         try {
-            if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
-            return image.get();
+            return received(image, picture.where, diagnostics);
         } catch (const Error& e) {
             diagnostics.error(picture.where, std::string("background not read: ") + e.what(), e.kind());
             return {};

@@ -19,17 +19,28 @@ std::string reason_of(const Error& e, const std::string& file)
 
 // The result of one texture.
 struct Outcome {
-    std::string problem;
+    std::string problem, damage;
     uint64_t not_finite = 0;
+    bool is_normals = false;
 };
 
 // The results of all uses of a picture.
 struct Report {
     Location first;
-    std::string problem;
+    std::string problem, damage;
     uint64_t uses = 0, not_finite = 0;
     bool gives_numbers = false, gives_bumps = false;
 };
+
+// What was named as heights. A map of normals that a material names as such has precedence.
+void take_for_normals(Scene& scene, uint32_t texture)
+{
+    for (MaterialTraits& traits : scene.traits) {
+        if (traits.bump != texture) continue;
+        traits.bump = no_texture;
+        if (traits.normal_map == no_texture) traits.normal_map = texture;
+    }
+}
 
 // Removes bumps that use the texture; returns whether there were any.
 bool take_bumps_away(Scene& scene, uint32_t texture)
@@ -51,6 +62,9 @@ void warn(const std::string& file, const Report& r, Diagnostics& diagnostics)
         diagnostics.warning(r.first, "picture " + in_quotes(file) + " has " + std::to_string(r.not_finite) +
                                          " numbers that are not finite; they count as 0");
     }
+    if (!r.damage.empty())
+        diagnostics.warning(r.first,
+                            "picture " + in_quotes(file) + " is damaged: " + r.damage + "; what could be read is used");
     if (r.problem.empty()) return;
     const char* const instead = !r.gives_bumps    ? "1 is used instead"
                                 : r.gives_numbers ? "1 is used instead, and no bumps"
@@ -69,8 +83,13 @@ void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pend
         const RasterFuture image = std::move(p.image);
         try {
             if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+            if (p.what.may_be_normals && looks_like_normals(*image.get())) {
+                outcomes[i].is_normals = true;
+                p.what.use.channel = Channel::color;
+            }
             ImageTexture texture(*image.get(), p.what.use);
             outcomes[i].not_finite = texture.not_finite();
+            outcomes[i].damage = image.get()->damage;
             scene.textures[p.texture] = std::move(texture);
         } catch (const Error& e) {
             outcomes[i].problem = reason_of(e, p.what.file);
@@ -87,6 +106,11 @@ void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pend
             r.first = p.what.where;
         }
         r.not_finite = std::max(r.not_finite, outcomes[i].not_finite);
+        if (!outcomes[i].damage.empty()) r.damage = outcomes[i].damage;
+        if (outcomes[i].is_normals) {
+            take_for_normals(scene, p.texture);
+            diagnostics.warning(p.what.where, "a bump map that looks like normals is used as normals");
+        }
         if (outcomes[i].problem.empty()) continue;
         r.problem = outcomes[i].problem;
         ++r.uses;

@@ -7,7 +7,7 @@
 namespace lancer {
 
 // Waits for the pictures and takes them. One that could not be read is a warning and leaves a texture of 1, or no
-// bumps.
+// bumps. Heights that look like normals become a map of normals, with a warning.
 void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pending, Diagnostics& diagnostics);
 
 }  // namespace lancer

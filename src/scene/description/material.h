@@ -53,6 +53,9 @@ struct MaterialDescription {
     TextureUse weight_map{};
     // interface; its diffuse colour is base_color, what the file calls ior is its inside_ior.
     Phong phong{.inside_ior = 1.5f};
+    // Of a mesh file's material: the keys that decided its type, and whether other keys say another.
+    std::string why{};
+    bool is_doubtful = false;
 
     // Said at the same place, with the same name, and the same.
     friend bool operator==(const MaterialDescription&, const MaterialDescription&) = default;

@@ -18,6 +18,7 @@ struct TextureDescription {
     Location where;
     TextureType type = TextureType::image;
     std::string file;               // image: path as found on disk
+    bool may_be_normals = false;    // image: named as heights by a program that writes maps of normals so
     ImageUse use;                   // image; scale and offset also of the others but rim
     Color even{1, 1, 1}, odd{};     // checker
     Color band{1, 1, 1}, ground{};  // grid
@@ -27,8 +28,9 @@ struct TextureDescription {
     // Whether both make the same texture.
     friend bool operator==(const TextureDescription& a, const TextureDescription& b)
     {
-        return a.type == b.type && a.file == b.file && a.use == b.use && a.even == b.even && a.odd == b.odd &&
-               a.band == b.band && a.ground == b.ground && a.band_width == b.band_width && a.waves == b.waves;
+        return a.type == b.type && a.file == b.file && a.may_be_normals == b.may_be_normals && a.use == b.use &&
+               a.even == b.even && a.odd == b.odd && a.band == b.band && a.ground == b.ground &&
+               a.band_width == b.band_width && a.waves == b.waves;
     }
 };
 using TextureUse = std::optional<TextureDescription>;
