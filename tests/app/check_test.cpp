@@ -49,6 +49,18 @@ TEST_F(Check, EveryProblemHasItsPlace)
     EXPECT_EQ(run({"check", "bad.toml", "--strict"}).code, 65);
 }
 
+TEST_F(Check, OpaqueMaterialsThatIllumCallsGlassAreNoted)
+{
+    write("m.mtl", "newmtl a\nKd .5 .5 .5\nTf 1 1 1\nNi 1.00\nillum 4\nnewmtl b\nKd .5 .5 .5\nd .5\nNi 1.5\nillum 4\n");
+    write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 2\n");
+    const Said checked = run({"check", "m.obj"});
+    expect_words(checked.out, "m.mtl:1: note: lambert, by Kd alone; illum 4 says glass, but Ni is 1\n");
+    EXPECT_EQ(checked.out.find("m.mtl:6"), std::string::npos);
+    const Said told = run({"info", "m.obj"});
+    expect_words(told.out, "a: lambert, by Kd alone; illum 4 says glass, but Ni is 1\n");
+    expect_words(told.out, "b: glass, by illum 4 and d 0.5\n");
+}
+
 TEST_F(Check, TexturesWithoutTextureCoordinatesAreFound)
 {
     const auto check = [&](const char* faces) {
