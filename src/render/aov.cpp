@@ -50,6 +50,10 @@ constexpr std::array<Channels, enum_names<Aov>.size()> channels_of_aovs{{
     {"RGB", AovSum::flat, AovSum::samples},
     {"N"},
 }};
+static_assert(std::all_of(channels_of_aovs.begin(), channels_of_aovs.end(),
+                          [](const Channels& c) { return !c.names.empty(); }),
+              "each Aov has channels");
+static_assert(static_cast<size_t>(Aov::samples) + 1 == channels_of_aovs.size(), "each Aov has a name");
 const Channels& channels_of(Aov aov) { return channels_of_aovs[static_cast<size_t>(aov)]; }
 
 // Channel i of an AOV.

@@ -117,7 +117,7 @@ TEST(DirectionalLight, ShadowsAreSharpAndReachToInfinity)
 TEST(EnvironmentMap, OfOneColourIsAConstantSky)
 {
     constexpr Color sky{0.5f, 1, 2};
-    const RasterSource picture = picture_source(make_raster(8, 4, [](uint32_t, uint32_t) { return sky; }));
+    const RasterSource picture = picture_source(make_raster(8, 4, [sky](uint32_t, uint32_t) { return sky; }));
     stats::Family family;
     for (const DirectLight how : ways) {
         SceneDescription d;

@@ -142,8 +142,9 @@ TEST(ImageRead, TruncatedFilesAreRefused)
         SCOPED_TRACE(name);
         for (size_t size = 0; size < whole.size(); ++size) {
             SCOPED_TRACE(size);
-            write_bytes(folder.file(name), whole.substr(0, size));
-            expect_error(ErrorKind::invalid_input, folder.file(name), "", [&] { read_image(folder.file(name)); });
+            const std::string path = folder.file(name);
+            write_bytes(path, whole.substr(0, size));
+            expect_error(ErrorKind::invalid_input, path, "", [&] { read_image(path); });
         }
     }
 }

@@ -125,7 +125,8 @@ Rgb Texture::eval(Uv uv) const
 
 Uv Texture::slope(Uv uv) const
 {
-    const auto [u, v] = placed(uv);
+    const Uv at = placed(uv);
+    const double u = at.u, v = at.v;  // clang 14 captures no structured bindings
     const double along_u = double{what_.use.scale.x}, along_v = double{what_.use.scale.y};
     if (is_waves()) {
         Uv sum;

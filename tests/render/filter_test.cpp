@@ -84,7 +84,7 @@ TEST(Filter, OfEightNumbersIsThatOfEach)
             }
             const Vec2x8 of = filter.sample(u);
             for (uint32_t i = 0; i < float_lanes; ++i)
-                EXPECT_EQ((Vec2{of.x[i], of.y[i]}), filter.sample({u.x[i], u.y[i]}));
+                EXPECT_EQ((Vec2{of.x[i], of.y[i]}), filter.sample(Vec2{u.x[i], u.y[i]}));
         }
     }
 }
@@ -96,15 +96,15 @@ TEST(Filter, IsMonotoneSymmetricAndWithinItsRadiusAtTheEnds)
          {FilterKind::box, FilterKind::gaussian, FilterKind::blackman_harris, FilterKind::narrow_gaussian}) {
         const Filter f(kind);
         const float radius = kind == FilterKind::box ? 0.5f : 1.5f;
-        EXPECT_FLOAT_EQ(f.sample({0, 0.5f}).x, -radius);
-        EXPECT_NEAR(f.sample({0, 0.5f}).y, 0, 1e-6);
-        EXPECT_LE(f.sample({last, 0}).x, radius);
+        EXPECT_FLOAT_EQ(f.sample(Vec2{0, 0.5f}).x, -radius);
+        EXPECT_NEAR(f.sample(Vec2{0, 0.5f}).y, 0, 1e-6);
+        EXPECT_LE(f.sample(Vec2{last, 0}).x, radius);
         float before = -2;
         for (int i = 0; i <= 10000; ++i) {
-            const float u = std::min(last, static_cast<float>(i) / 10000), x = f.sample({u, 0}).x;
+            const float u = std::min(last, static_cast<float>(i) / 10000), x = f.sample(Vec2{u, 0}).x;
             ASSERT_GE(x, before);
             before = x;
-            ASSERT_NEAR(x, -f.sample({1 - u, 0}).x, 2e-4) << u;
+            ASSERT_NEAR(x, -f.sample(Vec2{1 - u, 0}).x, 2e-4) << u;
         }
     }
 }

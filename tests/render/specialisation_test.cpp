@@ -180,19 +180,19 @@ TEST(Specialisation, NoShadowRayIsTracedForNothing)
                                         EXPECT_FALSE(is_black(brings) && !(occluded && tints));
                                         ++heard;
                                     }};
-    for (auto& [name, d] : all_test_scenes()) {
+    for (const NamedScene& named : all_test_scenes()) {
+        const std::string name = named.name;
         // What a medium absorbs on the way is taken off when the ray is on its way.
-        if (std::string(name) == "media") continue;
+        if (name == "media") continue;
         // Lamps of no albedo; a throughput so small that the next bounce leaves nothing of it.
-        SceneDescription scene = d;
+        SceneDescription scene = named.description;
         scene.materials.push_back(make_lambert("dark", {1e-30f, 1e-30f, 1e-30f}));
         scene.spheres.push_back(sphere_of({0.3, 0.2, 0.6}, 0.3, "dark"));
         for (const AnyIntegrator& integrator : all_integrators())
             with_threads(1, [&] {
                 const testing::ScopedTrace which(
                     __FILE__, __LINE__,
-                    name + std::string(", ") +
-                        std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, integrator));
+                    name + ", " + std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, integrator));
                 tints = std::visit([]<class I>(const I&) { return TintsShadows<I>; }, integrator);
                 RendererConfig settings;
                 settings.integrator = integrator;

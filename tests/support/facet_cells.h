@@ -84,7 +84,7 @@ template <class B>
 LobeSample sample_lobe(const B& bsdf, float alpha, float cos, int count, uint64_t seed, uint32_t nodes = 20)
 {
     const double r = std::sqrt((1 - static_cast<double>(cos)) * (1 + static_cast<double>(cos)));
-    const Vec3 wo = to_float({r, 0, static_cast<double>(cos)});
+    const Vec3 wo = to_float(Vec3d{r, 0, static_cast<double>(cos)});
     const Facets facets{alpha, eta_through(bsdf), normalize(to_double(wo))};
     LobeSample lobe;
     std::vector<double> expected;

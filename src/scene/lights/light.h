@@ -27,6 +27,8 @@ struct Surface;
 //   bounds()                           for the light tree; nothing if the light is at infinity
 //   undimmed(org, scale)               see UndimmedLight; scale: of the normalisation
 using DeltaLight = std::variant<PointLight, DirectionalLight>;
+static_assert(std::variant_size_v<DeltaLight> + 2 == enum_names<LightType>.size(),
+              "each LightType is a delta light, but the sphere and the environment");
 
 struct SphereLight {
     static constexpr LightType type = LightType::sphere;

@@ -277,6 +277,10 @@ Outcome material_files(const Setup& setup)
 // Texels between their centres, in long double: a linear picture of bytes with one channel.
 double reference(const Raster& raster, Wrap wrap, Vec2 uv)
 {
+    struct Between {
+        size_t first, second;
+        long double part;  // of the second
+    };
     const auto between = [&](long double x, uint32_t size) {
         if (wrap == Wrap::repeat) x -= std::floor(x);
         x = std::clamp(x, 0.0L, 1.0L) * size - 0.5L;
@@ -286,18 +290,20 @@ double reference(const Raster& raster, Wrap wrap, Vec2 uv)
             return static_cast<size_t>(wrap == Wrap::repeat ? (n + last + 1) % (last + 1)
                                                             : std::clamp<int64_t>(n, 0, last));
         };
-        return std::tuple{at(first), at(first + 1), x - first};
+        return Between{at(first), at(first + 1), x - first};
     };
-    const auto [x0, x1, tx] = between(static_cast<long double>(uv.x), raster.width);
-    const auto [y0, y1, ty] =
+    const Between column = between(static_cast<long double>(uv.x), raster.width);
+    const Between line =
         between(1 - (wrap == Wrap::repeat ? static_cast<long double>(uv.y) - std::floor(static_cast<long double>(uv.y))
                                           : static_cast<long double>(uv.y)),
                 raster.height);
     const auto texel = [&](size_t x, size_t y) {
         return static_cast<long double>(raster.bytes[y * raster.width + x]) / 255;
     };
-    const auto row = [&](size_t y) { return texel(x0, y) * (1 - tx) + texel(x1, y) * tx; };
-    return static_cast<double>(row(y0) * (1 - ty) + row(y1) * ty);
+    const auto row = [&](size_t y) {
+        return texel(column.first, y) * (1 - column.part) + texel(column.second, y) * column.part;
+    };
+    return static_cast<double>(row(line.first) * (1 - line.part) + row(line.second) * line.part);
 }
 
 Outcome lookups(const Setup& setup)
