@@ -56,40 +56,47 @@ Outcome no_area(const Setup&)
     return out;
 }
 
-// OBJ files of which one line is wrong, given to the program: with and without --strict they are refused, the line is
-// named and nothing is written.
-Outcome refused(const std::vector<std::string>& lines)
+// OBJ files of which one line is wrong, given to the program. With and without --strict they are refused for `wrong`,
+// the line is named and nothing is written. For `left_out`, which refers to nothing or to what is no number, the line
+// is named and the rest is drawn; --strict refuses it.
+Outcome refused(const std::vector<std::string>& wrong, const std::vector<std::string>& left_out)
 {
     const TempFolder folder;
     double codes = 0, unnamed = 0, written = 0;
-    for (const std::string& line : lines) {
-        write_bytes(folder.file("bad.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + line + "\n");
-        for (const bool strict : {false, true}) {
-            std::vector<std::string> arguments{"render", "bad.obj", "-o", "bad.exr", "--size", "8x8", "-s", "1"};
-            if (strict) arguments.push_back("--strict");
-            const Said said = run_program(folder, arguments);
-            codes += said.code != 65;
-            unnamed += said.err.find("bad.obj:5: error: ") == std::string::npos;
-            written += std::filesystem::exists(folder.file("bad.exr"));
-        }
+    const auto draw = [&](const std::string& line, bool strict, bool is_refused) {
+        write_bytes(folder.file("bad.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1 2 3\n" + line + "\n");
+        std::vector<std::string> arguments{"render", "bad.obj", "-o", "bad.exr", "--size", "8x8", "-s", "1"};
+        if (strict) arguments.push_back("--strict");
+        const Said said = run_program(folder, arguments);
+        codes += said.code != (is_refused ? 65 : 0);
+        written += std::filesystem::remove(folder.file("bad.exr")) == is_refused;
+        return said.err;
+    };
+    for (const bool strict : {false, true}) {
+        for (const std::string& line : wrong)
+            unnamed += draw(line, strict, true).find("bad.obj:6: error: ") == std::string::npos;
+        for (const std::string& line : left_out)
+            unnamed += draw(line, strict, strict).find("bad.obj:6: warning: ") == std::string::npos;
     }
     Outcome out;
-    out.measures = {at_most("exit codes other than 65", codes, 0),
-                    at_most("messages that do not name the line", unnamed, 0), at_most("pictures written", written, 0),
-                    told("files", static_cast<double>(lines.size()))};
+    out.measures = {at_most("exit codes other than 65, or 0 for what is left out", codes, 0),
+                    at_most("messages that do not name the line", unnamed, 0),
+                    at_most("pictures of what is refused, or none of what is left out", written, 0),
+                    told("files", static_cast<double>(wrong.size() + left_out.size()))};
     return out;
 }
-
 Outcome no_numbers(const Setup&)
 {
-    return refused({"v nan 0 0", "v 0 inf 0", "v 0 0 -inf", "v 0 1e400 0", "v 0 0 -1e999", "v abc 0 0", "v 1,5 0 0",
-                    "vn 0 nan 1", "v 0 0"});
+    return refused(
+        {"v nan 0 0", "v 0 inf 0", "v 0 0 -inf", "v 0 1e400 0", "v 0 0 -1e999", "v abc 0 0", "v 1,5 0 0", "v 0 0"},
+        {"vn 0 nan 1\nf 1//2 2//2 3//2", "vn 0 0\nf 1//2 2//2 3//2", "vn inf 0 0\nf 1//-1 2//-1 3//-1"});
 }
 Outcome no_indices(const Setup&)
 {
-    return refused({"f 1 2 0", "f 1 2 4", "f 1 2 -4", "f 1 2 2147483648", "f 1 2 4294967299",
-                    "f 1 2 18446744073709551616", "f 1 2 -9223372036854775808", "f 1//2147483648 2 3",
-                    "f 1/1 2/1 3/1"});
+    return refused(
+        {"f 1 2 0", "f 1 2 4", "f 1 2 -4", "f 1 2 2147483648", "f 1 2 4294967299", "f 1 2 18446744073709551616",
+         "f 1 2 -9223372036854775808", "f 1//2147483648 2 3", "f 1//2 2//1 3//1"},
+        {"f 1/1 2/1 3/1", "f 1/2147483648 2 3", "f 1//0 2//0 3//0", "f 1/0/1 2/0/1 3/0/1"});
 }
 
 // Two squares of which one lies so much above the other, turned.
