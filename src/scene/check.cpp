@@ -38,9 +38,12 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
     if (flipped)
         problems.warning({data.file}, "vertex normals point away from the side that the winding shows in " +
                                           std::to_string(flipped) + of_all + "; they are turned round while rendering");
+    if (data.made_normals)
+        notes.warning({data.file},
+                      "no vertex normals: made of its smoothing groups in " + std::to_string(with_normals) + of_all);
     if (with_normals == 0) {
         notes.warning({data.file}, "no vertex normals: faces are flat");
-    } else if (with_normals < data.triangles.size()) {
+    } else if (with_normals < data.triangles.size() && !data.made_normals) {
         notes.warning({data.file}, "no vertex normals in " + std::to_string(data.triangles.size() - with_normals) +
                                        of_all + ": they are flat");
     }

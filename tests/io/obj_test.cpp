@@ -14,7 +14,7 @@ using Obj = ObjTest;
 TEST_F(Obj, PositionsAreDoubleAndTrianglesKeepTheirOrder)
 {
     const auto m = load(
-        "# comment\no thing\ng group\ns 1\nv 0.1 0 0\nv 1 .5 -0\nv\t0 1e0 2. # top\n"
+        "# comment\no thing\ng group\ns off\nv 0.1 0 0\nv 1 .5 -0\nv\t0 1e0 2. # top\n"
         "v 1 1 1 0.5\nv 2 0 1 1 0.5\n\nf 1 2 3\nf 3 2 4\nf 5 1 2 # last\n");
     ASSERT_TRUE(m) << errors();
     ASSERT_EQ(m->positions.size(), 5u);

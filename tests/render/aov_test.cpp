@@ -281,7 +281,8 @@ TEST(Aovs, TraceNoRaysOfTheirOwn)
         return std::array{c.camera_rays, c.background_only_samples, c.bounce_rays, c.shadow_rays};
     };
     ASSERT_GT(counted({})[1], 0u) << "no square of open sky";
-    EXPECT_EQ(counted(all_aovs()), counted({}));
+    EXPECT_EQ(counted({}), counted(all_aovs()));
+    r.aovs = all_aovs();
     const Film film = render(d, r).film;
     for (size_t i = 0; i < film.pixels.size(); ++i)
         EXPECT_EQ(film.whole_aov(i, film.aov_layout.offset(AovSum::samples)), film.whole(i).n);

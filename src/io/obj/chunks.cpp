@@ -26,7 +26,7 @@ struct Contents {
     bool is_plain = true;
     uint64_t vertices = 0, texcoords = 0, normals = 0, faces = 0, triangles = 0;
     uint32_t lines = 0;
-    bool face_normals = false;
+    bool face_normals = false, smoothing_groups = false;
     std::vector<ObjSummary::Name> materials, libraries;  // lines: in the part
 
     explicit Contents(std::string_view text);
@@ -58,6 +58,7 @@ Contents::Contents(std::string_view text)
             case ObjWord::face:
                 look_at_face(line);
                 break;
+            case ObjWord::smoothing:
             case ObjWord::other:
                 look_at_other(line);
                 break;
@@ -90,6 +91,8 @@ void Contents::look_at_other(std::string_view line)
         add(materials, s.arguments, lines, 1);
     else if (s.kind == ObjStatement::library)
         add(libraries, s.arguments, lines, 1);
+    else if (s.kind == ObjStatement::smoothing)
+        smoothing_groups = smoothing_groups || smoothing_group(s.arguments) != 0;
     else
         is_plain = false;
 }
@@ -122,6 +125,7 @@ std::optional<ObjChunks> ObjChunks::survey(std::string_view text, size_t chunk)
         s.vertices += c.vertices, s.texcoords += c.texcoords, s.normals += c.normals;
         s.faces += c.faces, s.triangles += c.triangles;
         s.face_normals = s.face_normals || c.face_normals;
+        s.smoothing_groups = s.smoothing_groups || c.smoothing_groups;
         for (const ObjSummary::Name& n : c.materials) {
             const auto [at, fresh] = s.material_index.try_emplace(n.name, static_cast<uint32_t>(s.materials.size()));
             if (fresh)

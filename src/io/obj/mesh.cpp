@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/obj/smooth.h"
 #include "scene/description/material.h"
 
 namespace lancer {
@@ -114,6 +115,7 @@ bool ObjMeshBuilder::add_triangle(const std::array<uint32_t, 3>& corners)
         mesh_.face_material.resize(mesh_.triangles.size() - 1, 0);
         mesh_.face_material.push_back(slot);
     }
+    if (smooths(summary_)) groups_.push_back(group_);
     if (summary_.face_normals) add_normals(corners);
     if (keeps_uvs_) add_uvs(corners);
     return true;
@@ -205,6 +207,7 @@ bool ObjMeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
         mesh_.normals = {};
         mesh_.normal_triangles = {};
     }
+    if (!groups_.empty()) smooth(mesh_, groups_);
     if (!has_uvs_) {
         mesh_.uvs = {};
         mesh_.uv_triangles = {};

@@ -38,6 +38,8 @@ public:
     void add_face(std::span<const ObjCorner> corners);
     // index: into ObjSummary::materials.
     void use_material(size_t index) { material_ = index; }
+    // 0: none.
+    void use_smoothing(uint32_t group) { group_ = group; }
 
     // Where the file is not kept until the end: before and after the statements of each part of it, so that messages
     // know their lines. lines_before: in the file.
@@ -74,6 +76,8 @@ private:
     MeshData& mesh_;
     std::vector<uint32_t> slots_;  // of materials_ and of the default, in mesh_.materials
     size_t material_ = 0;          // in slots_
+    uint32_t group_ = 0;
+    std::vector<uint32_t> groups_;  // of the triangles, if smooths(summary_)
     const bool keeps_uvs_;
     std::vector<bool> textured_;  // as slots_
     uint64_t vertices_ = 0, normals_ = 0, uvs_ = 0, faces_ = 0;

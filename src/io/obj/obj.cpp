@@ -54,6 +54,9 @@ void feed(std::string_view text, const ObjSummary& summary, ObjFeed::Part part, 
     callbacks.usemtl_cb = [](void* self, const char* number, int) {
         static_cast<Listener*>(self)->builder.use_material(std::stoul(number));
     };
+    callbacks.object_cb = [](void* self, const char* group) {
+        static_cast<Listener*>(self)->builder.use_smoothing(static_cast<uint32_t>(std::stoul(group)));
+    };
     ObjFeed buffer(text, summary, part, builder.keeps_uvs());
     std::istream stream(&buffer);
     std::string warnings, errors;

@@ -50,8 +50,11 @@ private:
             case ObjWord::face:
                 if (!take_face()) return false;
                 break;
+            case ObjWord::smoothing:
             case ObjWord::other: {
                 const ObjStatementText s = parse_statement(line);
+                if (s.kind == ObjStatement::smoothing && smooths(summary_))
+                    out_.runs.push_back({ObjWord::smoothing, smoothing_group(s.arguments)});
                 if (s.kind != ObjStatement::use_material) return true;
                 out_.runs.push_back({ObjWord::other, summary_.material_index.find(s.arguments)->second});
                 return true;
@@ -126,6 +129,10 @@ void ObjStatements::hand_to(ObjMeshBuilder& builder) const
     for (const Run& run : runs) {
         if (run.kind == ObjWord::other) {
             builder.use_material(run.count);
+            continue;
+        }
+        if (run.kind == ObjWord::smoothing) {
+            builder.use_smoothing(run.count);
             continue;
         }
         for (uint32_t i = 0; i < run.count; ++i) switch (run.kind) {

@@ -35,9 +35,9 @@ private:
     const char *position_, *end_;
 };
 
-enum class ObjWord { vertex, normal, texcoord, face, other };
+enum class ObjWord { vertex, normal, texcoord, face, smoothing, other };
 
-// Takes the first word off a line; of others nothing.
+// Takes the first word off a line; of others, smoothing among them, nothing.
 inline ObjWord take_kind(std::string_view& line)
 {
     const auto follows = [&](size_t at) { return line.size() > at && is_blank(line[at]); };
@@ -58,7 +58,7 @@ inline ObjWord take_kind(std::string_view& line)
 struct ObjStatements {
     struct Run {
         ObjWord kind;
-        uint32_t count;  // of a material: its index
+        uint32_t count;  // of a material: its index; of smoothing: the group
     };
     std::vector<Run> runs;
     std::vector<Vec3d> vertices, normals;

@@ -197,6 +197,9 @@ void Scanner::check_line(const ObjStatementText& statement)
             return use_material(statement.arguments);
         case ObjStatement::library:
             return add_library(statement.arguments);
+        case ObjStatement::smoothing:
+            summary_.smoothing_groups = summary_.smoothing_groups || smoothing_group(statement.arguments) != 0;
+            return;
         case ObjStatement::line_or_point:
             return count(skipped_);
         case ObjStatement::unknown:
@@ -330,10 +333,20 @@ ObjStatementText parse_statement(std::string_view line)
     if (word.empty() || word[0] == '#') return {ObjStatement::ignored, {}};
     if (word == "usemtl") return {ObjStatement::use_material, trim(line)};
     if (word == "mtllib") return {ObjStatement::library, trim(line)};
+    if (word == "s") return {ObjStatement::smoothing, without_comment(line)};
     if (word == "l" || word == "p") return {ObjStatement::line_or_point, {}};
-    for (const char* known : {"g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
+    for (const char* known : {"g", "o", "mg", "lod", "bevel", "c_interp", "d_interp", "usemap", "maplib"})
         if (word == known) return {ObjStatement::ignored, {}};
     return {ObjStatement::unknown, word};
+}
+
+uint32_t smoothing_group(std::string_view arguments)
+{
+    const std::string_view word = take_word(arguments);
+    if (word.empty() || word == "off") return 0;
+    uint32_t group = 0;
+    const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), group);
+    return problem == std::errc() && stop == word.data() + word.size() ? group : 1;
 }
 
 std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& file, Diagnostics& diagnostics,
@@ -369,6 +382,8 @@ ObjFeed::int_type ObjFeed::underflow()
             buffer_.assign("v ").append(s.arguments);
         else if (s.kind == ObjStatement::face)
             assign_face(buffer_, s.arguments, *summary_);
+        else if (s.kind == ObjStatement::smoothing && smooths(*summary_))
+            buffer_.assign("o ").append(std::to_string(smoothing_group(s.arguments)));
         else if (s.kind == ObjStatement::use_material)
             buffer_.assign("usemtl ").append(std::to_string(summary_->material_index.find(s.arguments)->second));
         else

@@ -33,7 +33,8 @@ struct ObjSummary {
     uint64_t faces = 0;      // with at least one corner
     uint64_t triangles = 0;  // at most, after triangulation
     bool forward_references = false, face_normals = false;
-    bool vertex_colors = false;  // some vertex has three numbers after its place
+    bool vertex_colors = false;     // some vertex has three numbers after its place
+    bool smoothing_groups = false;  // some statement s names a group
     std::vector<Name> libraries, materials;
     std::map<std::string, uint32_t, std::less<>> material_index;  // into materials, by name
 };
@@ -43,7 +44,18 @@ std::optional<ObjSummary> scan_obj(std::string_view text, const std::string& fil
                                    const ObjLimits& limits = {});
 
 // The line of the index-th statement v, vn, vt or f (one with corners); for messages only: it searches from the start.
-enum class ObjStatement { vertex, normal, texcoord, face, use_material, library, line_or_point, ignored, unknown };
+enum class ObjStatement {
+    vertex,
+    normal,
+    texcoord,
+    face,
+    use_material,
+    library,
+    smoothing,
+    line_or_point,
+    ignored,
+    unknown
+};
 uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index);
 
 // A line by its first word; of an unknown statement the arguments are that word.
@@ -53,9 +65,15 @@ struct ObjStatementText {
 };
 ObjStatementText parse_statement(std::string_view line);
 
+// The group that the arguments of a statement s name; 0: none.
+uint32_t smoothing_group(std::string_view arguments);
+
+// Whether faces get normals from their smoothing groups: where the file has none of its own.
+inline bool smooths(const ObjSummary& s) { return s.smoothing_groups && !s.face_normals; }
+
 // The statements v, vn, f and usemtl of a text that passed scan_obj, without comments and continuations, materials
 // as numbers (index into ObjSummary::materials). With uvs also vt: two numbers, beyond float for one that is not
-// usable.
+// usable. Smoothing groups, if they count, arrive as objects named by the number of the group.
 class ObjFeed : public std::streambuf {
 public:
     enum class Part { all, vertices };

@@ -34,6 +34,7 @@ struct MeshData {
     std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
     std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
     std::vector<Color> colors;            // parallel to positions, as in the file, in [0, 1]; empty if it has none
+    bool made_normals = false;  // by smoothing groups; the file has none
     std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one; none for a shape
     uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
