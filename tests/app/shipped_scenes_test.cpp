@@ -21,7 +21,17 @@ std::vector<std::string> shipped_scenes()
     return names;
 }
 
-class Shipped : public AppTest, public testing::WithParamInterface<std::string> {};
+class Shipped : public AppTest, public testing::WithParamInterface<std::string> {
+protected:
+    // Each sample brings light or none, so no mean of them is negative, nor is a mean square of differences.
+    void expect_no_negative_value(const std::string& picture) const
+    {
+        const std::vector<ExrInfo::Channel> channels = read_exr_info(picture).channels;
+        ASSERT_EQ(channels.size(), 7u);
+        for (const ExrInfo::Channel& c : channels)
+            for (const float value : read_exr_channel(picture, c.name)) ASSERT_GE(value, 0) << c.name;
+    }
+};
 INSTANTIATE_TEST_SUITE_P(Scenes, Shipped, testing::ValuesIn(shipped_scenes()), [](const auto& tested) {
     std::string name = tested.param;
     std::replace_if(
@@ -34,26 +44,23 @@ TEST_P(Shipped, HasNoProblemsAndIsSeen)
     const std::string scene = shipped + GetParam() + ".toml";
     const Said checked = run({"check", "--strict", scene});
     EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
-    const Said rendered = run({"render", scene, "--size", "48x32", "-s", "4", "-q", "-o", "a.exr"});
+    const Said rendered =
+        run({"render", scene, "--size", "48x32", "-s", "4", "-q", "--aov", "albedo,variance", "-o", "a.exr"});
     ASSERT_EQ(rendered.code, 0) << rendered.err;
     EXPECT_EQ(rendered.err, "");
     const Image picture = image("a.exr");
     const auto lit = std::count_if(picture.pixels.begin(), picture.pixels.end(), [](Color c) { return !is_black(c); });
     EXPECT_GT(lit, static_cast<std::ptrdiff_t>(picture.pixels.size() / 2));
+    expect_no_negative_value(file("a.exr"));
 }
 
-// Each sample brings light or none, so no mean of them is negative, nor is a mean square of differences.
-TEST_P(Shipped, HasNoNegativeValue)
+TEST_P(Shipped, HasNoNegativeValueWithFewOrManySamples)
 {
-    for (const char* spp : {"1", "4", "16"}) {
+    for (const char* spp : {"1", "16"}) {
         const Said said = run({"render", shipped + GetParam() + ".toml", "--size", "48x32", "-s", spp, "-q", "--aov",
                                "albedo,variance", "-o", "a.exr"});
         ASSERT_EQ(said.code, 0) << said.err;
-        const std::vector<ExrInfo::Channel> channels = read_exr_info(file("a.exr")).channels;
-        ASSERT_EQ(channels.size(), 7u);
-        for (const ExrInfo::Channel& c : channels)
-            for (const float value : read_exr_channel(file("a.exr"), c.name))
-                ASSERT_GE(value, 0) << c.name << " at " << spp << " samples";
+        expect_no_negative_value(file("a.exr"));
     }
 }
 
