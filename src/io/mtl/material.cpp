@@ -175,7 +175,8 @@ private:
         if (!e_.kd) return white;
         const Color kd = e_.kd.value;
         const float least = std::min({kd.r, kd.g, kd.b});
-        return max_component(kd) - least > 0.02f ? kd : white;
+        constexpr float least_tint = 0.02f;  // greys of which one part was rounded are no colours
+        return max_component(kd) - least > least_tint ? kd : white;
     }
 
     // Each ray crosses the surface twice.

@@ -13,6 +13,7 @@
 #include "io/mtl/library.h"
 #include "io/obj/chunks.h"
 #include "io/obj/colors.h"
+#include "io/obj/feed.h"
 #include "io/obj/mesh.h"
 #include "io/obj/scan.h"
 #include "io/text_file.h"

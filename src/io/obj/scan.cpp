@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/names.h"
+#include "io/obj/corner.h"
 
 namespace lancer {
 namespace {
@@ -15,73 +16,6 @@ std::string_view without_comment(std::string_view s)
     size_t at = s.find('#');
     while (at != std::string_view::npos && at > 0 && s[at - 1] == '.') at = s.find('#', at + 1);
     return trim(s.substr(0, at));
-}
-
-// The numbers of a corner i, i/j, i//k or i/j/k; those left out are empty. Nothing if there are more, or no i.
-using CornerParts = std::array<std::string_view, 3>;
-std::optional<CornerParts> split_corner(std::string_view corner)
-{
-    CornerParts parts;
-    size_t part = 0, begin = 0;
-    for (size_t i = 0; i <= corner.size(); ++i) {
-        if (i < corner.size() && corner[i] != '/') continue;
-        if (part == 3) return {};
-        parts[part++] = corner.substr(begin, i - begin);
-        begin = i + 1;
-    }
-    if (parts[0].empty()) return {};
-    return parts;
-}
-
-// 0, as some programs write where there is nothing: 0, 00, -0.
-bool is_zero(std::string_view digits)
-{
-    if (!digits.empty() && (digits[0] == '-' || digits[0] == '+')) digits.remove_prefix(1);
-    return !digits.empty() && digits.find_first_not_of('0') == std::string_view::npos;
-}
-
-// Whether a corner's index of an attribute is one: it is not 0, and the file has such attributes at all.
-bool refers(std::string_view digits, uint64_t there) { return !digits.empty() && there > 0 && !is_zero(digits); }
-
-// Without what refers to nothing, and without a slash that has no number behind it: the parser would take the next
-// corner's number instead.
-void assign_face(std::string& out, std::string_view corners, const ObjSummary& summary)
-{
-    out = 'f';
-    for (std::string_view word = take_word(corners); !word.empty(); word = take_word(corners)) {
-        const CornerParts parts = *split_corner(word);
-        (out += ' ') += parts[0];
-        const bool normal = refers(parts[2], summary.normals);
-        if (refers(parts[1], summary.texcoords))
-            (out += '/') += parts[1];
-        else if (normal)
-            out += '/';
-        if (normal) (out += '/') += parts[2];
-    }
-}
-
-// One that is not three finite numbers has no length: indices count it.
-void assign_normal(std::string& out, std::string_view arguments)
-{
-    std::string_view rest = arguments;
-    for (int i = 0; i < 3; ++i)
-        if (classify_number(take_word(rest)) != NumberKind::finite) {
-            out = "vn 0 0 0";
-            return;
-        }
-    out.assign("vn ").append(arguments);
-}
-
-// One or two numbers; a third is for solid textures.
-void assign_uv(std::string& out, std::string_view arguments)
-{
-    const std::string_view u = take_word(arguments), v = take_word(arguments);
-    const bool usable =
-        classify_number(u) == NumberKind::finite && (v.empty() || classify_number(v) == NumberKind::finite);
-    if (usable)
-        out.assign("vt ").append(u).append(" ").append(v.empty() ? "0" : v);
-    else
-        out = "vt 1e300 0";
 }
 
 // The same warning of many lines.
@@ -364,35 +298,6 @@ uint32_t line_of(std::string_view text, ObjStatement kind, uint64_t index)
         if (s.kind == kind && counts && index-- == 0) return lines.number();
     }
     return 0;
-}
-
-ObjFeed::int_type ObjFeed::underflow()
-{
-    while (lines_.next()) {
-        const ObjStatementText s = parse_statement(lines_.line());
-        const bool is_uv = uvs_ && s.kind == ObjStatement::texcoord, is_normal = s.kind == ObjStatement::normal;
-        if (s.arguments.empty() && s.kind != ObjStatement::use_material && !is_uv && !is_normal) continue;
-        const bool coordinates = s.kind == ObjStatement::vertex || is_normal;
-        if (part_ == Part::vertices && !coordinates && !is_uv) continue;
-        if (is_uv)
-            assign_uv(buffer_, s.arguments);
-        else if (is_normal)
-            assign_normal(buffer_, s.arguments);
-        else if (coordinates)
-            buffer_.assign("v ").append(s.arguments);
-        else if (s.kind == ObjStatement::face)
-            assign_face(buffer_, s.arguments, *summary_);
-        else if (s.kind == ObjStatement::smoothing && smooths(*summary_))
-            buffer_.assign("o ").append(std::to_string(smoothing_group(s.arguments)));
-        else if (s.kind == ObjStatement::use_material)
-            buffer_.assign("usemtl ").append(std::to_string(summary_->material_index.find(s.arguments)->second));
-        else
-            continue;
-        buffer_ += '\n';
-        setg(buffer_.data(), buffer_.data(), buffer_.data() + buffer_.size());
-        return traits_type::to_int_type(buffer_[0]);
-    }
-    return traits_type::eof();
 }
 
 }  // namespace lancer

@@ -1,12 +1,11 @@
 // What can be known of an OBJ file before it is parsed. The parser behind load_obj trusts its input: it wraps
 // indices, reads "nan" as 0 and forgets lines. So every statement it will see is checked here first, with its line,
-// and reaches it in one plain form (ObjFeed). Curves and surfaces of the format are not supported.
+// and reaches it in one plain form (obj/feed.h). Curves and surfaces of the format are not supported.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <streambuf>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,27 +69,5 @@ uint32_t smoothing_group(std::string_view arguments);
 
 // Whether faces get normals from their smoothing groups: where the file has none of its own.
 inline bool smooths(const ObjSummary& s) { return s.smoothing_groups && !s.face_normals; }
-
-// The statements v, vn, f and usemtl of a text that passed scan_obj, without comments and continuations, materials
-// as numbers (index into ObjSummary::materials). With uvs also vt: two numbers, beyond float for one that is not
-// usable. Smoothing groups, if they count, arrive as objects named by the number of the group.
-class ObjFeed : public std::streambuf {
-public:
-    enum class Part { all, vertices };
-    ObjFeed(std::string_view text, const ObjSummary& summary, Part part, bool uvs)
-        : lines_(text), summary_(&summary), part_(part), uvs_(uvs)
-    {
-    }
-
-protected:
-    int_type underflow() override;
-
-private:
-    TextLines lines_;
-    const ObjSummary* summary_;
-    Part part_;
-    bool uvs_;
-    std::string buffer_;
-};
 
 }  // namespace lancer

@@ -1,5 +1,7 @@
 #include "io/scene/light_tables.h"
 
+#include "io/scene/number_rule.h"
+
 namespace lancer {
 namespace {
 
@@ -27,28 +29,9 @@ void read_field(const TomlTable& table, const LightParameter<Vec3d>& row, LightD
     if (row.range == ParameterRange::nonzero_vector && *v == Vec3d{})
         table.error(row.key, " must not be the zero vector");
 }
-const NumberRule& rule_of(ParameterRange range)
-{
-    switch (range) {
-        case ParameterRange::positive:
-            return above_zero;
-        case ParameterRange::not_negative:
-            return brightness;
-        case ParameterRange::unit:
-            return reflectance;
-        case ParameterRange::nonzero_vector:
-        case ParameterRange::finite:
-        case ParameterRange::million:
-        case ParameterRange::choice:
-        case ParameterRange::name:
-        case ParameterRange::texture:
-            break;
-    }
-    return any_number;
-}
 void read_field(const TomlTable& table, const LightParameter<double>& row, LightDescription& light)
 {
-    light.*row.field = table.number(row.key, rule_of(row.range)).value_or(light.*row.field);
+    light.*row.field = table.number(row.key, rule_of(row.range, above_zero, any_number)).value_or(light.*row.field);
 }
 void read_field(const TomlTable& table, const LightParameter<Color>& row, LightDescription& light)
 {

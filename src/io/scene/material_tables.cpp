@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "io/scene/number_rule.h"
 #include "io/scene/texture_tables.h"
 #include "scene/description/material.h"
 #include "scene/description/presets.h"
@@ -28,25 +29,8 @@ const std::vector<TypedKey>& typed_keys()
     return all;
 }
 
-NumberRule rule_of(ParameterRange range)
-{
-    switch (range) {
-        case ParameterRange::unit:
-            return reflectance;
-        case ParameterRange::not_negative:
-            return brightness;
-        case ParameterRange::positive:
-            return index_of_refraction;
-        case ParameterRange::nonzero_vector:
-        case ParameterRange::finite:
-        case ParameterRange::million:
-        case ParameterRange::choice:
-        case ParameterRange::name:
-        case ParameterRange::texture:
-            break;
-    }
-    return float_range;
-}
+// Of what is kept as float.
+const NumberRule& rule_of(ParameterRange range) { return rule_of(range, index_of_refraction, float_range); }
 
 // What one table says of a material: its type, if it says one, and what it changes of a description.
 struct MaterialKeys {
