@@ -5,6 +5,7 @@
 #include "core/ray.h"
 #include "scene/description/description.h"
 #include "scene/scene.h"
+#include "scene/surface.h"
 
 namespace lancer {
 
@@ -30,6 +31,9 @@ public:
     Vec3x8 middle_directions(const Vec2x8& film) const { return normalize(direction(film.x, film.y)); }
     // Width of a pixel at distance 1.
     float pixel_spread() const { return length(right_); }
+    // Of each camera ray. It is narrower than the pixel, whose samples average the texture over all of it: a footprint
+    // as wide as the pixel blurs twice, and at grazing angles its square is wider still.
+    RayCone cone() const { return {0, pixel_spread() / 8}; }
 
     bool is_pinhole() const { return lens_right_ == Vec3{}; }
     Vec3 position() const { return position_; }

@@ -16,7 +16,7 @@ constexpr std::array<Route, 6> routes{Route::straight, Route::flat_mirror, Route
                                       Route::glass,    Route::glossy,      Route::matt};
 constexpr std::array<const char*, 6> route_names{"straight", "flat mirror", "round mirror", "glass", "glossy", "matt"};
 
-constexpr double uv_per_length = 4;
+constexpr double uv_per_length = 32;
 Raster stripes()
 {
     return make_raster(256, 1, [](uint32_t x, uint32_t) { return x % 2 ? Color{1, 1, 1} : Color{}; });
@@ -113,10 +113,62 @@ TEST(RayCones, OneSampleHasTheMeanOfItsFootprint)
     EXPECT_LT(t.variance(), 1e-6);
 }
 
+// Pixels of planks that are seen at grazing angles, by the mean of many samples each.
+constexpr uint32_t planks_width = 48, planks_height = 12;
+template <class Integrator>
+std::vector<double> planks(const Integrator& integrator, uint64_t seed)
+{
+    constexpr uint32_t samples = 512;
+    const Raster picture = make_raster(64, 64, [](uint32_t x, uint32_t y) {
+        const float shade = static_cast<float>((x / 3 * 7 + y / 16 * 5) % 8) / 8;
+        return x % 3 == 0 ? Color{} : Color{shade, shade, shade};
+    });
+    SceneDescription d = striped_floor(Route::straight);
+    d.meshes.clear();
+    MaterialDescription floor = make_lambert("planks", {1, 1, 1});
+    floor.base_color_map = picture_of("planks", Encoding::linear);
+    d.meshes.push_back(make_mesh(make_mapped_quad({-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}, {8, 8}, floor)));
+    d.camera = make_camera({0, 0.3, 4}, {0, 0, 0.5}, 15);
+    const Stage stage(d, picture_source(picture));
+    std::vector<double> sums(planks_width * planks_height);
+    for (uint32_t sample = 0; sample < samples; ++sample) {
+        Workspace w;
+        for (uint32_t i = 0; i < sums.size(); ++i) w.slots.push_back({i % planks_width, i / planks_width, sample});
+        const KernelSettings settings{
+            .sampler = SamplerKind::sobol, .seed = salted(seed), .filter = Filter(FilterKind::box)};
+        Counters counters;
+        trace_batch(View{stage.scene, SamplingPlan{}}, *stage.embree,
+                    camera_of(d, stage.scene, planks_width, planks_height), planks_width, settings, integrator, w,
+                    counters, NoListener{});
+        for (size_t i = 0; i < sums.size(); ++i)
+            sums[i] += static_cast<double>(luminance(w.queue.radiance[i].color())) / samples;
+    }
+    return sums;
+}
+
+// Footprints blur a picture that has converged. The product of the differences of two pairs of pictures has the square
+// of the bias as its mean, without their noise.
+TEST(RayCones, LeaveTexturesAsSharpAsThePixels)
+{
+    const Path path{.max_depth = 1, .direct = {.nee = false}};
+    const auto wide = planks(path, 1), other_wide = planks(path, 2);
+    const auto sharp = planks(Sharp{path}, 3), other_sharp = planks(Sharp{path}, 4);
+    double bias2 = 0, power = 0, contrast = 0;
+    for (size_t i = 0; i < wide.size(); ++i) {
+        bias2 += (wide[i] - sharp[i]) * (other_wide[i] - other_sharp[i]);
+        power += sharp[i] * other_sharp[i];
+        const size_t next = i % planks_width + 1 < planks_width ? i + 1 : i;
+        contrast += (sharp[i] - sharp[next]) * (other_sharp[i] - other_sharp[next]);
+    }
+    EXPECT_GT(contrast / power, 1e-2);  // there is something to blur
+    EXPECT_LT(bias2 / power, 1e-4);
+}
+
 // A cone keeps its angle when mirrored or refracted; else it opens to that of a sixteenth of the solid angle that the
 // sample stands for.
 struct ConesOfPixels : NoListener {
-    float pixel_spread, uv_per_scene_unit;
+    RayCone camera_cone;
+    float uv_per_scene_unit;
     std::vector<RayCone>& cones;  // of each slot
     float& worst;                 // relative error of a footprint
     int& checked;
@@ -124,7 +176,7 @@ struct ConesOfPixels : NoListener {
     void vertex(const PathState& s, const Surface& surface) const
     {
         RayCone& cone = cones[s.slot];
-        if (s.depth == 0) cone = {0, pixel_spread};
+        if (s.depth == 0) cone = camera_cone;
         if (!s.specular) cone.spread = std::min(1.0f, std::max(cone.spread, std::sqrt(1 / s.pdf / 16)));
         cone.width += cone.spread * surface.t;
         if (surface.uv_width == 0) return;  // not on the floor
@@ -138,13 +190,14 @@ TEST(RayCones, AreAsWideAsTheirWayIsLong)
     for (const Route route : routes) {
         const SceneDescription d = striped_floor(route);
         const Scene scene = build_scene(d, picture_source(stripes()));
-        const float spread = camera_of(d, scene, side, side).pixel_spread();
-        EXPECT_NEAR(spread, 2 * std::tan(std::numbers::pi / 18) / side, 1e-6);
+        const RayCone camera_cone = camera_of(d, scene, side, side).cone();
+        EXPECT_EQ(camera_cone.width, 0);
+        EXPECT_NEAR(camera_cone.spread, 2 * std::tan(std::numbers::pi / 18) / side / 8, 1e-7);
         std::vector<RayCone> cones(side * side);
         float worst = 0;
         int checked = 0;
-        const ConesOfPixels listener{{},    spread, static_cast<float>(uv_per_length / scene.normalisation.scale),
-                                     cones, worst,  checked};
+        const ConesOfPixels listener{{},    camera_cone, static_cast<float>(uv_per_length / scene.normalisation.scale),
+                                     cones, worst,       checked};
         trace(route, Path{.max_depth = 5}, 1, listener);
         EXPECT_LT(worst, 1e-4f) << route_names[static_cast<size_t>(route)];
         EXPECT_GT(checked, 200) << route_names[static_cast<size_t>(route)];

@@ -91,7 +91,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         const Sampler& numbers = *samplers[i % lookahead];
         s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
         view.set_alpha_key(s.ray, numbers, 0, Dim::alpha);
-        s.cone = {0, camera.pixel_spread()};
+        s.cone = camera.cone();
         s.media = view.scene.camera_media;
     }
     counters.camera_rays += w.slots.size();

@@ -43,7 +43,7 @@ public:
           settings_(settings),
           path_(integrator.path),
           scene_(integrator.scene),
-          pixel_spread_(camera.pixel_spread()),
+          camera_cone_(camera.cone()),
           w_(w),
           now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
@@ -192,7 +192,7 @@ private:
     const KernelSettings& settings_;
     const Path& path_;
     const WideScene& scene_;
-    const float pixel_spread_;
+    const RayCone camera_cone_;
     Workspace& w_;
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
@@ -222,7 +222,7 @@ inline void WideBatch<shading>::generate_camera_rays(const Camera& camera, uint3
 {
     const size_t n = std::min<size_t>(float_lanes, w_.slots.size() - first);
     Lanes path{};
-    if constexpr (textured) path.spread = broadcast(pixel_spread_);
+    if constexpr (textured) path.spread = broadcast(camera_cone_.spread);
     const Float8 one = broadcast(1.0f);
     if constexpr (any) path.eta_scale = one, path.path_flags = UInt8{} + was_specular;
     path.throughput = {one, one, one};
@@ -262,7 +262,7 @@ inline void WideBatch<shading>::report_camera_hits(const Listener& listener, siz
                                                    std::span<const Hit> hits) const
 {
     PathState s;
-    s.cone = {0, pixel_spread_};
+    s.cone = camera_cone_;
     for (size_t i = 0; i < hits.size(); ++i) {
         s.slot = static_cast<uint32_t>(first + i);
         s.ray = now_.rays()[first + i];
