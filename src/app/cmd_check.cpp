@@ -62,9 +62,7 @@ private:
     int print_rest()
     {
         for (const auto& warning : problems_.warnings()) print_result(to_string(warning));
-        for (const auto& note : notes_.warnings())
-            print_result(to_string(note.where) + ": note: " + note.message +
-                         (note.count > 1 ? format_text(" (%zu times)", size_t{note.count}) : ""));
+        for (const auto& note : notes_.warnings()) print_result(to_string(note, "note"));
         const auto counted = [](size_t n, const char* what) {
             return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
         };

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <exception>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,30 +44,38 @@ private:
     std::string text_;
 };
 
-// Collects errors and warnings. Warnings with the same message are counted at the first place where they occurred, so
-// that a million bad faces give one line.
+// A message about one of many names: "before 'name' after".
+struct NamedProblem {
+    std::string before, name, after;
+};
+
+// Collects errors and warnings. Warnings that say the same are one, at the first place where they occurred: a million
+// bad faces, fifty missing pictures or a hundred files without normals give one line.
 class Diagnostics {
 public:
     struct Warning {
-        Location where;
-        std::string message;
+        Location where;  // of the first
+        std::string before, after;
+        std::set<std::string> files, names;
+        std::vector<std::string> first_names;  // the first few, in the order of the input
         uint64_t count = 0;
     };
 
     void error(const Location& where, const std::string& message, ErrorKind kind = ErrorKind::invalid_input);
     // count > 1: the caller has counted the occurrences; `where` is the first one.
     void warning(const Location& where, const std::string& message, uint64_t count = 1);
+    // Problems that differ in their names alone are one.
+    void warning(const Location& where, const NamedProblem& problem, uint64_t count = 1);
     // Appends the warnings of another object.
-    void append(const Diagnostics& other)
-    {
-        for (const Warning& w : other.warnings_) warning(w.where, w.message, w.count);
-    }
+    void append(const Diagnostics& other);
     bool has_errors() const { return errors_ > 0; }
     const std::vector<Warning>& warnings() const { return warnings_; }
     // The kind is that of the first error.
     void throw_if_errors() const;
 
 private:
+    Warning& warning_like(const Location& where, const std::string& before, const std::string& after);
+
     static constexpr uint64_t max_errors = 50;  // a broken file of a million lines still gives a readable report
     ErrorKind kind_ = ErrorKind::invalid_input;
     uint64_t errors_ = 0;
@@ -74,7 +84,9 @@ private:
     std::map<std::string, size_t> index_;
 };
 
-// "place: warning: message (n times)"
-std::string to_string(const Diagnostics::Warning& w);
+// What it says, without place and counts; names: "'a', 'b', 'c' and 5 others".
+std::string message_of(const Diagnostics::Warning& w);
+// "place: warning: message (n times, in m files)"
+std::string to_string(const Diagnostics::Warning& w, std::string_view kind = "warning");
 
 }  // namespace lancer

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/readable.h"
+
 namespace lancer {
 
 // How many letters to insert, delete, replace or swap with their neighbour (no letter twice) to get from a to b.
@@ -56,13 +58,16 @@ std::optional<std::string> nearest(std::string_view wrong, const Names& known)
     return best;
 }
 
-// A name from a file for use in a message: one line, of limited length, without control characters.
+// A name from a file for use in a message: one line of UTF-8, of limited length, without control characters.
 inline std::string on_one_line(std::string_view name)
 {
     constexpr size_t longest = 200;  // room for a path
-    std::string text(name.substr(0, longest));
+    std::string text = readable(name);
     for (char& c : text) c = std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
-    return name.size() > longest ? text + "..." : text;
+    if (text.size() <= longest) return text;
+    size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not within a character
+    return text.substr(0, end) + "...";
 }
 
 inline std::string in_quotes(std::string_view name) { return "'" + on_one_line(name) + "'"; }

@@ -36,7 +36,8 @@ TEST_F(Check, EveryProblemHasItsPlace)
     const Said said = run({"check", "bad.toml"});
     EXPECT_EQ(said.code, 0);
     for (const char* line :
-         {"bad.mtl:2: warning: Kd outside [0, 1] clamped\n", "bad.mtl:3: warning: material of this name exists already",
+         {"bad.mtl:2: warning: Kd outside [0, 1] clamped\n",
+          "bad.mtl:3: warning: material 'a' exists already; the first is used\n",
           "bad.obj:12: warning: zero-area face dropped\n", "bad.obj:13: warning: unknown material 'b'",
           "bad.obj: warning: vertex normals point away from the side that the winding shows in 1 of 5 triangles",
           "bad.toml:3:1: warning: material 'unused' is not used\n", "warning: nothing emits light",

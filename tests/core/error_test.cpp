@@ -18,11 +18,33 @@ TEST(Diagnostics, SameWarningIsCountedUnderItsFirstPlace)
     Diagnostics d;
     for (uint32_t line = 4; line < 9; ++line) d.warning({"a.obj", line, 0}, "zero-area face dropped");
     d.warning({"a.obj", 20, 0}, "zero-area face dropped", 7);
-    d.warning({"b.obj", 1, 0}, "zero-area face dropped");
-    ASSERT_EQ(d.warnings().size(), 2u);
+    ASSERT_EQ(d.warnings().size(), 1u);
     EXPECT_EQ(to_string(d.warnings()[0]), "a.obj:4: warning: zero-area face dropped (12 times)");
-    EXPECT_EQ(to_string(d.warnings()[1]), "b.obj:1: warning: zero-area face dropped");
+    d.warning({"b.obj", 1, 0}, "zero-area face dropped");
+    ASSERT_EQ(d.warnings().size(), 1u);
+    EXPECT_EQ(to_string(d.warnings()[0]), "a.obj:4: warning: zero-area face dropped (13 times, in 2 files)");
     EXPECT_NO_THROW(d.throw_if_errors());
+}
+
+TEST(Diagnostics, ProblemsOfManyNamesAreOne)
+{
+    const auto said = [](int names, uint64_t times) {
+        Diagnostics d, rest;
+        for (int i = 0; i < names; ++i)
+            (i < 2 ? d : rest)
+                .warning({"a.obj", 1 + static_cast<uint32_t>(i), 0}, NamedProblem{"no", std::to_string(i), " here"},
+                         times);
+        d.append(rest);
+        d.append(rest);
+        EXPECT_EQ(d.warnings().size(), 1u);
+        return to_string(d.warnings()[0]);
+    };
+    EXPECT_EQ(said(1, 1), "a.obj:1: warning: no '0' here");
+    EXPECT_EQ(said(1, 5), "a.obj:1: warning: no '0' here (5 times)");
+    EXPECT_EQ(said(2, 1), "a.obj:1: warning: no '0' and '1' here");
+    EXPECT_EQ(said(3, 1), "a.obj:1: warning: no '0', '1' and '2' here (4 times)");  // one of them twice
+    EXPECT_EQ(said(4, 1), "a.obj:1: warning: no '0', '1', '2' and 1 other here (6 times)");
+    EXPECT_EQ(said(9, 2), "a.obj:1: warning: no '0', '1', '2' and 6 others here (32 times)");
 }
 
 TEST(Diagnostics, AllErrorsAreThrownTogetherWithTheKindOfTheFirst)

@@ -94,7 +94,7 @@ TEST(ObjFiles, RealFilesHaveTheirCounts)
         expect_valid(*m);
         uint64_t dropped = 0;
         for (const auto& w : diagnostics.warnings())
-            if (w.message == "zero-area face dropped") dropped = w.count;
+            if (message_of(w) == "zero-area face dropped") dropped = w.count;
         EXPECT_EQ(m->triangles.size(), c.triangles - c.dropped) << c.file;
         EXPECT_EQ(dropped, c.dropped) << c.file;
         EXPECT_EQ(m->materials.size(), c.materials) << c.file;

@@ -182,8 +182,8 @@ TEST(TextureTable, NumbersThatAreNotFiniteAreCounted)
     Diagnostics diagnostics;
     const Scene scene = Scene::build(scene_of({a}), {}, diagnostics, pictures.source());
     EXPECT_EQ(std::get<ImageTexture>(scene.textures[0]).mean().r, 0.75f);
-    EXPECT_THAT(warnings(diagnostics), ElementsAre("s.toml:4:3: warning: picture 'nan.exr' has 1 numbers that are not "
-                                                   "finite; they count as 0"));
+    EXPECT_THAT(warnings(diagnostics), ElementsAre("s.toml:4:3: warning: numbers of picture 'nan.exr' are not finite; "
+                                                   "they count as 0"));
 }
 
 }  // namespace

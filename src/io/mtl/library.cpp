@@ -1,6 +1,7 @@
 #include "io/mtl/library.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/names.h"
 #include "io/text_file.h"
@@ -36,14 +37,14 @@ public:
             if (end == begin) {  // not found: up to the next word that looks like the end of a name
                 while (end < words.size() && !to_lower(words[end]).ends_with(".mtl")) ++end;
                 end = std::min(end + 1, words.size());
-                warn_missing(join(words, begin, end), where);
+                add_missing(join(words, begin, end), where, "not found");
             }
             begin = end;
         }
         if (words.empty()) diagnostics_.warning(where, "mtllib without a file name");
     }
 
-    std::vector<std::string> take() { return std::move(files_); }
+    MaterialFiles take() { return std::move(files_); }
 
 private:
     static std::string join(const std::vector<std::string>& words, size_t begin, size_t end)
@@ -58,41 +59,33 @@ private:
     {
         if (name.empty()) return false;
         const FileFinder::Found found = finder_.find(name);
-        if (!found.problem.empty())
-            diagnostics_.warning(where, "material file " + in_quotes(name) + " " + found.problem + "; not used");
+        if (!found.problem.empty()) add_missing(name, where, found.problem);
         if (found.path.empty()) return !found.problem.empty();
-        if (found.other_folder)
-            diagnostics_.warning(
-                where, "material file " + in_quotes(name) + " not found; " + in_quotes(found.path) + " is used");
-        else if (found.other_case)
-            diagnostics_.warning(where, "material file " + in_quotes(name) + " not found; " +
-                                            in_quotes(std::filesystem::path(found.path).filename().string()) +
-                                            " is used");
-        if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) files_.push_back(found.path);
+        const NamedProblem elsewhere{"material file", name, " not found; that name in another folder is used"};
+        const NamedProblem other_case{"material file", name, " not found; that name in other letters is used"};
+        if (found.other_folder || found.other_case)
+            diagnostics_.warning(where, found.other_folder ? elsewhere : other_case);
+        if (std::find(files_.found.begin(), files_.found.end(), found.path) == files_.found.end())
+            files_.found.push_back(found.path);
         return true;
     }
 
-    void warn_missing(const std::string& name, const Location& where)
+    void add_missing(const std::string& name, const Location& where, const std::string& problem)
     {
-        constexpr int most_named = 10;
-        if (++missing_ <= most_named)
-            diagnostics_.warning(where, "material file " + in_quotes(name) + " not found");
-        else
-            diagnostics_.warning(where, "other material files not found");
+        if (missing_.insert(name).second) files_.missing.push_back({where, name, problem});
     }
 
     const std::string& obj_file_;
     FileFinder finder_;
     Diagnostics& diagnostics_;
-    std::vector<std::string> files_;
-    uint64_t missing_ = 0;
+    MaterialFiles files_;
+    std::set<std::string> missing_;
 };
 
 }  // namespace
 
-std::vector<std::string> find_material_files(const std::string& obj_file,
-                                             const std::vector<ObjSummary::Name>& libraries, const AssetFolder* assets,
-                                             Diagnostics& diagnostics)
+MaterialFiles find_material_files(const std::string& obj_file, const std::vector<ObjSummary::Name>& libraries,
+                                  const AssetFolder* assets, Diagnostics& diagnostics)
 {
     LibraryFinder finder(obj_file, assets, diagnostics);
     for (const ObjSummary::Name& library : libraries) finder.add(library);
@@ -107,7 +100,8 @@ void MaterialLibrary::add_file(const std::string& path, std::string_view text, c
     for (size_t i = 0; i < entries.size(); ++i) {
         const Place place{files_.size() - 1, i};
         if (!index_.try_emplace(entries[i].name, place).second)
-            diagnostics.warning({path, entries[i].line, 0}, "material of this name exists already; the first is used");
+            diagnostics.warning({path, entries[i].line, 0},
+                                NamedProblem{"material", entries[i].name, " exists already; the first is used"});
         without_comment_.try_emplace(std::string(name_argument(entries[i].name)), place);
     }
 }

@@ -14,11 +14,20 @@
 
 namespace lancer {
 
-// The files named by mtllib statements, each once, relative to the OBJ file. A name may contain spaces, be one of
-// several, or differ in upper and lower case; what is not found or lies outside of `assets` becomes a warning.
-std::vector<std::string> find_material_files(const std::string& obj_file,
-                                             const std::vector<ObjSummary::Name>& libraries, const AssetFolder* assets,
-                                             Diagnostics& diagnostics);
+// What mtllib statements name.
+struct MaterialFiles {
+    struct Missing {
+        Location where;
+        std::string name, problem;  // "not found", or why it may not be read
+    };
+    std::vector<std::string> found;  // each once
+    std::vector<Missing> missing;    // each once; not warned about yet, as their materials have the same cause
+};
+
+// Relative to the OBJ file. A name may contain spaces, be one of several, or differ in upper and lower case. Files
+// outside of `assets` are missing.
+MaterialFiles find_material_files(const std::string& obj_file, const std::vector<ObjSummary::Name>& libraries,
+                                  const AssetFolder* assets, Diagnostics& diagnostics);
 
 class MaterialLibrary {
 public:

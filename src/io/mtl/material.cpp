@@ -66,7 +66,11 @@ public:
     }
 
 private:
-    void warn(uint32_t line, const std::string& message) { diagnostics_.warning({file_.path, line, 0}, message); }
+    template <class Message>
+    void warn(uint32_t line, const Message& message)
+    {
+        diagnostics_.warning({file_.path, line, 0}, message);
+    }
     void not_used(MtlMapKind kind, const char* message)
     {
         if (const MtlMap* map = e_.map(kind)) warn(map->line, message);
@@ -86,14 +90,14 @@ private:
         if (!map) return {};
         const FileFinder::Found found = find(*map);
         if (found.path.empty()) {
-            warn_missing(*map, found.problem);
+            const std::string problem = found.problem.empty() ? "not found" : found.problem;
+            warn(map->line, NamedProblem{"texture file", map->file, " " + problem + "; not used"});
             return {};
         }
         if (found.other_folder)
-            warn(map->line, "texture files that are not where their paths say are taken by their bare names");
+            warn(map->line, NamedProblem{"texture file", map->file, " is not where its path says; its bare name is"});
         else if (found.other_case)
-            warn(map->line,
-                 "texture file " + in_quotes(map->file) + " not found; " + in_quotes(found.path) + " is used");
+            warn(map->line, NamedProblem{"texture file", map->file, " not found; that name in other letters is used"});
         TextureDescription t;
         t.where = {file_.path, map->line, 0};
         t.file = found.path;
@@ -105,14 +109,6 @@ private:
                  .gain = map->gain,
                  .bias = map->base};
         return t;
-    }
-
-    void warn_missing(const MtlMap& map, const std::string& problem)
-    {
-        constexpr uint64_t most_named = 10;
-        if (++file_.missing_textures > most_named) return warn(map.line, "other texture files not found; not used");
-        const std::string name = "texture file " + in_quotes(map.file);
-        warn(map.line, problem.empty() ? name + " not found; not used" : name + " " + problem + "; not used");
     }
 
     void describe_emission()

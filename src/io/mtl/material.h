@@ -14,8 +14,7 @@ namespace lancer {
 // The state while the materials of a file are described.
 struct MtlFile {
     std::string path;
-    FileFinder finder;              // of the textures it names
-    uint64_t missing_textures = 0;  // warned about so far
+    FileFinder finder;  // of the textures it names
 };
 
 // Describes a material. A missing texture gives a warning, and the number beside it is used alone.

@@ -155,7 +155,11 @@ public:
     }
 
 private:
-    void warn(const std::string& message) { diagnostics_.warning({file_, line_, 0}, message); }
+    template <class Message>
+    void warn(const Message& message)
+    {
+        diagnostics_.warning({file_, line_, 0}, message);
+    }
 
     void add_material(std::string_view name)
     {
@@ -174,7 +178,7 @@ private:
         if (contains(without_meaning, key)) return;
         if (!contains(unsupported, key)) return warn_unknown(key);
         const std::optional<double> value = number_argument(arguments);
-        if (!value || *value != 0) warn("statement " + in_quotes(key) + " is not supported; ignored");
+        if (!value || *value != 0) warn(NamedProblem{"statement", std::string(key), " is not supported; ignored"});
     }
 
     void use_color(const ColorKey& key, std::string_view arguments)
@@ -229,24 +233,18 @@ private:
 
     void warn_unknown(std::string_view key)
     {
-        constexpr uint64_t most_named = 10;
-        if (contains(unknown_, key) || unknown_.size() < most_named) {
-            if (!contains(unknown_, key)) unknown_.emplace_back(key);
-            std::vector<std::string_view> known{"newmtl", "illum"};
-            for (const auto& k : color_keys) known.push_back(k.name);
-            for (const auto& k : number_keys) known.push_back(k.name);
-            for (const auto& k : map_keys) known.push_back(k.name);
-            const std::optional<std::string> meant = nearest(key, known);
-            return warn("unknown statement " + in_quotes(key) + " ignored" +
-                        (meant ? "; did you mean " + in_quotes(*meant) + "?" : ""));
-        }
-        warn("other unknown statements ignored");
+        std::vector<std::string_view> known{"newmtl", "illum"};
+        for (const auto& k : color_keys) known.push_back(k.name);
+        for (const auto& k : number_keys) known.push_back(k.name);
+        for (const auto& k : map_keys) known.push_back(k.name);
+        const std::optional<std::string> meant = nearest(key, known);
+        warn(NamedProblem{"unknown statement", std::string(key),
+                          " ignored" + (meant ? "; did you mean " + in_quotes(*meant) + "?" : "")});
     }
 
     const std::string& file_;
     Diagnostics& diagnostics_;
     std::vector<MtlEntry> materials_;
-    std::vector<std::string> unknown_;
     bool by_blender_ = false;
     uint32_t line_ = 0, first_stray_ = 0;
     uint64_t strays_ = 0;

@@ -66,40 +66,38 @@ void feed(std::string_view text, const ObjSummary& summary, ObjFeed::Part part, 
 }
 
 // The material of each name; none, with a warning, if no material file defines it.
-UsedMaterials describe_materials(const ObjSummary& summary, MaterialLibrary& library, const std::string& file,
-                                 Diagnostics& diagnostics)
+UsedMaterials read_materials(const std::string& path, const ObjSummary& summary, const MeshOptions& options,
+                             MeshData& mesh, Diagnostics& diagnostics)
 {
-    UsedMaterials used;
-    used.reserve(summary.materials.size());
-    constexpr uint64_t most_named = 10;
-    uint64_t unknown = 0;
-    for (const ObjSummary::Name& use : summary.materials) {
-        used.push_back(library.describe(use.name, diagnostics));
-        if (used.back()) continue;
-        const std::string what =
-            ++unknown <= most_named ? "unknown material " + in_quotes(use.name) : "unknown material";
-        diagnostics.warning({file, use.line, 0}, what + "; the default grey is used", use.count);
-    }
-    return used;
-}
-
-// The material files.
-MaterialLibrary read_materials(const std::string& path, const ObjSummary& summary, const MeshOptions& options,
-                               MeshData& mesh, Diagnostics& diagnostics)
-{
+    MaterialFiles files = find_material_files(path, summary.libraries, options.assets, diagnostics);
     MaterialLibrary library;
-    for (const std::string& file : find_material_files(path, summary.libraries, options.assets, diagnostics)) {
+    for (const std::string& file : files.found) {
         const FileContent content(file);
         if (!content.problem().empty() || !content.is_text()) {
-            diagnostics.warning({file, 0, 0},
-                                "ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem()));
+            files.missing.push_back(
+                {{file, 0, 0},
+                 std::filesystem::path(file).filename().string(),
+                 "is ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem())});
             continue;
         }
         mesh.material_files.push_back(file);
         mesh.content_hash = hash_bytes(content.bytes(), mesh.content_hash);
         library.add_file(file, content.text(), options.assets, diagnostics);
     }
-    return library;
+    UsedMaterials used;
+    used.reserve(summary.materials.size());
+    bool all_are_known = true;
+    for (const ObjSummary::Name& use : summary.materials) {
+        used.push_back(library.describe(use.name, diagnostics));
+        all_are_known = all_are_known && used.back();
+        if (!used.back() && files.missing.empty())
+            diagnostics.warning({path, use.line, 0},
+                                NamedProblem{"unknown material", use.name, "; the default grey is used"}, use.count);
+    }
+    const std::string instead = all_are_known ? "" : "; the default grey is used for what no other file defines";
+    for (const MaterialFiles::Missing& m : files.missing)
+        diagnostics.warning(m.where, NamedProblem{"material file", m.name, " " + m.problem + instead});
+    return used;
 }
 
 // Builds the mesh of a scanned file. chunks: the parallel parser, or null; it returns the memory of the content to the
@@ -110,8 +108,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
     auto mesh = std::make_shared<MeshData>();
     mesh->file = path;
     mesh->content_hash = content.hash();
-    MaterialLibrary library = read_materials(path, summary, options, *mesh, diagnostics);
-    const UsedMaterials materials = describe_materials(summary, library, path, diagnostics);
+    const UsedMaterials materials = read_materials(path, summary, options, *mesh, diagnostics);
     bool textured = false;
     for (const auto& m : materials) {
         if (!m || !reads_textures(*m)) continue;

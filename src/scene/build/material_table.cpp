@@ -239,12 +239,12 @@ void MaterialTable::finish()
     for (size_t i = 0; i < d_.materials.size(); ++i)
         if (!used_[i]) {
             scene_.unused_features.add("unused materials", 1);
-            diagnostics_.warning(d_.materials[i].where, "material '" + d_.materials[i].name + "' is not used");
+            diagnostics_.warning(d_.materials[i].where, NamedProblem{"material", d_.materials[i].name, " is not used"});
         }
     for (size_t i = 0; i < d_.overrides.size(); ++i)
         if (!override_used_[i])
             diagnostics_.warning(d_.overrides[i].where,
-                                 "no material of a mesh file matches " + in_quotes(d_.overrides[i].match));
+                                 NamedProblem{"no material of a mesh file matches", d_.overrides[i].match, ""});
 }
 
 }  // namespace lancer

@@ -59,17 +59,17 @@ bool take_bumps_away(Scene& scene, uint32_t texture)
 void warn(const std::string& file, const Report& r, Diagnostics& diagnostics)
 {
     if (r.not_finite > 0) {
-        diagnostics.warning(r.first, "picture " + in_quotes(file) + " has " + std::to_string(r.not_finite) +
-                                         " numbers that are not finite; they count as 0");
+        diagnostics.warning(r.first, NamedProblem{"numbers of picture", file, " are not finite; they count as 0"},
+                            r.not_finite);
     }
     if (!r.damage.empty())
         diagnostics.warning(r.first,
-                            "picture " + in_quotes(file) + " is damaged: " + r.damage + "; what could be read is used");
+                            NamedProblem{"picture", file, " is damaged: " + r.damage + "; what could be read is used"});
     if (r.problem.empty()) return;
     const char* const instead = !r.gives_bumps    ? "1 is used instead"
                                 : r.gives_numbers ? "1 is used instead, and no bumps"
                                                   : "surfaces have no bumps instead";
-    diagnostics.warning(r.first, "picture " + in_quotes(file) + " is not used: " + r.problem + "; " + instead, r.uses);
+    diagnostics.warning(r.first, NamedProblem{"picture", file, " is not used: " + r.problem + "; " + instead}, r.uses);
 }
 
 }  // namespace

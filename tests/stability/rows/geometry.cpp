@@ -37,7 +37,7 @@ Outcome no_area(const Setup&)
     const auto kept = load_right(folder.file("clean.obj"));
     double counted = 0;
     for (const auto& w : diagnostics.warnings())
-        if (w.message.find("zero-area") != std::string::npos) counted += static_cast<double>(w.count);
+        if (message_of(w).find("zero-area") != std::string::npos) counted += static_cast<double>(w.count);
     Outcome out;
     double differ = 0;
     for (const AccelKind accel : judged_kinds) {
