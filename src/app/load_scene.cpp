@@ -6,6 +6,7 @@
 #include "app/asset_files.h"
 #include "app/console.h"
 #include "app/paths.h"
+#include "core/hash.h"
 #include "core/names.h"
 #include "io/asset_path.h"
 #include "io/input_file.h"
@@ -54,6 +55,11 @@ bool emits(const SceneDescription& scene)
                        [](const MeshDescription& m) { return m.material.empty() && emits(*m.data); });
 }
 
+std::string smoothing_text(const Smoothing& s)
+{
+    return " --smooth " + (s.faces == Smoothing::Faces::none ? "off" : shortest(s.largest_deg));
+}
+
 template <class Number>
 std::string to_toml(Number x, Number y, Number z)
 {
@@ -79,6 +85,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
     const SceneFileOptions options{.asset_root = choice.asset_root,
                                    .mesh_loader = load_obj,
                                    .pictures = pictures,
+                                   .smoothing = choice.smoothing,
                                    .definitions = choice.definitions};
     SceneDescription scene;
     if (is_mesh(choice.file)) {
@@ -90,6 +97,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
         throw exists.invalid("not a scene: its name must end in .toml or .obj");
     }
     diagnostics.throw_if_errors();
+    if (choice.smoothing) scene.content_hash = hash_bytes(smoothing_text(*choice.smoothing), scene.content_hash);
     choose_camera(scene, choice.camera);
     hash_assets(scene);
     return scene;
@@ -99,6 +107,7 @@ std::string options_text(const SceneChoice& choice)
 {
     std::string text;
     if (!choice.asset_root.empty()) text += " --asset-root " + in_shell_quotes(choice.asset_root);
+    if (choice.smoothing) text += smoothing_text(*choice.smoothing);
     if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
     for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
     return text;

@@ -1,10 +1,12 @@
 // Loads a scene from the command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "io/smoothing.h"
 #include "scene/description/description.h"
 
 namespace lancer {
@@ -15,6 +17,7 @@ struct SceneChoice {
     std::string asset_root;                // empty: the folder of the scene
     std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default
+    std::optional<Smoothing> smoothing;    // of mesh files of which the scene says nothing
 };
 
 // Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/raster.h"
+#include "io/smoothing.h"
 
 namespace lancer {
 
@@ -14,6 +15,7 @@ struct MeshOptions {
         size_t{32} << 20;  // bytes of a file from which on all threads parse it, in parts of so many:
     size_t chunk = size_t{1} << 18;
     bool uvs = false;  // keep texture coordinates even if no material of the file reads a texture
+    Smoothing smoothing = {};
 };
 
 }  // namespace lancer

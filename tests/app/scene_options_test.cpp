@@ -49,6 +49,31 @@ TEST_F(SceneOptions, DefinitionsAreAsGoodAsTheFile)
     EXPECT_EQ(render_as("scene.toml", "x.exr", {"-D", "camera.fov"}).code, 2);
 }
 
+TEST_F(SceneOptions, SmoothIsAsGoodAsTheKeyOfTheMesh)
+{
+    write("bent.obj", "v -1 0 0\nv 0 0 0.3\nv 0 1 0.3\nv -1 1 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\nf 2 5 6 3\n");
+    const std::string scene =
+        "[camera]\nposition = [0, 0.5, 3]\ntarget = [0, 0.5, 0]\n[[light]]\ntype = \"point\"\nposition = [2, 1, 3]\n"
+        "intensity = 9\n[[mesh]]\nfile = \"bent.obj\"\n";
+    write("bent.toml", scene);
+    write("smooth.toml", scene + "smooth = 40\n");
+    write("edge.toml", scene + "smooth = 20\n");
+    EXPECT_EQ(render_as("bent.toml", "flat.exr").code, 0);
+    EXPECT_EQ(render_as("smooth.toml", "key.exr").code, 0);
+    EXPECT_EQ(render_as("edge.toml", "edge.exr").code, 0);
+    EXPECT_EQ(render_as("bent.toml", "said.exr", {"--smooth", "40"}).code, 0);
+    EXPECT_EQ(render_as("edge.toml", "kept.exr", {"--smooth", "40"}).code, 0);
+    EXPECT_TRUE(same_pixels(image("key.exr"), image("said.exr")));
+    EXPECT_FALSE(same_pixels(image("key.exr"), image("flat.exr")));
+    EXPECT_TRUE(same_pixels(image("edge.exr"), image("kept.exr")));  // the mesh says it itself
+    EXPECT_NE(metadata("said.exr", "scene_hash"), metadata("flat.exr", "scene_hash"));
+    const Said wrong = render_as("bent.toml", "x.exr", {"--smooth", "no"});
+    EXPECT_EQ(wrong.code, 2);
+    expect_words(wrong.err, "--smooth: 'no' is not 'off' or an angle from 0 to 180");
+    write("wrong.toml", scene + "smooth = \"of\"\n");
+    expect_words(render_as("wrong.toml", "x.exr").err, "unknown smooth 'of' in [[mesh]]; did you mean 'off'?");
+}
+
 TEST_F(SceneOptions, DefinitionsSuitABareMesh)
 {
     write("quad.toml",

@@ -65,8 +65,9 @@ TEST_F(ObjSmooth, EdgesStaySharpBetweenGroupsAndAboveTheAngle)
         return m->normals.size();
     };
     // Six vertices: those of the edge have one normal or two; flat squares share theirs at each vertex alone.
-    EXPECT_EQ(normals(largest_smooth_deg - 1, "s 1\n", ""), 6u);
-    EXPECT_EQ(normals(largest_smooth_deg + 1, "s 1\n", ""), 8u);
+    const double largest_deg = Smoothing{}.largest_deg;
+    EXPECT_EQ(normals(largest_deg - 1, "s 1\n", ""), 6u);
+    EXPECT_EQ(normals(largest_deg + 1, "s 1\n", ""), 8u);
     EXPECT_EQ(normals(30, "s 1\n", "s 2\n"), 8u);
     EXPECT_EQ(normals(30, "s 1\n", "s off\n"), 4u);
     EXPECT_EQ(normals(30, "s off\n", "s 0\n"), 0u);
@@ -76,6 +77,28 @@ TEST_F(ObjSmooth, EdgesStaySharpBetweenGroupsAndAboveTheAngle)
     ASSERT_TRUE(cube) << errors();
     for (size_t t = 0; t < cube->triangles.size(); ++t)
         for (const uint32_t n : cube->normal_triangles[t]) EXPECT_EQ(max_component(abs(cube->normals[n])), 1);
+}
+
+TEST_F(ObjSmooth, TheSceneChoosesTheAngleAndTheFaces)
+{
+    using Faces = Smoothing::Faces;
+    for (const size_t parallel_from : {size_t{0}, SIZE_MAX}) {
+        const auto normals = [&](Smoothing smoothing, const std::string& first, const std::string& second) {
+            const std::string path = write("b.obj", hinge(30, first, second));
+            const auto m =
+                load_obj(path, diagnostics_, {.parallel_from = parallel_from, .chunk = 10, .smoothing = smoothing});
+            EXPECT_TRUE(m) << errors();
+            return m->normals.size();
+        };
+        EXPECT_EQ(normals({Faces::groups, 29}, "s 1\n", ""), 8u);
+        EXPECT_EQ(normals({Faces::groups, 31}, "s 1\n", ""), 6u);
+        EXPECT_EQ(normals({Faces::none}, "s 1\n", ""), 0u);
+        EXPECT_EQ(normals({Faces::all, 31}, "", ""), 6u);
+        EXPECT_EQ(normals({Faces::all, 29}, "", ""), 8u);
+        EXPECT_EQ(normals({Faces::all}, "s off\n", ""), 6u);
+        EXPECT_EQ(normals({Faces::all}, "s 1\n", "s off\n"), 4u);  // where a file names groups, they count
+        EXPECT_EQ(normals({Faces::all}, "vn 1 0 0\nvn 0 1 0\nf 1//1 2//1 3//2\n", ""), 2u);
+    }
 }
 
 TEST_F(ObjSmooth, NormalsOfTheFileHavePrecedence)

@@ -108,6 +108,12 @@ void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
              });
     p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (its own folder)",
             [&](const std::string& t) { o.asset_root = t; });
+    p.value("--smooth", "ANGLE|off", "Normals of meshes without any: faces that meet at up to this angle share them",
+            [&](const std::string& t) {
+                o.smoothing = Smoothing{.faces = t == "off" ? Smoothing::Faces::none : Smoothing::Faces::all};
+                if (t != "off")
+                    o.smoothing->largest_deg = to_number<double>("--smooth", t, 0, 180, "'off' or an angle");
+            });
 }
 
 void add_picture_options(OptionParser& p, PictureOptions& o)

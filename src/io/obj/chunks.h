@@ -22,6 +22,7 @@ public:
 
     // As from scan_obj().
     const ObjSummary& summary() const { return summary_; }
+    void set_smoothing(const Smoothing& smoothing) { summary_.smoothing = smoothing; }
 
     // Passes all statements to a new builder. done(bytes): the beginning of the text that is not needed any more.
     // Returns false if the text needs the other parser; the builder is then unusable.

@@ -31,6 +31,7 @@ ObjMeshBuilder::ObjMeshBuilder(const ObjSummary& summary, const UsedMaterials& m
     mesh_.triangles.reserve(summary.triangles);
     mesh_.normal_triangles.reserve(summary.face_normals ? summary.triangles : 0);
     material_ = materials_.size();
+    use_smoothing(0);
 }
 
 void ObjMeshBuilder::add_vertex(Vec3d p)
@@ -207,7 +208,7 @@ bool ObjMeshBuilder::finish(std::string_view text, Diagnostics& diagnostics)
         mesh_.normals = {};
         mesh_.normal_triangles = {};
     }
-    if (!groups_.empty()) smooth(mesh_, groups_);
+    if (!groups_.empty()) smooth(mesh_, groups_, summary_.smoothing.largest_deg);
     if (!has_uvs_) {
         mesh_.uvs = {};
         mesh_.uv_triangles = {};

@@ -39,7 +39,7 @@ public:
     // index: into ObjSummary::materials.
     void use_material(size_t index) { material_ = index; }
     // 0: none.
-    void use_smoothing(uint32_t group) { group_ = group; }
+    void use_smoothing(uint32_t group) { group_ = is_one_group(summary_) ? 1 : group; }
 
     // Where the file is not kept until the end: before and after the statements of each part of it, so that messages
     // know their lines. lines_before: in the file.

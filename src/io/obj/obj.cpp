@@ -148,7 +148,8 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
     if (content->bytes().size() >= options.parallel_from) {
         // The other parser finds and reports the problem.
         Diagnostics said;
-        const std::optional<ObjChunks> chunks = ObjChunks::survey(content->text(), options.chunk);
+        std::optional<ObjChunks> chunks = ObjChunks::survey(content->text(), options.chunk);
+        if (chunks) chunks->set_smoothing(options.smoothing);
         auto mesh = chunks ? build(path, *content, chunks->summary(), &*chunks, options, said) : nullptr;
         if (mesh) {
             diagnostics.append(said);
@@ -161,8 +162,9 @@ std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& d
             return load_obj(path, diagnostics, whole);
         }
     }
-    const std::optional<ObjSummary> summary = scan_obj(content->text(), path, diagnostics);
+    std::optional<ObjSummary> summary = scan_obj(content->text(), path, diagnostics);
     if (!summary) return nullptr;
+    summary->smoothing = options.smoothing;
     return build(path, *content, *summary, nullptr, options, diagnostics);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "io/smoothing.h"
 #include "io/text_file.h"
 
 namespace lancer {
@@ -34,6 +35,7 @@ struct ObjSummary {
     bool forward_references = false, face_normals = false;
     bool vertex_colors = false;     // some vertex has three numbers after its place
     bool smoothing_groups = false;  // some statement s names a group
+    Smoothing smoothing = {};       // as the scene asks for it
     std::vector<Name> libraries, materials;
     std::map<std::string, uint32_t, std::less<>> material_index;  // into materials, by name
 };
@@ -67,7 +69,14 @@ ObjStatementText parse_statement(std::string_view line);
 // The group that the arguments of a statement s name; 0: none.
 uint32_t smoothing_group(std::string_view arguments);
 
-// Whether faces get normals from their smoothing groups: where the file has none of its own.
-inline bool smooths(const ObjSummary& s) { return s.smoothing_groups && !s.face_normals; }
+// Whether faces get normals: never where the file has some of its own.
+inline bool smooths(const ObjSummary& s)
+{
+    if (s.face_normals) return false;
+    return s.smoothing.faces == Smoothing::Faces::all ||
+           (s.smoothing.faces == Smoothing::Faces::groups && s.smoothing_groups);
+}
+// Whether they do so as one group, whatever statements s say.
+inline bool is_one_group(const ObjSummary& s) { return smooths(s) && !s.smoothing_groups; }
 
 }  // namespace lancer

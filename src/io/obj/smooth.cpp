@@ -17,7 +17,10 @@ struct Meeting {
 
 class Smoother {
 public:
-    Smoother(MeshData& mesh, std::span<const uint32_t> groups) : mesh_(mesh), groups_(groups) {}
+    Smoother(MeshData& mesh, std::span<const uint32_t> groups, double largest_deg)
+        : mesh_(mesh), groups_(groups), least_cos_(std::cos(largest_deg * std::numbers::pi / 180))
+    {
+    }
 
     void run()
     {
@@ -76,10 +79,9 @@ private:
 
     Vec3 normal_of(const Meeting& m, bool compares) const
     {
-        static const double least_cos = std::cos(largest_smooth_deg * std::numbers::pi / 180);
         Vec3d sum;
         for (const Meeting& other : meetings_)
-            if (other.group == m.group && (!compares || dot(other.normal, m.normal) >= least_cos))
+            if (other.group == m.group && (!compares || dot(other.normal, m.normal) >= least_cos_))
                 sum += other.normal * other.angle;
         const double size = length(sum);
         return to_float(size > 0 ? sum / size : m.normal);
@@ -97,12 +99,16 @@ private:
 
     MeshData& mesh_;
     std::span<const uint32_t> groups_;
+    const double least_cos_;
     std::vector<uint64_t> first_, corners_;
     std::vector<Meeting> meetings_;
 };
 
 }  // namespace
 
-void smooth(MeshData& mesh, std::span<const uint32_t> groups) { Smoother(mesh, groups).run(); }
+void smooth(MeshData& mesh, std::span<const uint32_t> groups, double largest_deg)
+{
+    Smoother(mesh, groups, largest_deg).run();
+}
 
 }  // namespace lancer

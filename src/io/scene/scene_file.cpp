@@ -29,11 +29,12 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     std::set<std::string> worn;
     for (size_t i = 0; i < files.size(); ++i)
         if (scene.meshes[i].material.empty()) worn.insert(files[i].file.identity);
-    std::map<std::string, std::shared_ptr<const MeshData>> loaded;
+    std::map<std::pair<std::string, Smoothing>, std::shared_ptr<const MeshData>> loaded;
     for (size_t i = 0; i < files.size(); ++i) {
         const AssetFolder::Found& file = files[i].file;
         if (file.path.empty()) continue;
-        const auto [entry, is_new] = loaded.try_emplace(file.identity);
+        options.smoothing = files[i].smoothing.value_or(scene_options.smoothing.value_or(Smoothing{}));
+        const auto [entry, is_new] = loaded.try_emplace({file.identity, options.smoothing});
         options.pictures = worn.count(file.identity) ? scene_options.pictures : RasterSource{};
         if (is_new) entry->second = scene_options.mesh_loader(file.path, diagnostics, options);
         scene.meshes[i].data = entry->second;

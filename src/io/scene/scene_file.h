@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +20,10 @@ using MeshLoader =
     std::function<std::shared_ptr<const MeshData>(const std::string& path, Diagnostics&, const MeshOptions&)>;
 
 struct SceneFileOptions {
-    std::string asset_root = {};                // empty: only files in the folder of the scene file may be named in it
-    MeshLoader mesh_loader = {};                // called once per mesh file; must be set if the scene has one
-    RasterSource pictures = {};                 // as in MeshOptions
+    std::string asset_root = {};  // empty: only files in the folder of the scene file may be named in it
+    MeshLoader mesh_loader = {};  // called once per mesh file and smoothing; must be set if the scene has one
+    RasterSource pictures = {};   // as in MeshOptions
+    std::optional<Smoothing> smoothing = {};    // of meshes that say nothing of it
     std::vector<std::string> definitions = {};  // KEY=VALUE, override the file; see io/scene/definition.h
 };
 

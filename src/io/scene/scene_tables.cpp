@@ -60,9 +60,19 @@ TransformDescription SceneReader::read_transform(const TomlTable& table)
     return transform;
 }
 
+// An angle, or "off".
+std::optional<Smoothing> read_smoothing(const TomlTable& table)
+{
+    if (table.holds_text("smooth") && table.choice("smooth", {"off"}, 1) == 0)
+        return Smoothing{.faces = Smoothing::Faces::none};
+    const std::optional<double> deg = table.holds_text("smooth") ? std::nullopt : table.number("smooth", 0, 180);
+    if (!deg) return {};
+    return Smoothing{.faces = Smoothing::Faces::all, .largest_deg = *deg};
+}
+
 void SceneReader::read_mesh(const TomlTable& table)
 {
-    table.allow({"name", "file", "material", "vertex_colors", "translate", "rotate", "scale"});
+    table.allow({"name", "file", "material", "vertex_colors", "smooth", "translate", "rotate", "scale"});
     MeshDescription mesh;
     mesh.where = table.where();
     mesh.name = table.text("name").value_or("");
@@ -85,7 +95,7 @@ void SceneReader::read_mesh(const TomlTable& table)
     if (!name) return;
     const AssetFolder::Found found = assets_.find(*name);
     if (found.problem.empty()) {
-        mesh_file = {table.where("file"), found};
+        mesh_file = {table.where("file"), found, read_smoothing(table)};
     } else {
         table.error(table.where("file"), "mesh file " + in_quotes(*name) + " " + found.problem, found.kind);
     }

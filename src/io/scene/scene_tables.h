@@ -2,9 +2,11 @@
 // only found here, not loaded.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "io/asset_path.h"
+#include "io/smoothing.h"
 #include "io/toml_reader.h"
 #include "scene/description/description.h"
 
@@ -13,6 +15,7 @@ namespace lancer {
 struct MeshFile {
     Location where;  // of the name in the scene file
     AssetFolder::Found file;
+    std::optional<Smoothing> smoothing;
 };
 
 // Returns the file of every mesh of the scene, in the order of scene.meshes; with an empty path where none is named
