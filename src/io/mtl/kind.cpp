@@ -47,7 +47,8 @@ std::string see_through_key(const MtlEntry& e) { return e.d ? key_text("d", e.d.
 // Why it is glass; empty if nothing but illum says so.
 std::string evidence_of_glass(const MtlEntry& e)
 {
-    if (e.by_blender && e.tf && !is_black(e.tf.value)) return "Tf, which Blender writes for transmission only";
+    if (is_principled(e) && e.tf && max_component(e.tf.value) >= 0.5f)
+        return "Tf, which Blender writes for transmission only";
     if (!illum_is(e, {4, 6, 7, 9})) return {};
     const std::string model = illum_text(e) + " and ";
     if (says_see_through(e)) return model + see_through_key(e);
@@ -66,13 +67,27 @@ std::string evidence_against_glass(const MtlEntry& e)
     return {};
 }
 
+// Without Pm, Blender says by illum 3 that there is metal, and by Ka how much.
 bool is_metal_of_kd(const MtlEntry& e)
 {
-    return e.by_blender && illum_is(e, {3}) && is_seen(e) && !is_black_or_absent(e.ks);
+    return is_principled(e) && illum_is(e, {3}) && !e.pm && (!e.ka || max_component(e.ka.value) >= 0.5f);
+}
+
+bool has_no_coat(const MtlEntry& e)
+{
+    return is_principled(e) && e.ks && is_black(e.ks.value) && !e.map(MtlMapKind::pm) && !e.map(MtlMapKind::ks);
+}
+
+// KeyShot writes no illum. It gives Ks to plastics as well, but what scatters nothing is a metal.
+bool is_metal_of_ks(const MtlEntry& e)
+{
+    return e.origin.program == MtlProgram::keyshot && e.kd && is_black(e.kd.value) && !e.map(MtlMapKind::kd) &&
+           !is_black_or_absent(e.ks);
 }
 
 bool is_reflector(const MtlEntry& e)
 {
+    if (is_principled(e)) return false;
     const bool reflects = (e.ks && !is_black(e.ks.value)) || (!e.ks && e.map(MtlMapKind::ks));
     const bool scatters = (e.kd && max_component(e.kd.value) > darkest_seen) || e.map(MtlMapKind::kd);
     return reflects && illum_is(e, {3, 5, 8}) && !scatters;
@@ -80,14 +95,21 @@ bool is_reflector(const MtlEntry& e)
 
 MtlDecision decide_opaque(const MtlEntry& e)
 {
-    if (has_physical_keys(e)) return {MtlKind::physical, "Pr or Pm"};
     if (is_metal_of_kd(e)) return {MtlKind::metal, "illum 3, which Blender writes for metals"};
+    if (has_no_coat(e)) return {MtlKind::matt, "Ks of 0, which Blender writes for what has no coat"};
+    if (has_physical_keys(e)) return {MtlKind::physical, "Pr or Pm"};
+    if (is_metal_of_ks(e)) return {MtlKind::reflector, "Ks and a black Kd, which KeyShot writes for metals"};
     if (is_reflector(e)) return {MtlKind::reflector, illum_text(e) + " and Ks without Kd"};
     if (e.ks && !is_black(e.ks.value)) return {MtlKind::coated, "Ks"};
     return {MtlKind::matt, e.kd || e.map(MtlMapKind::kd) ? "Kd alone" : "no key of another kind"};
 }
 
 }  // namespace
+
+bool is_principled(const MtlEntry& e)
+{
+    return e.origin.program == MtlProgram::blender && (e.origin.version > 0 || refracts(e));
+}
 
 float stopped_part(const MtlEntry& e)
 {
@@ -97,7 +119,7 @@ float stopped_part(const MtlEntry& e)
 
 bool filters_light(const MtlEntry& e)
 {
-    if (!e.tf) return false;
+    if (!e.tf || is_principled(e)) return false;
     const float least = std::min({e.tf.value.r, e.tf.value.g, e.tf.value.b});
     return !is_black(e.tf.value) && least < 1;
 }

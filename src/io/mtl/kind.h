@@ -12,7 +12,7 @@ enum class MtlKind {
     physical,   // Pr, Pm and their maps: metal, plastic or a mix of both
     glass,      // refracts
     metal,      // reflects Kd, as Blender writes metals without Pr and Pm
-    reflector,  // reflects Ks: a classic mirror, or a metal if Ns is low
+    reflector,  // reflects Ks: a classic mirror, or a metal if Ns is low or the program is KeyShot
     coated,     // Kd below a coat
     matt,       // Kd
 };
@@ -23,10 +23,15 @@ struct MtlDecision {
     bool doubtful = false;  // other keys say something else
 };
 
+// Whether Blender wrote it from a Principled BSDF. Its older exporter, which named no version, wrote the materials of
+// Blender before 2.80 under the same header, with a Ni of 1; those keys mean what the specification says.
+bool is_principled(const MtlEntry& entry);
+
 // The part of the rays that d or Tr stops, in [0, 1]; 1 without them, and for Tr 1 alone.
 float stopped_part(const MtlEntry& entry);
 
-// Whether Tf filters light. Black and white are written without meaning anything.
+// Whether Tf filters light. Black and white are written without meaning anything, and Blender writes the amount of
+// transmission there.
 bool filters_light(const MtlEntry& entry);
 
 MtlDecision decide_kind(const MtlEntry& entry);

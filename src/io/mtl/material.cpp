@@ -17,7 +17,7 @@ constexpr float usual_ior = 1.5f;
 // highlight is about as wide as that of the Phong exponent. Roughness is its root.
 float roughness_of_phong(float ns) { return std::sqrt(std::sqrt(2 / (ns + 2))); }
 
-// Blender's exporter writes 1000 (1 - roughness)^2.
+// For a Principled BSDF Blender writes 1000 (1 - roughness)^2.
 float roughness_of_blender(float ns) { return std::max(0.0f, 1 - std::sqrt(ns / 1000)); }
 
 class Describer {
@@ -131,7 +131,10 @@ private:
         if (!e_.d && e_.tr.value == 1)
             warn(e_.tr.line, "Tr 1 without d would make the surface invisible; taken for opaque");
         if (m_.opacity > 0) return;
-        if (m_.opacity_map) {  // programs write it where they mean that the map decides
+        if (e_.origin.program == MtlProgram::blender && !is_principled(e_) && !m_.opacity_map) {
+            warn(e_.d.line, "d 0, which Blender before 2.80 wrote on what it showed, is taken for opaque");
+            m_.opacity = 1;
+        } else if (m_.opacity_map) {  // programs write it where they mean that the map decides
             warn(e_.d.line, "d 0 would make map_d invisible; the map alone is used");
             m_.opacity = 1;
         } else {
@@ -146,6 +149,8 @@ private:
         // A lamp that says nothing of its own colour reflects nothing; any other material must be seen somehow.
         m_.base_color = m_.base_color_map ? white : is_black(m_.emission) ? grey : Color{};
         if (!e_.kd) return;
+        // SketchUp writes the mean of the picture, which stands for it alone.
+        if (m_.base_color_map && e_.origin.program == MtlProgram::sketchup) return;
         m_.base_color = e_.kd.value;
         if (!e_.map(MtlMapKind::kd) || !is_black(m_.base_color)) return;
         m_.base_color = m_.base_color_map ? white : grey;
@@ -156,8 +161,8 @@ private:
     {
         describe_base();
         m_.ior = coat_ior();
-        m_.roughness_map = texture(MtlMapKind::pr, Encoding::linear, Channel::red);
-        m_.roughness = e_.pr ? e_.pr.value : m_.roughness_map ? 1 : e_.ns ? roughness_of_exponent() : usual_roughness;
+        if (is_principled(e_) && e_.ks) describe_specular_of_principled();
+        describe_roughness();
         m_.metallic_map = texture(MtlMapKind::pm, Encoding::linear, Channel::red);
         m_.type = !m_.metallic_map && e_.pm.value >= 0.5f ? MaterialType::metal : MaterialType::plastic;
         if (m_.metallic_map) m_.metallic = e_.pm ? e_.pm.value : 1;
@@ -201,21 +206,27 @@ private:
     {
         describe_classic();
         m_.type = MaterialType::metal;
-        m_.roughness = e_.ns ? roughness_of_exponent() : usual_roughness;
+        describe_roughness();
     }
 
     void describe_reflector()
     {
         m_.base_color_map = texture(MtlMapKind::ks, Encoding::srgb, Channel::color);
         m_.base_color = e_.ks ? e_.ks.value : m_.base_color_map ? white : grey;
-        const bool perfect = !e_.ns || e_.ns.value >= 1000;
+        const bool perfect = e_.ns ? e_.ns.value >= 1000 : e_.origin.program != MtlProgram::keyshot;
         m_.type = perfect ? MaterialType::mirror : MaterialType::metal;
-        if (!perfect) m_.roughness = roughness_of_exponent();
+        if (!perfect) m_.roughness = e_.ns ? roughness_of_exponent() : usual_roughness;
+    }
+
+    void describe_roughness()
+    {
+        m_.roughness_map = texture(MtlMapKind::pr, Encoding::linear, Channel::red);
+        m_.roughness = e_.pr ? e_.pr.value : m_.roughness_map ? 1 : e_.ns ? roughness_of_exponent() : usual_roughness;
     }
 
     float roughness_of_exponent() const
     {
-        return e_.by_blender ? roughness_of_blender(e_.ns.value) : roughness_of_phong(e_.ns.value);
+        return is_principled(e_) ? roughness_of_blender(e_.ns.value) : roughness_of_phong(e_.ns.value);
     }
 
     float coat_ior() const { return e_.ni.value > 1 ? e_.ni.value : usual_ior; }
@@ -228,8 +239,24 @@ private:
         m_.type = MaterialType::plastic;
         m_.ior = coat_ior();
         m_.roughness = e_.ns ? roughness_of_exponent() : usual_roughness;
-        const float amplitude = (m_.ior - 1) / (m_.ior + 1), f0 = amplitude * amplitude;
-        m_.specular = e_.ks.value / std::max(max_component(e_.ks.value), f0);
+        if (is_principled(e_)) return describe_specular_of_principled();
+        m_.specular = e_.ks.value / std::max(max_component(e_.ks.value), f0_of_ior(m_.ior));
+    }
+
+    static float f0_of_ior(float ior)
+    {
+        const float amplitude = (ior - 1) / (ior + 1);
+        return amplitude * amplitude;
+    }
+
+    // Blender writes the socket "Specular" as Ks. Cycles takes 0.08 times it for F0; since version 4, where the socket
+    // is called "Specular IOR Level", twice it times the F0 of the index.
+    void describe_specular_of_principled()
+    {
+        constexpr float most = 0.99f;
+        const float ks = max_component(e_.ks.value);
+        const float f0 = std::min(most, e_.origin.version < 4 ? 0.08f * ks : 2 * ks * f0_of_ior(coat_ior()));
+        m_.ior = (1 + std::sqrt(f0)) / (1 - std::sqrt(f0));
     }
 
     const MtlEntry& e_;

@@ -7,6 +7,7 @@
 
 #include "core/names.h"
 #include "io/file_finder.h"
+#include "io/mtl/kind.h"
 #include "io/text_file.h"
 
 namespace lancer {
@@ -42,6 +43,9 @@ constexpr std::array number_keys{
     NumberKey{"Pm", &MtlEntry::pm, 0, 1, "Pm outside [0, 1] clamped"},
 };
 
+// MeshLab writes the alpha of a face under this name: what others call d.
+constexpr NumberKey alpha_of_meshlab{"Tr", &MtlEntry::d, 0, 1, "Tr outside [0, 1] clamped"};
+
 struct MapKey {
     std::string_view name;
     MtlMapKind kind;
@@ -52,6 +56,10 @@ constexpr std::array map_keys{
     MapKey{"map_Pm", MtlMapKind::pm},   MapKey{"map_bump", MtlMapKind::bump}, MapKey{"bump", MtlMapKind::bump},
     MapKey{"norm", MtlMapKind::normal},
 };
+
+// What Blender says of a Principled BSDF without the keys Pr and Pm: its own importer reads both back as these.
+constexpr std::array map_keys_of_principled{MapKey{"map_Ns", MtlMapKind::pr}, MapKey{"map_refl", MtlMapKind::pm},
+                                            MapKey{"refl", MtlMapKind::pm}};
 
 // What would be seen if it were supported; a value of 0 asks for nothing.
 constexpr std::array<std::string_view, 19> unsupported{
@@ -139,7 +147,8 @@ public:
             const std::string_view key = take_word(arguments);
             if (key.empty()) continue;
             if (key[0] == '#') {
-                if (materials_.empty() && lines.line().find("Blender") != std::string_view::npos) by_blender_ = true;
+                if (materials_.empty() && origin_.program == MtlProgram::other)
+                    origin_ = origin_in_comment(lines.line());
                 continue;
             }
             if (is_key(key, "newmtl"))
@@ -166,19 +175,35 @@ private:
         materials_.emplace_back();
         materials_.back().name = name;
         materials_.back().line = line_;
-        materials_.back().by_blender = by_blender_;
+        materials_.back().origin = origin_;
     }
 
     void use(std::string_view key, std::string_view arguments)
     {
         if (const ColorKey* color = find_key(color_keys, key)) return use_color(*color, arguments);
+        if (origin_.program == MtlProgram::meshlab && is_key(key, alpha_of_meshlab.name))
+            return use_number(alpha_of_meshlab, arguments);
         if (const NumberKey* number = find_key(number_keys, key)) return use_number(*number, arguments);
         if (const MapKey* map = find_key(map_keys, key)) return use_map(*map, arguments);
         if (is_key(key, "illum")) return use_illum(arguments);
+        if (origin_.program == MtlProgram::blender && use_of_blender(key, arguments)) return;
         if (contains(without_meaning, key)) return;
         if (!contains(unsupported, key)) return warn_unknown(key);
         const std::optional<double> value = number_argument(arguments);
         if (!value || *value != 0) warn(NamedProblem{"statement", std::string(key), " is not supported; ignored"});
+    }
+
+    // Keys that mean something in a file by Blender alone.
+    bool use_of_blender(std::string_view key, std::string_view arguments)
+    {
+        if (is_key(key, "Ka")) {
+            use_color({"Ka", &MtlEntry::ka, largest, "Ka below 0 or beyond float clamped"}, arguments);
+            return true;
+        }
+        const MapKey* const map = find_key(map_keys_of_principled, key);
+        if (!map || !is_principled(materials_.back())) return false;
+        use_map(*map, arguments);
+        return true;
     }
 
     void use_color(const ColorKey& key, std::string_view arguments)
@@ -245,7 +270,7 @@ private:
     const std::string& file_;
     Diagnostics& diagnostics_;
     std::vector<MtlEntry> materials_;
-    bool by_blender_ = false;
+    MtlOrigin origin_;
     uint32_t line_ = 0, first_stray_ = 0;
     uint64_t strays_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "core/color.h"
 #include "core/error.h"
 #include "io/mtl/map.h"
+#include "io/mtl/program.h"
 
 namespace lancer {
 
@@ -26,8 +27,9 @@ enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, bump, normal };
 struct MtlEntry {
     std::string name;  // with what may be a comment behind it
     uint32_t line = 0;
-    bool by_blender = false;                          // as the first comment of the file says
+    MtlOrigin origin;
     MtlValue<Color> kd, ks, tf;                       // in [0, 1]
+    MtlValue<Color> ka;                               // finite, >= 0; of files by Blender alone
     MtlValue<Color> ke;                               // finite, >= 0
     MtlValue<float> ns;                               // finite, >= 0
     MtlValue<float> ni;                               // in [0.001, 10]
