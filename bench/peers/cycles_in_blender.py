@@ -206,4 +206,5 @@ def main():
         print("RESULT " + json.dumps(figures), flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()
