@@ -100,6 +100,8 @@ MtlDecision decide_opaque(const MtlEntry& e)
     if (has_physical_keys(e)) return {MtlKind::physical, "Pr or Pm"};
     if (is_metal_of_ks(e)) return {MtlKind::reflector, "Ks and a black Kd, which KeyShot writes for metals"};
     if (is_reflector(e)) return {MtlKind::reflector, illum_text(e) + " and Ks without Kd"};
+    if (e.origin.program == MtlProgram::sketchup && !e.ns)
+        return {MtlKind::matt, "Kd; SketchUp writes the same Ks for all"};
     if (e.ks && !is_black(e.ks.value)) return {MtlKind::coated, "Ks"};
     return {MtlKind::matt, e.kd || e.map(MtlMapKind::kd) ? "Kd alone" : "no key of another kind"};
 }
