@@ -3,7 +3,7 @@ compared with lancer's picture object by object.
 
     blender -b --factory-startup --python THIS -- write|render|compare FOLDER ORDER
 
-ORDER is JSON: size, spp, threads, pbr. Lengths are in metres, z is up, as in Blender. Blender 3.3 or later.
+ORDER is JSON: size, spp, threads, pbr, flat. Lengths are in metres, z is up, as in Blender. Blender 3.3 or later.
 """
 import json
 import math
@@ -71,7 +71,7 @@ def glass_of_keys(name, keys):
     return made
 
 
-def normal_map(path):
+def normal_map(path, height):
     """Waves in two directions, of different lengths, so that a mirrored or turned map would be seen."""
     side, pixels = 128, array("f")
     for j in range(side):
@@ -79,6 +79,7 @@ def normal_map(path):
             u, v = (i + 0.5) / side, (j + 0.5) / side
             slope_u = (0.45 * math.sin(4 * math.pi * u) if u < 0.5 else 0) + 0.15 * math.sin(2 * math.pi * (3 * v + u))
             slope_v = 0.35 * math.cos(4 * math.pi * v) if v > 0.5 else 0
+            slope_u, slope_v = height * slope_u, height * slope_v
             length = math.sqrt(slope_u**2 + slope_v**2 + 1)
             pixels.extend((0.5 - slope_u / length / 2, 0.5 - slope_v / length / 2, 0.5 + 0.5 / length, 1))
     image = bpy.data.images.new("wall_normal", side, side)
@@ -169,7 +170,7 @@ def keys_of_mtl(path):
 
 
 def write(folder, order):
-    normal_map(os.path.join(folder, "wall_normal.png"))
+    normal_map(os.path.join(folder, "wall_normal.png"), 0 if order["flat"] else 1)
     build(folder)
     bpy.ops.wm.obj_export(filepath=os.path.join(folder, "scene.obj"), export_pbr_extensions=order["pbr"],
                           path_mode="RELATIVE")
