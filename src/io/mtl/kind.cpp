@@ -110,7 +110,7 @@ MtlDecision decide_opaque(const MtlEntry& e)
 
 bool is_principled(const MtlEntry& e)
 {
-    return e.origin.program == MtlProgram::blender && (e.origin.version > 0 || refracts(e));
+    return e.origin.program == MtlProgram::blender && (e.origin.version >= 3 || refracts(e));
 }
 
 float stopped_part(const MtlEntry& e)

@@ -24,7 +24,7 @@ struct MtlDecision {
 };
 
 // Whether Blender wrote it from a Principled BSDF. Its older exporter, which named no version, wrote the materials of
-// Blender before 2.80 under the same header, with a Ni of 1; those keys mean what the specification says.
+// Blender before 2.80 under the same header, with a Ni of 1. Those keys mean what the specification says.
 bool is_principled(const MtlEntry& entry);
 
 // The part of the rays that d or Tr stops, in [0, 1]; 1 without them, and for Tr 1 alone.

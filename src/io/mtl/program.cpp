@@ -1,7 +1,7 @@
 #include "io/mtl/program.h"
 
-#include <algorithm>
 #include <array>
+#include <string>
 
 #include "io/file_finder.h"
 

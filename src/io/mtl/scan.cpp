@@ -57,7 +57,7 @@ constexpr std::array map_keys{
     MapKey{"norm", MtlMapKind::normal},
 };
 
-// What Blender says of a Principled BSDF without the keys Pr and Pm: its own importer reads both back as these.
+// Where Blender puts the textures of a Principled BSDF if it is not asked for the keys Pr and Pm.
 constexpr std::array map_keys_of_principled{MapKey{"map_Ns", MtlMapKind::pr}, MapKey{"map_refl", MtlMapKind::pm},
                                             MapKey{"refl", MtlMapKind::pm}};
 
