@@ -12,6 +12,7 @@ import sys
 from array import array
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.dont_write_bytecode = True  # the source may not be ours to write to
 
 import bpy  # noqa: E402
 import mathutils  # noqa: E402
