@@ -117,6 +117,7 @@ void Run::describe(const Renderer& renderer)
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
+    for (const Scene::Analysis& a : scene.analyses) stats_.analyses.push_back({a.name, a.seconds});
     stats_.settings = {.render = settings_,
                        .crop = crop_,
                        .threads = prepared_.threads,

@@ -110,8 +110,9 @@ Json samples_of(const RunStats& s)
 
 std::string to_json(const RunStats& s)
 {
-    Json phases = Json::array(), passes = Json::array();
+    Json phases = Json::array(), analyses = Json::array(), passes = Json::array();
     for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
+    for (const auto& a : s.analyses) analyses.push_back({{"name", a.name}, {"wall_s", a.wall_s}});
     for (const auto& p : s.passes)
         passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});
     const Json interval =
@@ -121,6 +122,7 @@ std::string to_json(const RunStats& s)
                    {"scene", scene_of(s.scene)},
                    {"settings", settings_of(s.settings)},
                    {"phases", phases},
+                   {"analyses", analyses},
                    {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
                    {"rays", rays_of(s)},
                    {"samples", samples_of(s)},

@@ -39,6 +39,11 @@ struct RunStats {
         std::string name;
         double wall_s = 0, cpu_s = 0;
     };
+    // A look at the whole scene while it was built; part of a phase.
+    struct Analysis {
+        std::string name;
+        double wall_s = 0;
+    };
     // State of the film after a pass.
     struct Progress {
         uint32_t spp = 0;
@@ -50,6 +55,7 @@ struct RunStats {
     SceneFigures scene;
     SettingsUsed settings;
     std::vector<Phase> phases;
+    std::vector<Analysis> analyses;
     std::vector<Progress> passes;
     Counters counters;
     uint64_t samples = 0;  // in the film

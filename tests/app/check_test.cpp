@@ -62,6 +62,20 @@ TEST_F(Check, OpaqueMaterialsThatIllumCallsGlassAreNoted)
     expect_words(told.out, "b: glass, by illum 4 and d 0.5\n");
 }
 
+TEST_F(Check, ThinSheetsAreNotedAndTold)
+{
+    write("g.mtl", "newmtl pane\nKd 0 0 0\nNi 1.5\nillum 7\n");
+    write("g.obj", "mtllib g.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl pane\nf 1 2 3 4\nf 2 1 4 3\n");
+    write("g.toml", "[[mesh]]\nfile = \"g.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n");
+    const char* const found = "1 sheet of glass 'pane': given more than once in the same place: one thin sheet\n";
+    expect_words(run({"check", "g.toml"}).out, std::string("g.obj: note: ") + found);
+    expect_words(run({"info", "g.toml"}).out, std::string("sheets        ") + found);
+    write("solid.toml",
+          "[[mesh]]\nfile = \"g.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n[[material_override]]\n"
+          "match = \"pane\"\nthin = false\n");
+    EXPECT_EQ(run({"check", "solid.toml"}).out.find("thin sheet"), std::string::npos);
+}
+
 TEST_F(Check, TexturesWithoutTextureCoordinatesAreFound)
 {
     const auto check = [&](const char* faces) {
