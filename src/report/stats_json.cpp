@@ -52,6 +52,7 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"lights", s.lights},
             {"materials", s.materials},
             {"accelerator_bytes", s.accelerator_bytes},
+            {"hidden_lights", s.hidden_lights},
             {"unused_features", unused_features_of(s.unused_features)},
             {"warnings", s.warnings}};
 }

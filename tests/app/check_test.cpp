@@ -76,6 +76,24 @@ TEST_F(Check, ThinSheetsAreNotedAndTold)
     EXPECT_EQ(run({"check", "solid.toml"}).out.find("thin sheet"), std::string::npos);
 }
 
+TEST_F(Check, LightsBehindGlassAreFound)
+{
+    write("bulb.toml",
+          "[camera]\nposition = [0, 2, 6]\n[[plane]]\n[[sphere]]\ncenter = [0, 2, 0]\nradius = 0.5\nmaterial = "
+          "\"g\"\n[material.g]\ntype = \"glass\"\n[[light]]\ntype = \"point\"\nposition = [0, 2, 0]\nintensity = "
+          "10\n");
+    const char* const said = "bulb.toml:10:1: warning: this point light does not reach the picture";
+    expect_words(run({"check", "bulb.toml"}).out, said);
+    const Said drawn = run({"render", "bulb.toml", "--size", "16x16", "--spp", "1", "-o", "bulb.png"});
+    expect_words(drawn.err, said);
+    expect_words(drawn.err, "1 light does not reach the picture");
+    const Said whitted =
+        run({"render", "bulb.toml", "--size", "16x16", "--spp", "1", "-o", "bulb.png", "--integrator", "whitted"});
+    EXPECT_EQ(whitted.err.find("does not reach"), std::string::npos);
+    EXPECT_EQ(run({"check", "bulb.toml", "-D", "light.0.position=[0,4,0]"}).out.find("does not reach"),
+              std::string::npos);
+}
+
 TEST_F(Check, TexturesWithoutTextureCoordinatesAreFound)
 {
     const auto check = [&](const char* faces) {
