@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/load_scene.h"
+#include "app/system_info.h"
 #include "core/parallel.h"
 #include "scene/camera.h"
 #include "scene/hidden_lights.h"
@@ -68,7 +69,9 @@ std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& optio
     auto renderer = with_warnings(diagnostics, [&] {
         return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics);
     });
+    const double begin = wall_seconds();
     p.hidden_lights = warn_of_hidden_lights(p.description, p.settings, *renderer, diagnostics);
+    p.hidden_lights_s = wall_seconds() - begin;
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
     if (options.strict && !p.warnings.empty())

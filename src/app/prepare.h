@@ -21,6 +21,7 @@ struct Prepared {
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it
     std::vector<std::string> warnings;
     uint32_t hidden_lights = 0;  // see scene/hidden_lights.h
+    double hidden_lights_s = 0;  // seconds that looking for them took
 };
 
 // In parts, so that each can be timed. quiet: does not report what was added to the scene.
