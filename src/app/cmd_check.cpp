@@ -49,6 +49,8 @@ private:
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
+            warn_of_hidden_lights(description, settings, renderer, problems_);
+            for (const Scene::Note& note : renderer.scene().sheets) notes_.warning(note.where, note.text);
         });
     }
     static std::vector<std::string> mesh_files(const SceneDescription& scene)

@@ -48,8 +48,12 @@ void write_all(const ExportOptions& options, const Prepared& p)
     // All are complete before the first takes its name.
     std::deque<AtomicFile> files;
     for (size_t i = 0; i < names.size(); ++i)
-        write_obj(files.emplace_back(paths[i]), *d.meshes[i].data,
-                  [&](uint32_t triangle) { return p.scene->unfinished().shading[i].material_of(triangle); });
+        write_obj(files.emplace_back(paths[i]), *d.meshes[i].data, [&](uint32_t triangle) -> std::optional<uint32_t> {
+            const Scene& scene = p.scene->unfinished();
+            const auto& corners = scene.geometry.meshes[i].triangles[triangle];
+            if (corners[0] == corners[1]) return {};  // a copy of another
+            return scene.shading[i].material_of(triangle);
+        });
     const std::string text = scene_json(d, p.scene->unfinished(), p.settings, names);
     files.emplace_back(paths.back()).write(text.data(), text.size());
     for (AtomicFile& file : files) file.finish();

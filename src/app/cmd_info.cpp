@@ -66,6 +66,7 @@ public:
         print_field("file", d_.file);
         print_shapes();
         print_materials();
+        for (const Scene::Note& note : scene_.sheets) print_field("sheets", note.text);
         print_textures();
         print_lights();
         print_background();

@@ -115,8 +115,11 @@ void Run::describe(const Renderer& renderer)
                     .lights = scene.lights.lights.size(),
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
+                    .hidden_lights = prepared_.hidden_lights,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
+    for (const Scene::Analysis& a : scene.analyses) stats_.analyses.push_back({a.name, a.seconds});
+    if (!scene.delta_lights.empty()) stats_.analyses.push_back({"hidden lights", prepared_.hidden_lights_s});
     stats_.settings = {.render = settings_,
                        .crop = crop_,
                        .threads = prepared_.threads,

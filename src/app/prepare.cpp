@@ -2,7 +2,10 @@
 
 #include "app/console.h"
 #include "app/load_scene.h"
+#include "app/system_info.h"
 #include "core/parallel.h"
+#include "scene/camera.h"
+#include "scene/hidden_lights.h"
 
 namespace lancer {
 namespace {
@@ -49,12 +52,26 @@ void begin_prepared(Prepared& p, Diagnostics& diagnostics)
     p.early.clear();  // what the scene did not ask for again it does not use
 }
 
+uint32_t warn_of_hidden_lights(const SceneDescription& description, const RenderSettings& settings,
+                               const Renderer& renderer, Diagnostics& diagnostics)
+{
+    const bool samples_lights =
+        settings.integrator == IntegratorKind::path || settings.integrator == IntegratorKind::direct;
+    if (!samples_lights || !settings.nee || settings.legacy) return 0;
+    const Scene& scene = renderer.scene();
+    const Camera camera(*description.camera, scene.normalisation, settings.size.width, settings.size.height);
+    return warn_of_hidden_lights(description, scene, renderer.accelerator(), camera, settings.size, diagnostics);
+}
+
 std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& options, uint32_t batch,
                                         Diagnostics& diagnostics)
 {
     auto renderer = with_warnings(diagnostics, [&] {
         return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics);
     });
+    const double begin = wall_seconds();
+    p.hidden_lights = warn_of_hidden_lights(p.description, p.settings, *renderer, diagnostics);
+    p.hidden_lights_s = wall_seconds() - begin;
     print_warnings(diagnostics);
     for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
     if (options.strict && !p.warnings.empty())

@@ -20,12 +20,17 @@ struct Prepared {
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it
     std::vector<std::string> warnings;
+    uint32_t hidden_lights = 0;  // see scene/hidden_lights.h
+    double hidden_lights_s = 0;  // seconds that looking for them took
 };
 
 // In parts, so that each can be timed. quiet: does not report what was added to the scene.
 Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet);
 // Loads everything but the pictures, which are read from here on.
 void begin_prepared(Prepared& prepared, Diagnostics& diagnostics);
+// Warns of lights that the renderer's integrator cannot find; returns how many there are. description: with a camera.
+uint32_t warn_of_hidden_lights(const SceneDescription& description, const RenderSettings& settings,
+                               const Renderer& renderer, Diagnostics& diagnostics);
 // Builds the accelerator, waits for the pictures and reports problems. Throws Error (invalid_input) if there were
 // warnings and --strict is set. Must be called inside with_threads.
 std::unique_ptr<Renderer> make_renderer(Prepared& prepared, const PictureOptions& options, uint32_t batch,

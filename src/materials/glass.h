@@ -1,6 +1,7 @@
 // Dielectric boundary: reflection and refraction by the exact Fresnel equations, with total internal reflection.
 // Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets, Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost.
+// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost. Thin: a sheet without an
+// inside, see thin_sheet.h.
 #pragma once
 
 #include "materials/fresnel.h"
@@ -9,6 +10,7 @@
 #include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
+#include "materials/thin_sheet.h"
 
 namespace lancer {
 
@@ -19,19 +21,28 @@ struct GlassBsdf {
     double eta;
     float alpha = 0;      // 0: smooth
     bool fresnel = true;  // false: a smooth boundary only refracts
+    bool thin = false;    // a sheet: what goes through is not turned
 
     bool only_delta() const { return alpha == 0; }
     bool transmits() const { return alpha != 0; }
-    Color reflectance() const { return tint; }
+    Color reflectance() const
+    {
+        if (!thin) return tint;
+        const double r = face({0, 0, 1}), reflected = reflectance_of_sheet(r);
+        const SheetColors colors = colors_of_sheet(r, tint);
+        return colors.reflected * static_cast<float>(reflected) +
+               colors.transmitted * static_cast<float>(1 - reflected);
+    }
 
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {
         if (only_delta() || wo.z <= 0 || wi.z == 0) return {};
-        return eval_rough(unit_in_double(wo), wi);
+        return thin ? eval_rough_sheet(unit_in_double(wo), wi) : eval_rough(unit_in_double(wo), wi);
     }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};
+        if (thin) return only_delta() ? sample_sheet(wo, u) : sample_rough_sheet(wo, u, v);
         return only_delta() ? sample_smooth(wo, u) : sample_rough(wo, u, v);
     }
 
@@ -95,6 +106,54 @@ private:
         return BsdfSample{
             .wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = through ? static_cast<float>(eta) : 1};
     }
+
+    // Reflectance of one face of a sheet. w: unit, z > 0.
+    double face(Vec3d w) const
+    {
+        const double r = fresnel_dielectric_double(std::min(1.0, w.z), w.x * w.x + w.y * w.y, eta).reflectance;
+        return fresnel || r == 1 ? r : 0;
+    }
+    std::optional<BsdfSample> sample_sheet(Vec3 wo, float u) const
+    {
+        const double r = face(to_double(wo));
+        const auto reflected = static_cast<float>(reflectance_of_sheet(r));
+        const SheetColors colors = colors_of_sheet(r, tint);
+        if (u < reflected)
+            return BsdfSample{.wi = {-wo.x, -wo.y, wo.z}, .weight = colors.reflected, .pdf = reflected, .delta = true};
+        return BsdfSample{.wi = -wo, .weight = colors.transmitted, .pdf = 1 - reflected, .delta = true};
+    }
+
+    // A rough sheet has a lobe around the mirror image and a narrower one around what goes straight on. The reflectance
+    // is that of the sheet, not of its facets, for wo or wi, whichever gives less: reciprocal, and no energy is gained.
+    BsdfValue eval_rough_sheet(Vec3d wo, Vec3 w) const
+    {
+        const Vec3d wi = unit_in_double(Vec3{w.x, w.y, std::abs(w.z)});
+        const bool through = w.z < 0;
+        const FacetReflection facets = eval_facets(sheet_facets(through), wo, wi);
+        const double r_o = face(wo), r_i = face(wi);
+        const double part_o = part_of_sheet(r_o, through), part_i = part_of_sheet(r_i, through);
+        const SheetColors o = colors_of_sheet(r_o, tint), i = colors_of_sheet(r_i, tint);
+        const Color of_o = (through ? o.transmitted : o.reflected) * static_cast<float>(part_o);
+        const Color of_i = (through ? i.transmitted : i.reflected) * static_cast<float>(part_i);
+        const Color least{std::min(of_o.r, of_i.r), std::min(of_o.g, of_i.g), std::min(of_o.b, of_i.b)};
+        return {least * static_cast<float>(facets.f_cos), static_cast<float>(part_o * facets.pdf)};
+    }
+    std::optional<BsdfSample> sample_rough_sheet(Vec3 w, float u, Vec2 v) const
+    {
+        const Vec3d wo = unit_in_double(w);
+        const bool through = !(u < static_cast<float>(reflectance_of_sheet(face(wo))));
+        std::optional<Vec3> wi = sample_facets(sheet_facets(through), wo, v);
+        if (!wi) return {};
+        if (through) wi->z = -wi->z;
+        const BsdfValue f = eval_rough_sheet(wo, *wi);
+        if (!(f.pdf > 0)) return {};
+        return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf};
+    }
+    Ggx sheet_facets(bool through) const { return {static_cast<double>(alpha) * (through ? spread_of_sheet(eta) : 1)}; }
+    static double part_of_sheet(double r, bool through)
+    {
+        return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r);
+    }
 };
 static_assert(Bsdf<GlassBsdf>);
 
@@ -104,24 +163,34 @@ struct Glass {
     float ior;                 // inside (behind the geometric normal) over outside
     FloatParam roughness = 0;  // perceptual
     bool fresnel = true;       // false: it only refracts where it is smooth
-    // What absorbs and has a priority is the medium inside.
-    static constexpr auto parameters =
-        std::tuple{parameter("base_color", &Glass::tint, Color{1, 1, 1}), parameter("roughness", &Glass::roughness),
-                   parameter("ior", &Glass::ior), parameter("absorption"), parameter("priority")};
+    bool thin = false;         // a sheet without an inside; the same from both sides
+    // What absorbs and has a priority is the medium inside. Whether it is thin may be left to the shape.
+    static constexpr auto parameters = std::tuple{parameter("base_color", &Glass::tint, Color{1, 1, 1}),
+                                                  parameter("roughness", &Glass::roughness),
+                                                  parameter("ior", &Glass::ior),
+                                                  parameter("thin"),
+                                                  parameter("absorption"),
+                                                  parameter("priority")};
 
     GlassBsdf at(const ShadingPoint& p) const
     {
         // Facets deflect transmitted light by about alpha times (index - 1). Where float cannot distinguish that from 0
         // the boundary is treated as smooth.
-        const float alpha = alpha_of_roughness(p.eval(roughness)), n = p.inner_over_outer(ior);
+        const float alpha = alpha_of_roughness(p.eval(roughness));
+        if (thin) {
+            const bool spreads = double{alpha} * spread_of_sheet(double{ior}) >= double{least_alpha};
+            return {p.base(tint), double{ior}, spreads ? alpha : 0, fresnel, true};
+        }
+        const float n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
         return {p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, fresnel};
     }
     static constexpr bool mirrors() { return true; }
     // Of the medium inside, where there is one; over that around it, or with a priority by itself.
-    std::optional<float> medium_ior(bool) const { return ior; }
+    std::optional<float> medium_ior(bool) const { return thin ? std::nullopt : std::optional(ior); }
     Phong phong(const ShadingPoint& p) const
     {
+        if (thin) return phong_of_sheet(p);
         const Color color = p.base(tint);
         const float n = p.inner_over_outer(ior), reflected = fresnel_dielectric(1.0f, n).reflectance;
         return {.diffuse = color,
@@ -131,6 +200,21 @@ struct Glass {
                 .reflexion = reflected,
                 .refraction = 1 - reflected,
                 .inside_ior = n};
+    }
+
+private:
+    Phong phong_of_sheet(const ShadingPoint& p) const
+    {
+        const double r = fresnel_dielectric_double(1.0, 0, double{ior}).reflectance;
+        const SheetColors colors = colors_of_sheet(r, p.base(tint));
+        const auto reflected = static_cast<float>(reflectance_of_sheet(r));
+        return {.diffuse = colors.transmitted,
+                .specular = colors.reflected,
+                .shininess = shininess_of(p.eval(roughness)),
+                .diffusion = 0,
+                .reflexion = reflected,
+                .refraction = 1 - reflected,
+                .sheet_ior = ior};
     }
 };
 

@@ -15,6 +15,7 @@
 #include "materials/parameter.h"
 #include "materials/phong.h"
 #include "materials/textures/texture.h"
+#include "materials/thin_sheet.h"
 
 namespace lancer {
 
@@ -28,6 +29,7 @@ public:
           mirror_(part_of(p.specular, p.reflexion + p.refraction)),
           shininess_(std::min(p.shininess, most_shininess)),
           eta_(front ? p.inside_ior / p.outside_ior : p.outside_ior / p.inside_ior),
+          sheet_ior_(p.sheet_ior),
           refracts_(p.refraction > 0),
           fresnel_(fresnel)
     {
@@ -108,6 +110,10 @@ private:
     Fresnel boundary(Vec3 wo) const
     {
         if (!refracts_) return {1, 0};
+        if (sheet_ior_ > 0) {
+            const double r = fresnel_ ? double{fresnel_dielectric(wo, double{sheet_ior_}).reflectance} : 0;
+            return {static_cast<float>(reflectance_of_sheet(r)), r < 1 ? wo.z : 0};
+        }
         const Fresnel f = fresnel_dielectric(wo, eta_);
         return fresnel_ ? f : only_refracting(f);
     }
@@ -162,7 +168,7 @@ private:
     }
 
     Color diffuse_, gloss_, mirror_, through_{};
-    float shininess_, eta_;
+    float shininess_, eta_, sheet_ior_;
     bool refracts_, fresnel_;
 };
 static_assert(Bsdf<InterfaceBsdf>);

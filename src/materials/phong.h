@@ -3,6 +3,8 @@
 // 23(6), 1980. Every material has a member phong().
 #pragma once
 
+#include <algorithm>
+
 #include "core/color.h"
 
 namespace lancer {
@@ -14,6 +16,7 @@ struct Phong {
     float shininess = 0;                                 // exponent of the highlight, >= 0
     float diffusion = 1, reflexion = 0, refraction = 0;  // weights, >= 0; their sum may exceed 1
     float inside_ior = 1, outside_ior = 1;               // behind the geometric normal and in front of it
+    float sheet_ior = 0;  // of a thin sheet, whose two indices are 1: it reflects as glass of this one; 0: none
 
     friend bool operator==(const Phong&, const Phong&) = default;
 };
@@ -30,7 +33,8 @@ inline Phong mix(float t, const Phong& a, const Phong& b)
             .reflexion = lerp(a.reflexion, b.reflexion),
             .refraction = lerp(a.refraction, b.refraction),
             .inside_ior = lerp(a.inside_ior, b.inside_ior),
-            .outside_ior = lerp(a.outside_ior, b.outside_ior)};
+            .outside_ior = lerp(a.outside_ior, b.outside_ior),
+            .sheet_ior = std::max(a.sheet_ior, b.sheet_ior)};
 }
 
 }  // namespace lancer

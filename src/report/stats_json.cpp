@@ -52,6 +52,7 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"lights", s.lights},
             {"materials", s.materials},
             {"accelerator_bytes", s.accelerator_bytes},
+            {"hidden_lights", s.hidden_lights},
             {"unused_features", unused_features_of(s.unused_features)},
             {"warnings", s.warnings}};
 }
@@ -110,8 +111,9 @@ Json samples_of(const RunStats& s)
 
 std::string to_json(const RunStats& s)
 {
-    Json phases = Json::array(), passes = Json::array();
+    Json phases = Json::array(), analyses = Json::array(), passes = Json::array();
     for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
+    for (const auto& a : s.analyses) analyses.push_back({{"name", a.name}, {"wall_s", a.wall_s}});
     for (const auto& p : s.passes)
         passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});
     const Json interval =
@@ -121,6 +123,7 @@ std::string to_json(const RunStats& s)
                    {"scene", scene_of(s.scene)},
                    {"settings", settings_of(s.settings)},
                    {"phases", phases},
+                   {"analyses", analyses},
                    {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
                    {"rays", rays_of(s)},
                    {"samples", samples_of(s)},

@@ -25,6 +25,7 @@ struct RunStats {
         uint64_t content_hash = 0;
         uint64_t triangles = 0, meshes = 0, instances = 0, spheres = 0, planes = 0, lights = 0, materials = 0;
         uint64_t accelerator_bytes = 0;
+        uint64_t hidden_lights = 0;  // that no technique brings into the picture
         std::vector<std::string> warnings;
         std::vector<UnusedFeature> unused_features;
     };
@@ -39,6 +40,11 @@ struct RunStats {
         std::string name;
         double wall_s = 0, cpu_s = 0;
     };
+    // A look at the whole scene while it was built; part of a phase.
+    struct Analysis {
+        std::string name;
+        double wall_s = 0;
+    };
     // State of the film after a pass.
     struct Progress {
         uint32_t spp = 0;
@@ -50,6 +56,7 @@ struct RunStats {
     SceneFigures scene;
     SettingsUsed settings;
     std::vector<Phase> phases;
+    std::vector<Analysis> analyses;
     std::vector<Progress> passes;
     Counters counters;
     uint64_t samples = 0;  // in the film

@@ -80,6 +80,17 @@ struct Scene {
 
     std::string file;  // of the description
     UnusedFeatures unused_features;
+    // What building took for thin sheets, in words, and how long each look at the whole scene took. For reports only.
+    struct Note {
+        Location where;
+        std::string text;
+    };
+    std::vector<Note> sheets;
+    struct Analysis {
+        std::string name;
+        double seconds = 0;
+    };
+    std::vector<Analysis> analyses;
     Normalisation normalisation;
     Bounds bounds;  // of all but planes and giant spheres, scene units
 

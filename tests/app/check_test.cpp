@@ -62,6 +62,38 @@ TEST_F(Check, OpaqueMaterialsThatIllumCallsGlassAreNoted)
     expect_words(told.out, "b: glass, by illum 4 and d 0.5\n");
 }
 
+TEST_F(Check, ThinSheetsAreNotedAndTold)
+{
+    write("g.mtl", "newmtl pane\nKd 0 0 0\nNi 1.5\nillum 7\n");
+    write("g.obj", "mtllib g.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl pane\nf 1 2 3 4\nf 2 1 4 3\n");
+    write("g.toml", "[[mesh]]\nfile = \"g.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n");
+    const char* const found = "1 sheet of glass 'pane': given more than once in the same place: one thin sheet\n";
+    expect_words(run({"check", "g.toml"}).out, std::string("g.obj: note: ") + found);
+    expect_words(run({"info", "g.toml"}).out, std::string("sheets        ") + found);
+    write("solid.toml",
+          "[[mesh]]\nfile = \"g.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n[[material_override]]\n"
+          "match = \"pane\"\nthin = false\n");
+    EXPECT_EQ(run({"check", "solid.toml"}).out.find("thin sheet"), std::string::npos);
+}
+
+TEST_F(Check, LightsBehindGlassAreFound)
+{
+    write("bulb.toml",
+          "[camera]\nposition = [0, 2, 6]\n[[plane]]\n[[sphere]]\ncenter = [0, 2, 0]\nradius = 0.5\nmaterial = "
+          "\"g\"\n[material.g]\ntype = \"glass\"\n[[light]]\ntype = \"point\"\nposition = [0, 2, 0]\nintensity = "
+          "10\n");
+    const char* const said = "bulb.toml:10:1: warning: this point light does not reach the picture";
+    expect_words(run({"check", "bulb.toml"}).out, said);
+    const Said drawn = run({"render", "bulb.toml", "--size", "16x16", "--spp", "1", "-o", "bulb.png"});
+    expect_words(drawn.err, said);
+    expect_words(drawn.err, "1 light does not reach the picture");
+    const Said whitted =
+        run({"render", "bulb.toml", "--size", "16x16", "--spp", "1", "-o", "bulb.png", "--integrator", "whitted"});
+    EXPECT_EQ(whitted.err.find("does not reach"), std::string::npos);
+    EXPECT_EQ(run({"check", "bulb.toml", "-D", "light.0.position=[0,4,0]"}).out.find("does not reach"),
+              std::string::npos);
+}
+
 TEST_F(Check, TexturesWithoutTextureCoordinatesAreFound)
 {
     const auto check = [&](const char* faces) {

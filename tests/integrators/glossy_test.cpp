@@ -42,12 +42,14 @@ void hang_lamp(SceneDescription& d, Lamp lamp, double z)
     }
 }
 
-SceneDescription behind_pane(Lamp lamp, bool from_front, float roughness)
+// thin: a sheet; else one face of a body.
+SceneDescription behind_pane(Lamp lamp, bool from_front, float roughness, bool thin = false)
 {
     SceneDescription d;
     const double front = from_front ? 1 : -1;
-    d.meshes.push_back(make_mesh(make_quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0},
-                                           make_glossy("pane", MaterialType::glass, {1, 1, 1}, roughness))));
+    MaterialDescription pane = make_glossy("pane", MaterialType::glass, {1, 1, 1}, roughness);
+    pane.thin = thin;
+    d.meshes.push_back(make_mesh(make_quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, pane)));
     hang_lamp(d, lamp, -front);
     d.camera = make_camera({0.2, 0.1, 2 * front}, {0, 0, 0}, 30);
     return d;
@@ -62,6 +64,14 @@ TEST(Glossy, LightThroughAPaneIsTheSameByAllWays)
                 std::string(lamp_names[static_cast<size_t>(lamp)]) + " behind the " + (from_front ? "back" : "front"),
                 behind_pane(lamp, from_front, 0.85f), {.width = 16, .height = 16, .spp = 16}, {.max_depth = 1}, 8,
                 {1, 4, 1});
+}
+
+TEST(Glossy, LightThroughASheetIsTheSameByAllWays)
+{
+    SameByAllWays same(0.06);
+    for (const Lamp lamp : {Lamp::ball, Lamp::panel, Lamp::sky_map})
+        same.add(lamp_names[static_cast<size_t>(lamp)], behind_pane(lamp, true, 0.95f, true),
+                 {.width = 16, .height = 16, .spp = 16}, {.max_depth = 1}, 8, {1, 4, 1});
 }
 
 // Only light sampling finds a point; a ball as small as one sends the same.

@@ -32,7 +32,7 @@ std::string kind_of(const TextureUse&) { return "texture"; }
 template <class T>
 std::string kind_of(const std::optional<T>&)
 {
-    return kind_of(T{});
+    return std::is_same_v<T, bool> ? "boolean" : kind_of(T{});
 }
 
 std::string default_of(const Color& c) { return text_of(double{c.r}); }
@@ -64,6 +64,8 @@ std::string range_of(ParameterRange range, bool is_color)
             return "-1000000 to 1000000";
         case ParameterRange::name:
             return "a `[material.NAME]` or a preset";
+        case ParameterRange::boolean:
+            return "`true`, `false`";
         case ParameterRange::choice:
             break;
     }

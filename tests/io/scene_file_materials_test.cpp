@@ -49,7 +49,18 @@ type = "mix"
 first = "a"
 second = "b"
 weight = 0.125
-weight_texture = "w.png")");
+weight_texture = "w.png"
+[material.d]
+type = "glass"
+thin = true
+[material.e]
+type = "glass"
+thin = false
+[material.f]
+type = "glass")");
+    EXPECT_EQ(s.materials.at(3).thin, true);
+    EXPECT_EQ(s.materials.at(4).thin, false);
+    EXPECT_FALSE(s.materials.at(5).thin.has_value()) << "the shape decides";
     const MaterialDescription &a = s.materials.at(0), &b = s.materials.at(1), &c = s.materials.at(2);
     EXPECT_EQ(a.type, MaterialType::plastic);
     EXPECT_EQ(a.base_color, (Color{0.1f, 0.2f, 0.3f}));

@@ -78,7 +78,15 @@ inline std::vector<Sample<Glass>> samples<Glass>()
             {"frosted bubble", {white, 1 / 1.33f, 0.7f}, false, true},
             {"frosted nothing", {white, 1, 0.7f}, true, true},
             {"hardly frosted", {white, 1.5f, 0.05f}, false, true, 0, true},
-            {"least frosted", {white, 1.5f, 0.004f}, false, true, 0, true}};
+            {"least frosted", {white, 1.5f, 0.004f}, false, true, 0, true},
+            {"pane", {white, 1.5f, 0, true, true}, true, true},
+            {"pane of air", {white, 1 / 1.33f, 0, true, true}, true, true},
+            {"pane of nothing", {white, 1, 0, true, true}, true, true},
+            {"green pane", {{0.2f, 0.9f, 0.4f}, 1.6f, 0, true, true}, false, true},
+            {"frosted pane", {white, 1.5f, 0.8f, true, true}, false, true},
+            {"ground green pane", {{0.2f, 0.9f, 0.4f}, 1.8f, 1, true, true}, false, true},
+            {"pane of ground diamond", {white, 2.42f, 1, true, true}, false, true},
+            {"hardly frosted pane", {white, 1.5f, 0.05f, true, true}, false, true, 0, true}};
 }
 
 // Measured, of gold.
@@ -176,6 +184,8 @@ inline std::vector<Sample<Interface>> samples<Interface>()
 template <class B>
 float eta_through(const B& bsdf)
 {
+    if constexpr (requires { bsdf.thin; })
+        if (bsdf.thin) return 1;
     if constexpr (requires { bsdf.eta; })
         return static_cast<float>(bsdf.eta);
     else

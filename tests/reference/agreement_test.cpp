@@ -71,6 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"room", cornell_scene, 4, 0.07}, Case{"mirrors", mirrors_scene, 4, 0.025},
                     Case{"smooth glass", [] { return glass_scene(0); }, 6, 0.02},
                     Case{"rough glass", [] { return glass_scene(0.6f); }, 5, 0.035},
+                    Case{"smooth sheets", [] { return sheets_scene(0); }, 6, 0.03},
+                    Case{"rough sheets", [] { return sheets_scene(0.6f); }, 5, 0.035},
                     Case{"metal", metal_scene, 4, 0.04}, Case{"plastic", plastic_scene, 4, 0.03},
                     Case{"interfaces", interfaces_scene, 5, 0.045}, Case{"mixes", mixes_scene, 4, 0.035},
                     Case{"points", points_scene, 4, 0.015, false}, Case{"sky picture", sky_picture_scene, 4, 0.015},

@@ -58,6 +58,19 @@ inline SceneDescription glass_scene(float roughness)
     thin.ior = 0.8f;
     return on_stage(tinted, dense, thin);
 }
+// Sheets: two balls and a box of them, and a tilted pane before all.
+inline SceneDescription sheets_scene(float roughness)
+{
+    MaterialDescription clear = make_glossy("", MaterialType::glass, {1, 1, 1}, roughness);
+    MaterialDescription tinted = make_glossy("", MaterialType::glass, {0.6f, 0.9f, 0.7f}, roughness);
+    MaterialDescription dense = make_glossy("", MaterialType::glass, {0.9f, 0.7f, 1}, roughness);
+    tinted.ior = 2.2f, dense.ior = 1.8f;
+    for (MaterialDescription* m : {&clear, &tinted, &dense}) m->thin = true;
+    SceneDescription d = on_stage(clear, tinted, dense);
+    d.meshes.push_back(make_mesh(make_quad({-1.2, -0.5, 1.2}, {0.9, -0.5, 1.4}, {0.9, 0.5, 1}, {-1.2, 0.5, 0.8})));
+    d.meshes.back().material = "b";
+    return d;
+}
 inline SceneDescription metal_scene()
 {
     MaterialDescription polished = make_copper("", 0);

@@ -14,7 +14,8 @@ using lancer::MaterialType;
 
 bool Material::bounds_medium() const
 {
-    return what.type == MaterialType::glass || (what.type == MaterialType::interface && what.phong.refraction > 0);
+    return (what.type == MaterialType::glass && !what.thin.value_or(false)) ||
+           (what.type == MaterialType::interface && what.phong.refraction > 0);
 }
 double Material::medium_index() const
 {

@@ -49,6 +49,10 @@ std::vector<std::pair<std::string, Bsdf>> lobes(std::deque<reference::CoatAlbedo
             Bsdf& glass = add("glass", Bsdf::Kind::glass);
             glass.alpha = alpha, glass.index = index;
         }
+        for (const double index : {1.5, 2.4}) {
+            Bsdf& sheet = add("sheet", Bsdf::Kind::sheet);
+            sheet.alpha = alpha, sheet.index = index;
+        }
         Bsdf& plastic = add("plastic", Bsdf::Kind::plastic);
         plastic.alpha = alpha, plastic.index = 1.5, plastic.coat = {1, 0.8, 0.9};
         plastic.coat_albedo = &coats.emplace_back(1.5, alpha);

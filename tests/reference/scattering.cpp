@@ -14,6 +14,28 @@ Vec cosine_direction(Random& random)
 
 Vec half_way(Vec a, Vec b) { return unit(a + b); }
 
+// What a pane sends back and lets through, order by order: light that is between its faces is met by one of them, which
+// reflects a part; each meeting multiplies by the tint.
+struct Pane {
+    double back = 0, through = 0;
+};
+Pane pane(double r, double tint)
+{
+    Pane p{r * tint, 0};
+    double between = (1 - r) * tint;
+    for (int face = 1; between > 1e-18 && face < 100000; ++face) {
+        (face % 2 == 1 ? p.through : p.back) += between * (1 - r) * tint;
+        between *= r * tint;
+    }
+    return p;
+}
+Rgb of_pane(double cos, double index, Rgb tint, bool through)
+{
+    const double r = reflectance(cos, index);
+    const auto part = [&](double c) { return through ? pane(r, c).through : pane(r, c).back; };
+    return {part(tint.r), part(tint.g), part(tint.b)};
+}
+
 }  // namespace
 
 double Facets::density(Vec m) const
@@ -99,6 +121,7 @@ Rgb Bsdf::eval(Vec wo, Vec wi) const
 {
     if (wo.z <= 0) return {};
     if (kind == Kind::glass) return alpha > 0 ? eval_glass(wo, wi) : Rgb{};
+    if (kind == Kind::sheet) return alpha > 0 ? eval_sheet(wo, wi) : Rgb{};
     if (wi.z <= 0) return {};
     const double lambertian = wi.z / pi;
     if (kind == Kind::lambert) return color * lambertian;
@@ -147,6 +170,8 @@ std::optional<Scattered> Bsdf::sample(Vec wo, Random& random) const
             return Scattered{cosine_direction(random), color};
         case Kind::glass:
             return sample_glass(wo, random);
+        case Kind::sheet:
+            return sample_sheet(wo, random);
         case Kind::plastic:
             return sample_plastic(wo, random);
         case Kind::interface:
@@ -180,6 +205,36 @@ std::optional<Scattered> Bsdf::sample_glass(Vec wo, Random& random) const
     if (!reflects) s.weight = s.weight * (1 / (index * index));
     if (alpha > 0) s.weight = s.weight * (facets.both_seen(wo, reflects ? wi : -wi) * (1 + facets.lambda(wo)));
     return s;
+}
+
+// A lobe about the mirror image, and one mirrored to the other side, narrower by 0.83 |index - 1|; what they carry
+// is the pane's at the angle of wo or of wi, the lesser.
+Rgb Bsdf::eval_sheet(Vec wo, Vec wi) const
+{
+    if (wi.z == 0) return {};
+    const bool through = wi.z < 0;
+    const Vec above{wi.x, wi.y, std::abs(wi.z)}, m = half_way(wo, above);
+    const Facets facets{alpha * (through ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
+    const Rgb a = of_pane(wo.z, index, color, through), b = of_pane(above.z, index, color, through);
+    return Rgb{std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)} *
+           (facets.density(m) * facets.both_seen(wo, above) / (4 * wo.z));
+}
+// One half of the samples each.
+std::optional<Scattered> Bsdf::sample_sheet(Vec wo, Random& random) const
+{
+    const bool through = random.next() < 0.5;
+    if (alpha == 0) {
+        const double z = through ? -wo.z : wo.z;
+        return Scattered{{-wo.x, -wo.y, z}, of_pane(wo.z, index, color, through) * 2, true};
+    }
+    const Facets facets{alpha * (through ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
+    const double u = random.next(), v = random.next();
+    const Vec m = facets.seen_from(wo, u, v), above = mirror_image(wo, m);
+    if (above.z <= 0) return {};
+    const Rgb a = of_pane(wo.z, index, color, through), b = of_pane(above.z, index, color, through);
+    const double seen = facets.both_seen(wo, above) * (1 + facets.lambda(wo));
+    return Scattered{{above.x, above.y, through ? -above.z : above.z},
+                     Rgb{std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)} * (2 * seen)};
 }
 
 // Each lobe by itself: the mean over the choice is their sum.

@@ -46,11 +46,11 @@ struct Scattered {
 
 // What a place scatters with; which members count depends on the kind.
 struct Bsdf {
-    enum class Kind { lambert, mirror, metal, glass, plastic, interface };
+    enum class Kind { lambert, mirror, metal, glass, sheet, plastic, interface };
     Kind kind = Kind::lambert;
     Rgb color{};       // albedo, tint, F0
     double alpha = 0;  // 0: smooth
-    double index = 1;  // glass, interface: beyond the surface over before it; plastic: of the coat
+    double index = 1;  // glass, interface: beyond the surface over before it; plastic: of the coat; sheet: of its glass
     std::optional<std::array<Rgb, 2>> conductor{};  // metal: eta and k
     Rgb coat{};                                     // plastic: tint of what the coat reflects
     const CoatAlbedo* coat_albedo = nullptr;        // plastic
@@ -59,7 +59,7 @@ struct Bsdf {
     bool refracts = false;
 
     bool only_delta() const;
-    bool transmits() const { return kind == Kind::glass && alpha > 0; }
+    bool transmits() const { return (kind == Kind::glass || kind == Kind::sheet) && alpha > 0; }
     Rgb eval(Vec wo, Vec wi) const;  // f |cos(wi)|, without what is sharp
     std::optional<Scattered> sample(Vec wo, Random& random) const;
 
@@ -68,6 +68,8 @@ private:
     Rgb eval_glass(Vec wo, Vec wi) const;
     std::optional<Scattered> sample_facets(Vec wo, Random& random) const;
     std::optional<Scattered> sample_glass(Vec wo, Random& random) const;
+    Rgb eval_sheet(Vec wo, Vec wi) const;
+    std::optional<Scattered> sample_sheet(Vec wo, Random& random) const;
     std::optional<Scattered> sample_plastic(Vec wo, Random& random) const;
     std::optional<Scattered> sample_interface(Vec wo, Random& random) const;
 };

@@ -158,7 +158,11 @@ Bsdf bsdf_at(const World& world, const Surface& s, double index, Random& random)
             if (what.eta && what.k) b.conductor = {rgb(*what.eta), rgb(*what.k)};
             break;
         case lancer::MaterialType::glass:
-            b.kind = Bsdf::Kind::glass;
+            b.kind = what.thin.value_or(false) ? Bsdf::Kind::sheet : Bsdf::Kind::glass;
+            if (b.kind == Bsdf::Kind::sheet) {
+                b.index = double{what.ior};
+                break;
+            }
             b.index = index > 0 ? index : s.front ? double{what.ior} : 1 / double{what.ior};
             break;
         case lancer::MaterialType::plastic:

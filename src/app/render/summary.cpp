@@ -71,6 +71,9 @@ void print_summary(const RunStats& stats, const RenderOptions& options, const st
     print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats.rays(), c.camera_rays,
                            c.bounce_rays, c.shadow_rays, stats.render_s > 0 ? 1e-6 * rays / stats.render_s : 0) +
                error);
+    if (const uint64_t hidden = stats.scene.hidden_lights)
+        print_note(format_text("%zu light%s do%s not reach the picture; the warnings say which and why", size_t{hidden},
+                               hidden == 1 ? "" : "s", hidden == 1 ? "es" : ""));
     if (!stats.stopped_by.empty())
         print_note(format_text("stopped by --%s at %u spp", stats.stopped_by.c_str(), stats.settings.render.spp));
     if (const auto& m = metrics)

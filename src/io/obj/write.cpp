@@ -45,15 +45,17 @@ private:
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const MeshData& mesh, const std::function<uint32_t(uint32_t)>& material_of)
+void write_obj(AtomicFile& file, const MeshData& mesh,
+               const std::function<std::optional<uint32_t>(uint32_t)>& material_of)
 {
     Text text(file);
     for (const Vec3d& p : mesh.positions) text.line("v", p);
     for (const Vec3& n : mesh.normals) text.line("vn", n);
     std::optional<uint32_t> current;
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (const uint32_t material = material_of(t); material != current)
-            (text << "usemtl m").number(*(current = material)) << "\n";
+        const std::optional<uint32_t> material = material_of(t);
+        if (!material) continue;
+        if (material != current) (text << "usemtl m").number(*(current = material)) << "\n";
         text << "f";
         for (size_t corner = 0; corner < 3; ++corner) {
             (text << " ").number(mesh.triangles[t][corner] + uint64_t{1});

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "io/atomic_file.h"
 #include "scene/description/description.h"
@@ -10,8 +11,9 @@
 namespace lancer {
 
 // Positions in the units of the mesh with digits that give the very same double back. Triangles in their order, each
-// run of one material after "usemtl mN"; N: material_of the triangle. Throws Error (failed) if it cannot be written;
-// the caller commits.
-void write_obj(AtomicFile& file, const MeshData& mesh, const std::function<uint32_t(uint32_t)>& material_of);
+// run of one material after "usemtl mN"; N: material_of the triangle, which is left out if it has none. Throws Error
+// (failed) if it cannot be written; the caller commits.
+void write_obj(AtomicFile& file, const MeshData& mesh,
+               const std::function<std::optional<uint32_t>(uint32_t)>& material_of);
 
 }  // namespace lancer

@@ -94,6 +94,7 @@ std::optional<T> MaterialReader::read_value(const TomlTable& table, const Row& r
         const std::optional<int64_t> n = table.integer(row.key, -1'000'000, 1'000'000);
         return n ? std::optional(static_cast<int32_t>(*n)) : std::nullopt;
     } else if constexpr (std::is_same_v<T, bool>) {
+        if (row.range == ParameterRange::boolean) return table.boolean(row.key);
         const std::optional<size_t> word =
             table.has(row.key) ? table.choice(row.key, {row.words.begin(), row.words.end()}, 0) : std::nullopt;
         return word ? std::optional(*word == 1) : std::nullopt;

@@ -21,6 +21,7 @@ inline const NumberRule& rule_of(ParameterRange range, const NumberRule& positiv
         case ParameterRange::finite:
         case ParameterRange::million:
         case ParameterRange::choice:
+        case ParameterRange::boolean:
         case ParameterRange::name:
         case ParameterRange::texture:
             break;

@@ -48,6 +48,7 @@ std::string obstacle(const Scene& scene, uint32_t id)
         [&](const auto& x) { for_each_textured_parameter(x, [&](auto& p) { all_even = all_even && is_even(p); }); }, m);
     if (!all_even) return "has a texture";
     const auto* glass = std::get_if<Glass>(&m);
+    if (glass && glass->thin) return "is thin glass";
     return glass && glass->roughness.value > 0 ? "is rough glass" : "";
 }
 

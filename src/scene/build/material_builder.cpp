@@ -24,7 +24,11 @@ void MaterialBuilder::finish(Metal& metal, const MaterialDescription& m)
     if (options_.multiscatter) metal.compensation = &AlbedoTable::white();
 }
 
-void MaterialBuilder::finish(Glass& glass, const MaterialDescription&) { glass.fresnel = options_.fresnel; }
+void MaterialBuilder::finish(Glass& glass, const MaterialDescription& m)
+{
+    glass.fresnel = options_.fresnel;
+    glass.thin = m.thin.value_or(false);
+}
 
 void MaterialBuilder::finish(Plastic& plastic, const MaterialDescription& m)
 {

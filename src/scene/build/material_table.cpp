@@ -141,7 +141,19 @@ uint32_t MaterialTable::add(const MaterialDescription& m)
     }
     const uint32_t id = make(m);
     added_[m.name].emplace_back(m, id);
+    if (m.type == MaterialType::glass && !m.thin && !m.priority && is_black(m.absorption)) shape_decides_[id] = m;
     return id;
+}
+
+uint32_t MaterialTable::thin_version(uint32_t id)
+{
+    const auto [entry, is_new] = thin_.try_emplace(id);
+    if (is_new) {
+        MaterialDescription m = shape_decides_.at(id);
+        m.thin = true;
+        entry->second = add(m);
+    }
+    return entry->second;
 }
 
 uint32_t MaterialTable::make(const MaterialDescription& m)

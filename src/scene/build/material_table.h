@@ -34,6 +34,11 @@ public:
                      const std::function<MaterialDescription(const MaterialDescription&)>& change);
     // The id of a named material with bands of another. pattern: grid or rim.
     uint32_t banded(const std::string& name, const Bands& bands, TextureType pattern, const Location& where);
+    // Whether the shape of a mesh decides if a material is a thin sheet: glass that does not say it, and whose inside
+    // is nothing special.
+    bool may_be_thin(uint32_t id) const { return shape_decides_.count(id) > 0; }
+    // The id of the same as a thin sheet. id: one that may be thin.
+    uint32_t thin_version(uint32_t id);
     // Warns of unused materials.
     void finish();
 
@@ -59,6 +64,8 @@ private:
     std::vector<bool> used_, in_progress_, override_used_;
     std::vector<TextureDescription> textures_;                         // parallel to scene_.textures
     std::map<std::pair<std::string, std::string>, uint32_t> changed_;  // by name and way
+    std::map<uint32_t, MaterialDescription> shape_decides_;            // those that may be thin
+    std::map<uint32_t, uint32_t> thin_;                                // their thin versions
     uint32_t default_material_ = Scene::none;
 };
 

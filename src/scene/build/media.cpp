@@ -29,6 +29,9 @@ std::optional<float> medium_ior(const Material& bsdf, bool has_priority)
 uint16_t add_medium(const MaterialDescription& m, const Material& bsdf, Scene& scene, Diagnostics& diagnostics)
 {
     const std::optional<float> ior = medium_ior(bsdf, m.priority.has_value());
+    if (m.thin.value_or(false) && (m.priority || !is_black(m.absorption)))
+        diagnostics.error(m.where, "material " + in_quotes(m.name) + " is thin and has " +
+                                       (m.priority ? "a 'priority'" : "'absorption'") + ": a sheet has no inside");
     if (!ior) return no_medium;
     const auto per_scene_unit = [&](float sigma) {
         return std::min(sigma / static_cast<float>(scene.normalisation.scale), std::numeric_limits<float>::max());

@@ -13,6 +13,7 @@
 #include "scene/build/receive_environment.h"
 #include "scene/build/shapes.h"
 #include "scene/build/texture_table.h"
+#include "scene/build/thin_glass.h"
 
 namespace lancer {
 namespace {
@@ -46,6 +47,7 @@ public:
         add_planes();
         for (uint32_t i = 0; i < d_.meshes.size(); ++i) add_mesh(i);
         add_instances();
+        if (!scene_.legacy) make_thin_glass(d_, places_, materials_, scene_);
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
         if (d_.background) add_background(*d_.background);
@@ -115,6 +117,7 @@ private:
         const Transform place =
             instanced ? to_transform(own) : compose(to_transform(scene_.normalisation), to_transform(m.transform));
         own_.push_back(own);
+        places_.push_back(place);
 
         Mesh mesh;
         mesh.instanced = instanced;
@@ -236,6 +239,7 @@ private:
     PendingPictures& pending_;
     MaterialTable materials_;
     std::vector<Normalisation> own_;  // of each mesh
+    std::vector<Transform> places_;   // likewise, from its units to those of its positions
 };
 
 }  // namespace

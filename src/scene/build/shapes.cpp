@@ -58,7 +58,7 @@ std::vector<Wave> default_waves(bool legacy)
 
 std::optional<MaterialDescription> inside_out(MaterialDescription m)
 {
-    if (!has_parameter(m.type, "absorption")) return {};
+    if (!has_parameter(m.type, "absorption") || m.thin.value_or(false)) return {};
     if (has_parameter(m.type, "outside_ior"))
         std::swap(m.phong.inside_ior, m.phong.outside_ior);
     else
@@ -109,7 +109,8 @@ uint32_t material_of(const SphereDescription& s, MaterialTable& materials, Diagn
         if (!turned)
             diagnostics.error(s.where,
                               "a bubble must be of a material of type " + types_with_inside() + "; " +
-                                  (s.material.empty() ? "it has none" : in_quotes(s.material) + " is another"));
+                                  (s.material.empty() ? "it has none"
+                                                      : in_quotes(s.material) + (m.thin ? " is thin" : " is another")));
         return turned.value_or(m);
     });
 }

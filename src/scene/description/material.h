@@ -32,6 +32,7 @@ struct MaterialDescription {
     Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
     TextureUse base_color_map{};
     float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
+    std::optional<bool> thin{};         // glass: a sheet without an inside; nothing: its shape decides
     Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
     std::optional<int32_t> priority{};  // glass, interface: over other media in the same place
     float roughness = 0;                // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
@@ -134,6 +135,7 @@ inline constexpr std::tuple all{
     mapped("roughness", &M::roughness, unit, "roughness_texture", &M::roughness_map, TextureRole::number),
     mapped("metallic", &M::metallic, unit, "metallic_texture", &M::metallic_map, TextureRole::number),
     number("ior", ior, positive),
+    number("thin", &M::thin, boolean),
     number("absorption", &M::absorption, not_negative),
     number("priority", &M::priority, million),
     number("eta", &M::eta, positive),

@@ -12,6 +12,7 @@ enum class ParameterRange {
     finite,
     million,  // an integer from -1000000 to 1000000
     choice,   // one of two words, false or true
+    boolean,  // false or true
     name,     // that of a material, required
     texture,  // one itself
 };

@@ -213,8 +213,10 @@ SceneDescription glossy_scene()
     d.meshes.push_back(make_mesh(
         make_mapped_quad({0.6, -0.5, 0.8}, {1.2, -0.5, 0.5}, {1.2, 0.1, 0.3}, {0.6, 0.1, 0.6}, {1, 1}, inlay)));
     // The pane is a boundary only: what lies behind it is all glass.
-    d.meshes.push_back(make_mesh(make_quad({-1.5, 0.3, -1.2}, {0.1, 0.3, -1.2}, {0.1, 1.2, -1}, {-1.5, 1.2, -1},
-                                           make_glossy("pane", MaterialType::glass, {1, 1, 1}, 0.5f))));
+    MaterialDescription pane = make_glossy("pane", MaterialType::glass, {1, 1, 1}, 0.5f);
+    pane.thin = false;
+    d.meshes.push_back(
+        make_mesh(make_quad({-1.5, 0.3, -1.2}, {0.1, 0.3, -1.2}, {0.1, 1.2, -1}, {-1.5, 1.2, -1}, pane)));
     d.lights.push_back(light_of(LightType::point, {3, 3, 3}, {-0.7, 0.8, -1.8}));
     d.lights.push_back(light_of(LightType::sphere, {6, 6, 5}, {1.2, 1.6, 1}, 0.4));
     MaterialDescription panel = make_emitter("panel", {5, 5, 5});

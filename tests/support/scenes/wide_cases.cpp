@@ -136,6 +136,13 @@ SceneDescription all_materials()
     d.spheres.push_back(sphere_of({0.8, 0.4, 0}, 0.2, "gleaming"));
     d.spheres.push_back(sphere_of({-0.6, 0.6, 0.4}, 0.2, "gauze"));
     d.spheres.push_back(sphere_of({1.3, 0.6, -0.6}, 0.3, ""));
+    for (const float roughness : {0.0f, 0.5f}) {
+        MaterialDescription sheet = make_glossy("sheet", MaterialType::glass, {0.7f, 0.9f, 0.8f}, roughness);
+        sheet.thin = true;
+        const double x = 1.6 * double{roughness};
+        d.meshes.insert(d.meshes.begin(), make_mesh(make_quad({x - 0.7, -0.5, 1.3}, {x, -0.5, 1.4}, {x, 0.2, 1.3},
+                                                              {x - 0.7, 0.2, 1.2}, sheet)));
+    }
     return d;
 }
 
