@@ -1,5 +1,6 @@
 #include "harness/stage.h"
 
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 
 namespace lancer::bench {
@@ -39,8 +40,9 @@ Film Stage::draw(uint32_t spp) const
 SceneDescription load_description(const std::string& file, const RenderSettings& command_line)
 {
     Diagnostics diagnostics;
-    SceneDescription d = load_scene({.file = file, .asset_root = {}, .definitions = {}, .camera = {}}, diagnostics);
-    complete_scene(d, aspect_of(resolve_settings(command_line, d.render).size));
+    const SceneChoice choice{.file = file, .asset_root = {}, .definitions = {}, .camera = {}};
+    SceneDescription d = load_scene(choice, diagnostics);
+    complete_scene(d, choice, aspect_of(resolve_settings(command_line, d.render).size));
     return d;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "app/options/options.h"
 #include "app/prepare.h"
@@ -42,7 +43,7 @@ private:
         const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
-        complete_scene(description, aspect_of(settings.size));
+        complete_scene(description, options_.scene, aspect_of(settings.size));
         with_threads(threads, [&] {
             ImageSource images(threads);
             SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());

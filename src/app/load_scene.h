@@ -24,8 +24,4 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
 // The options that repeat this choice, each with a leading blank.
 std::string options_text(const SceneChoice& choice);
 
-// Gives a scene without camera one that sees all of it, and a bare mesh on which nothing emits a white sky.
-// aspect: width over height. Returns what was added, as text to paste into a scene file; empty if nothing was.
-std::string complete_scene(SceneDescription& scene, double aspect);
-
 }  // namespace lancer

@@ -1,6 +1,7 @@
 #include "app/prepare.h"
 
 #include "app/console.h"
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "core/parallel.h"
 
@@ -36,7 +37,7 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
         with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
     p.settings = resolve_settings(options.render, p.description.render);
-    const std::string added = complete_scene(p.description, aspect_of(p.settings.size));
+    const std::string added = complete_scene(p.description, options.scene, aspect_of(p.settings.size));
     if (!added.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
                    added);

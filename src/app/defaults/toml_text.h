@@ -1,0 +1,15 @@
+// Values as the text of scene files; what is read back has the same bits.
+#pragma once
+
+#include <string>
+
+#include "core/color.h"
+#include "core/vec.h"
+
+namespace lancer {
+
+std::string to_toml(Vec3d v);
+std::string to_toml(Color c);
+std::string to_toml_string(const std::string& text);  // in quotes
+
+}  // namespace lancer
