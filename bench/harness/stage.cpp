@@ -2,6 +2,7 @@
 
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
+#include "core/parallel.h"
 
 namespace lancer::bench {
 namespace {
@@ -42,7 +43,11 @@ SceneDescription load_description(const std::string& file, const RenderSettings&
     Diagnostics diagnostics;
     const SceneChoice choice{.file = file, .asset_root = {}, .definitions = {}, .camera = {}};
     SceneDescription d = load_scene(choice, diagnostics);
-    complete_scene(d, choice, aspect_of(resolve_settings(command_line, d.render).size));
+    const double aspect = aspect_of(resolve_settings(command_line, d.render).size);
+    with_threads(available_threads(), [&] {
+        ImageSource images(available_threads());
+        complete_scene(d, choice, aspect, images.source());
+    });
     return d;
 }
 

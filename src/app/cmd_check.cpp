@@ -43,9 +43,9 @@ private:
         const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
-        complete_scene(description, options_.scene, aspect_of(settings.size));
         with_threads(threads, [&] {
             ImageSource images(threads);
+            complete_scene(description, options_.scene, aspect_of(settings.size), images.source());
             SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);

@@ -240,9 +240,9 @@ int print_scene(const InfoOptions& options)
     const RenderSettings settings = resolve_settings({}, description.render);
     const unsigned threads = options.threads.value_or(available_threads());
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
-    complete_scene(completed, options.scene, aspect_of(settings.size));
     with_threads(threads, [&] {
         ImageSource images(threads);
+        complete_scene(completed, options.scene, aspect_of(settings.size), images.source());
         const Renderer renderer(Scene::begin(completed, settings, diagnostics, images.source()), configure(settings, 1),
                                 diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();

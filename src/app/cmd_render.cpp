@@ -21,6 +21,7 @@
 #include "geometry/embree/embree.h"
 #include "io/atomic_file.h"
 #include "render/aov.h"
+#include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
 #include "scene/camera.h"
 
@@ -49,6 +50,7 @@ private:
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
+    void choose_curve(const Renderer& renderer);
     void write(const Film& film);
     void write_stats();
 
@@ -58,6 +60,7 @@ private:
     Prepared prepared_;
     RenderSettings settings_;  // resolved
     Tile crop_;
+    DisplayCurve curve_;
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
@@ -115,6 +118,7 @@ void Run::describe(const Renderer& renderer)
                     .lights = scene.lights.lights.size(),
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
+                    .added_light = prepared_.added_light,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
     stats_.settings = {.render = settings_,
@@ -248,10 +252,24 @@ void Run::render(const Renderer& renderer)
     timed("write", [&] { write(film); });
 }
 
+// Before the first sample, so that snapshots and interrupted renders have the exposure of the finished picture.
+void Run::choose_curve(const Renderer& renderer)
+{
+    curve_.tonemap = options_.tonemap.value_or(usual_tonemap(settings_));
+    const Exposure exposure = options_.exposure.value_or(usual_exposure(options_.picture.scene.file, settings_));
+    curve_.exposure_stops = exposure.stops;
+    if (!exposure.is_automatic || !has_display_output(options_)) return;
+    timed("choose exposure", [&] {
+        curve_.exposure_stops =
+            auto_exposure(renderer, *prepared_.description.camera, settings_.size, pixel_grid(settings_));
+    });
+    if (!options_.quiet)
+        print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
+}
+
 void Run::write(const Film& film)
 {
-    write_outputs(options_, options_.tonemap.value_or(usual_tonemap(settings_)), film,
-                  aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+    write_outputs(options_, curve_, film, aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
 }
 
 void Run::write_snapshot(const Film& film, Progress& progress)
@@ -282,6 +300,7 @@ int Run::execute()
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe(*renderer);
         if (options_.verbose) print_start(stats_, settings_);
+        choose_curve(*renderer);
         render(*renderer);
     });
     if (stats_.phases.back().name != "write") {

@@ -28,6 +28,21 @@ void choose_camera(SceneDescription& scene, const std::string& name)
                     (known.empty() ? "; the scene has no [camera.NAME]" : suggestion(name, known)));
 }
 
+// Before assets are hashed: the picture is one of them.
+void add_environment(SceneDescription& scene, const SceneChoice& choice)
+{
+    if (choice.ground && choice.env.empty()) return;
+    const char* const option = choice.env.empty() ? "--no-ground" : "--env";
+    if (!is_mesh(choice.file))
+        throw Error(ErrorKind::usage, {},
+                    std::string(option) + ": is for bare meshes; a scene file says its environment and ground itself");
+    if (choice.env.empty()) return;
+    const InputFile exists(choice.env);
+    LightDescription light;
+    light.where = {choice.env}, light.type = LightType::environment, light.power = {1, 1, 1}, light.file = choice.env;
+    scene.lights.push_back(std::move(light));
+}
+
 }  // namespace
 
 SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures)
@@ -46,6 +61,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
         throw exists.invalid("not a scene: its name must end in .toml or .obj");
     }
     diagnostics.throw_if_errors();
+    add_environment(scene, choice);
     choose_camera(scene, choice.camera);
     hash_assets(scene);
     return scene;
@@ -56,6 +72,8 @@ std::string options_text(const SceneChoice& choice)
     std::string text;
     if (!choice.asset_root.empty()) text += " --asset-root " + in_shell_quotes(choice.asset_root);
     if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
+    if (!choice.env.empty()) text += " --env " + in_shell_quotes(choice.env);
+    if (!choice.ground) text += " --no-ground";
     for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
     return text;
 }

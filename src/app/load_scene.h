@@ -15,6 +15,8 @@ struct SceneChoice {
     std::string asset_root;                // empty: the folder of the scene
     std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default
+    std::string env{};                     // bare mesh: picture of the environment in place of a sky and a key light
+    bool ground = true;                    // bare mesh: a ground below it, where that shows
 };
 
 // Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.

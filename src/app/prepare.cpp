@@ -37,10 +37,14 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
         with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
     p.settings = resolve_settings(options.render, p.description.render);
-    const std::string added = complete_scene(p.description, options.scene, aspect_of(p.settings.size));
-    if (!added.empty() && !quiet)
+    Completed added;
+    with_threads(p.threads, [&] {
+        added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source());
+    });
+    p.added_light = added.light;
+    if (!added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
-                   added);
+                   added.text);
     return p;
 }
 

@@ -19,6 +19,7 @@ struct Prepared {
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it
+    std::string added_light;              // Completed::light
     std::vector<std::string> warnings;
 };
 

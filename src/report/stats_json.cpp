@@ -53,6 +53,7 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"materials", s.materials},
             {"accelerator_bytes", s.accelerator_bytes},
             {"unused_features", unused_features_of(s.unused_features)},
+            {"added_light", s.added_light.empty() ? Json(nullptr) : Json(s.added_light)},
             {"warnings", s.warnings}};
 }
 

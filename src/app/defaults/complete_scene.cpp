@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-std::string complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect)
+Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
+                         const RasterSource& pictures)
 {
     std::string added;
     const bool is_bare = is_mesh(choice.file);
@@ -17,9 +18,11 @@ std::string complete_scene(SceneDescription& scene, const SceneChoice& choice, d
         const std::string name = std::filesystem::path(choice.file).filename();
         added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
     }
-    added += add_default_view(scene, aspect);
-    if (is_bare) added += add_default_light(scene);
-    return added;
+    const DefaultView view = add_default_view(scene, aspect);
+    added += view.added;
+    if (!is_bare) return {added, {}};
+    const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures);
+    return {added + light.text, light.note};
 }
 
 }  // namespace lancer

@@ -7,12 +7,12 @@
 
 namespace lancer {
 
-std::string add_default_view(SceneDescription& scene, double aspect)
+DefaultView add_default_view(SceneDescription& scene, double aspect)
 {
     if (scene.camera) return {};
     scene.camera = fit_camera(subject_bounds(scene), aspect);
-    return "[camera]\nposition = " + to_toml(scene.camera->position) + "\ntarget = " + to_toml(scene.camera->target) +
-           "\nfov = " + shortest(scene.camera->fov_deg) + "\n";
+    return {"[camera]\nposition = " + to_toml(scene.camera->position) + "\ntarget = " + to_toml(scene.camera->target) +
+            "\nfov = " + shortest(scene.camera->fov_deg) + "\n"};
 }
 
 }  // namespace lancer

@@ -102,6 +102,12 @@ std::string to_output(const std::string& path)
     return path;
 }
 
+Exposure to_exposure(const std::string& option, const std::string& text)
+{
+    if (text == "auto") return {.is_automatic = true};
+    return {.stops = to_number<float>(option, text, -64, 64, "'auto' or a number")};
+}
+
 DisplayAddress to_display_address(const std::string& text)
 {
     const std::string option = "--display-server";

@@ -49,8 +49,10 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             "curve with steps that round down (srgb; with --legacy one of the last two)",
             [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
     p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
-    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
-            [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
+    p.value(
+        "--exposure", "STOPS|auto",
+        "PNG and PPM are brightened by 2^STOPS; auto: so that objects are of a middle brightness (0; of a mesh auto)",
+        [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
     p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
     p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
             [&](const std::string& t) { o.reference = t; });
