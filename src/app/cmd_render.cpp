@@ -134,7 +134,7 @@ std::string Run::hash_with(uint32_t spp) const
 {
     RenderSettings settings = settings_;
     settings.spp = spp;
-    return settings_hash(settings, options_.picture.scene.camera);
+    return settings_hash(settings, options_.picture.scene.camera + view_options_text(options_.picture.scene));
 }
 
 void Run::estimate_error(const Film& film)

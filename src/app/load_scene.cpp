@@ -74,7 +74,17 @@ std::string options_text(const SceneChoice& choice)
     if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
     if (!choice.env.empty()) text += " --env " + in_shell_quotes(choice.env);
     if (!choice.ground) text += " --no-ground";
+    text += view_options_text(choice);
     for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
+    return text;
+}
+
+std::string view_options_text(const SceneChoice& choice)
+{
+    std::string text;
+    if (choice.up) text += " --up " + std::string(name_of(*choice.up));
+    if (choice.view)
+        text += " --view " + shortest(choice.view->azimuth_deg) + "," + shortest(choice.view->elevation_deg);
     return text;
 }
 

@@ -1,11 +1,13 @@
 // Loads a scene from the command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "scene/description/description.h"
+#include "scene/view/auto_view.h"
 
 namespace lancer {
 
@@ -17,6 +19,8 @@ struct SceneChoice {
     std::string camera;                    // the name of one of its cameras; empty: its default
     std::string env{};                     // bare mesh: picture of the environment in place of a sky and a key light
     bool ground = true;                    // bare mesh: a ground below it, where that shows
+    std::optional<UpChoice> up{};          // over that of the scene
+    std::optional<ViewDirection> view{};   // likewise, over position and target
 };
 
 // Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
@@ -25,5 +29,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
 
 // The options that repeat this choice, each with a leading blank.
 std::string options_text(const SceneChoice& choice);
+// Of these only --up and --view; empty if neither is given.
+std::string view_options_text(const SceneChoice& choice);
 
 }  // namespace lancer

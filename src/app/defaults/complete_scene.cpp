@@ -18,7 +18,7 @@ Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, dou
         const std::string name = std::filesystem::path(choice.file).filename();
         added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
     }
-    const DefaultView view = add_default_view(scene, aspect);
+    const DefaultView view = add_default_view(scene, choice, aspect);
     added += view.added;
     if (!is_bare) return {added, {}};
     const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures);

@@ -24,7 +24,8 @@ Exposure usual_exposure(const std::string& scene_file, const RenderSettings& set
 // The options that give the same samples again, whatever [render] of the scene gives. Without spp.
 std::string reproducing_options(const RenderSettings& settings);
 
-// Of all that decides the value of a pixel, but the scene; settings: resolved, camera: its name.
+// Of all that decides the value of a pixel, but the scene; settings: resolved, camera: its name and how the command
+// line changes it.
 std::string settings_hash(RenderSettings settings, const std::string& camera);
 
 }  // namespace lancer

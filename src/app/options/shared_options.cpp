@@ -104,6 +104,13 @@ void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
     p.value("--env", "FILE", "Of a mesh: picture all around it, in place of the sky and the key light",
             [&](const std::string& t) { o.env = t; });
     p.flag("--no-ground", "Of a mesh: no ground below it", [&] { o.ground = false; });
+    p.value("--up", listed(enum_names<UpChoice>),
+            "What is up, over camera.up; auto looks for what the mesh stands on (auto for a mesh, else y)",
+            [&](const std::string& t) { o.up = to_enum<UpChoice>("--up", t); });
+    p.value("--view", listed_views(),
+            "See all of it from there, over camera.position and camera.target; degrees from the front to the right, "
+            "and above the horizon (by what there is to see)",
+            [&](const std::string& t) { o.view = to_view(t); });
     p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
              [&](const std::string& t) {
                  parse_definition(t);
