@@ -45,7 +45,9 @@ private:
         check_description(description, problems_, notes_);
         with_threads(threads, [&] {
             ImageSource images(threads);
-            complete_scene(description, options_.scene, aspect_of(settings.size), images.source());
+            SceneChoice choice = options_.scene;
+            choice.ground = false;  // emitters are judged by what is in the files
+            complete_scene(description, choice, aspect_of(settings.size), images.source());
             SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);

@@ -179,6 +179,19 @@ TEST_F(DefaultLight, LampsCountByTheLightThatTheyGive)
     EXPECT_TRUE(light_of_mesh(room, 0).ends_with("nothing in the mesh emits light"));
 }
 
+// In a yard the key light must come over the walls: under the sky alone nothing is brighter than its albedo times 0.2.
+TEST_F(DefaultLight, InsideTheKeyLightComesThroughAnOpening)
+{
+    write_mesh(box({-2, 0, -6}, {2, 4, 6}, Side::top));
+    ASSERT_EQ(
+        render_mesh({"-q", "-o", "a.exr", "-D", "camera.position=[0, 1, 5.9]", "-D", "camera.target=[0, 1.5, 0]"}).code,
+        0);
+    std::vector<float> lights;
+    for (const Color c : image("a.exr").pixels) lights.push_back(luminance(c));
+    std::sort(lights.begin(), lights.end());
+    EXPECT_GT(lights[lights.size() * 9 / 10], 0.25f);
+}
+
 TEST_F(DefaultLight, AGroundIsForObjects)
 {
     const auto light_of_mesh = [&](const std::string& statements, std::vector<std::string> more = {}) {

@@ -116,6 +116,7 @@ std::string unused_name(const SceneDescription& scene, std::string name)
 bool wants_ground(const SceneDescription& scene, const DefaultView& view)
 {
     if (!scene.planes.empty() || !scene.instances.empty() || is_inside(scene)) return false;
+    if (view.kind == SubjectKind::sheet || view.kind == SubjectKind::open_box) return false;
     const Upright upright(view.up);
     const Bounds b = upright_bounds(scene, upright);
     const Vec3d eye = upright(scene.camera->position);

@@ -181,7 +181,7 @@ DefaultLight add_default_light(SceneDescription& scene, const SceneChoice& choic
         scene.lights.push_back(std::move(light));
     };
     const bool has_ground = choice.ground && wants_ground(scene, view);
-    const Vec3d way = way_to_key(*scene.camera);
+    const Vec3d way = way_to_key(scene, view.up, aspect);
     add(make_sky(judged.strength));
     add(make_key(scene, way, judged.strength));
     if (has_ground) {
