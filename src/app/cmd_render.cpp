@@ -16,10 +16,12 @@
 #include "app/specialisation.h"
 #include "app/system_info.h"
 #include "app/version.h"
+#include "app/write_scene.h"
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "geometry/embree/embree.h"
 #include "io/atomic_file.h"
+#include "io/scene/scene_file.h"
 #include "render/aov.h"
 #include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
@@ -53,6 +55,8 @@ private:
     void choose_curve(const Renderer& renderer);
     void write(const Film& film);
     void write_stats();
+    void read_output_settings();
+    void write_scene();
 
     const RenderOptions& options_;
     Signals signals_;
@@ -60,6 +64,7 @@ private:
     Prepared prepared_;
     RenderSettings settings_;  // resolved
     Tile crop_;
+    OutputDescription output_;  // of the scene, and over it of the command line
     DisplayCurve curve_;
     RunStats stats_;
     HalfBuffers halves_;
@@ -84,6 +89,8 @@ void Run::load()
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     refuse_input_as_output(options_, prepared_.description);
     settings_ = prepared_.settings;
+    read_output_settings();
+    write_scene();
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
     const uint32_t width = settings_.size.width, height = settings_.size.height;
@@ -93,6 +100,27 @@ void Run::load()
     log_.emplace(options_);
     if (log_->is_wanted()) log_->require_size(to_image(Film(width, height, crop_)));
     log_->warn_of_shared_samples(settings_.seed);
+}
+
+// The command line comes before the scene.
+void Run::read_output_settings()
+{
+    const SceneChoice& scene = options_.picture.scene;
+    output_ = read_output(scene.file, scene.definitions, diagnostics_);
+    if (options_.exposure) output_.exposure = options_.exposure;
+    if (options_.tonemap) output_.tonemap = options_.tonemap;
+    if (!output_.exposure) output_.exposure = usual_exposure(scene.file, settings_);
+}
+
+// Before the render, which may take long or be interrupted.
+void Run::write_scene()
+{
+    if (options_.write_scene.empty()) return;
+    const SceneChoice& scene = options_.picture.scene;
+    write_text(options_.write_scene, completed_scene_text(scene, prepared_.added.text, *prepared_.description.camera,
+                                                          options_.picture.render, output_));
+    if (const std::string root = asset_root_for(options_.write_scene, scene); !root.empty())
+        print_note("to render " + options_.write_scene + ", add --asset-root " + in_shell_quotes(root));
 }
 
 void Run::describe(const Renderer& renderer)
@@ -118,7 +146,7 @@ void Run::describe(const Renderer& renderer)
                     .lights = scene.lights.lights.size(),
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
-                    .added_light = prepared_.added_light,
+                    .added_light = prepared_.added.light,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
     stats_.settings = {.render = settings_,
@@ -255,8 +283,8 @@ void Run::render(const Renderer& renderer)
 // Before the first sample, so that snapshots and interrupted renders have the exposure of the finished picture.
 void Run::choose_curve(const Renderer& renderer)
 {
-    curve_.tonemap = options_.tonemap.value_or(usual_tonemap(settings_));
-    const Exposure exposure = options_.exposure.value_or(usual_exposure(options_.picture.scene.file, settings_));
+    curve_.tonemap = output_.tonemap.value_or(usual_tonemap(settings_));
+    const Exposure exposure = *output_.exposure;
     curve_.exposure_stops = exposure.stops;
     if (!exposure.is_automatic || !has_display_output(options_)) return;
     timed("choose exposure", [&] {
@@ -310,6 +338,7 @@ int Run::execute()
     write_stats();
     print_dropped_samples(stats_, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
+    if (!options_.write_scene.empty()) print_result(options_.write_scene);
     for (const std::string& path : options_.outputs) print_result(path);
     if (!stats_.partial) return exit_done;
     print_problem(format_text(

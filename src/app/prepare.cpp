@@ -37,14 +37,12 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
         with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
     p.settings = resolve_settings(options.render, p.description.render);
-    Completed added;
     with_threads(p.threads, [&] {
-        added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source());
+        p.added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source());
     });
-    p.added_light = added.light;
-    if (!added.text.empty() && !quiet)
+    if (!p.added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
-                   added.text);
+                   p.added.text);
     return p;
 }
 

@@ -68,7 +68,11 @@ std::string entries_text(const TomlValue::Table& table, const std::string& path,
         const std::string name = key_text(key), full = path.empty() ? name : path + "." + name;
         if (levels > 0 && is_table(value)) {
             const auto& inner = std::get<TomlValue::Table>(value.data);
-            below += "\n[" + full + "]\n" + entries_text(inner, full, levels - 1);
+            // Tables of tables, as [material], need no header.
+            const bool has_own =
+                levels == 1 || inner.empty() ||
+                !std::all_of(inner.begin(), inner.end(), [](const TomlEntry& e) { return is_table(e.value); });
+            below += (has_own ? "\n[" + full + "]\n" : "") + entries_text(inner, full, levels - 1);
         } else if (levels > 0 && is_list_of_tables(value)) {
             for (const TomlValue& element : std::get<TomlValue::Array>(value.data))
                 below += "\n[[" + full + "]]\n" + entries_text(std::get<TomlValue::Table>(element.data), full, 0);

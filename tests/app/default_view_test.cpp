@@ -194,7 +194,7 @@ TEST_F(DefaultView, SceneFilesAsWell)
     const std::string scene = "[[mesh]]\nfile = \"mesh.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n";
     write("none.toml", scene);
     write("some.toml", scene + "[camera]\nfov = 20\n");
-    write("all.toml", scene + "[camera]\nposition = [0, 2, 9]\ntarget = [0, 2, 0]\n");
+    write("all.toml", scene + "[camera]\nposition = [5, 3, 7]\ntarget = [0, 2, 0]\n");
     const View none = view_of("none.toml").value(), some = view_of("some.toml").value();
     EXPECT_EQ(some.fov_deg, 20);
     expect_direction(ahead(some), ahead(none));
@@ -203,7 +203,6 @@ TEST_F(DefaultView, SceneFilesAsWell)
     // The command line comes before the file.
     const View right = view_of("all.toml", {"--view", "right"}).value();
     expect_direction(ahead(right), {-1, 0, 0});
-    EXPECT_EQ(metadata("x.exr", "settings_hash").size(), 16u);
     EXPECT_EQ(view_of("all.toml", {"--up", "z"}).value().up, (Vec3d{0, 0, 1}));
 }
 

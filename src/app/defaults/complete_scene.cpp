@@ -4,8 +4,8 @@
 
 #include "app/defaults/default_light.h"
 #include "app/defaults/default_view.h"
-#include "app/defaults/toml_text.h"
 #include "app/paths.h"
+#include "io/toml_write.h"
 
 namespace lancer {
 

@@ -10,6 +10,7 @@
 #include "core/frame.h"
 #include "core/sampler.h"
 #include "core/warp.h"
+#include "io/toml_write.h"
 #include "render/estimators/own_light.h"
 #include "scene/environment/environment.h"
 #include "scene/placement.h"

@@ -16,14 +16,4 @@ std::string vector_text(Number x, Number y, Number z)
 std::string to_toml(Vec3d v) { return vector_text(v.x, v.y, v.z); }
 std::string to_toml(Color c) { return vector_text(c.r, c.g, c.b); }
 
-std::string to_toml_string(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
-
 }  // namespace lancer

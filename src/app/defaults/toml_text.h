@@ -10,6 +10,5 @@ namespace lancer {
 
 std::string to_toml(Vec3d v);
 std::string to_toml(Color c);
-std::string to_toml_string(const std::string& text);  // in quotes
 
 }  // namespace lancer

@@ -45,6 +45,7 @@ struct RenderOptions {
     std::optional<ToneMap> tonemap;    // else usual_tonemap()
     bool dither = false;
     bool ascii_ppm = false;
+    std::string write_scene;            // empty: none
     std::string stats;                  // empty: none
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise

@@ -55,6 +55,7 @@ void probe_outputs(const RenderOptions& options)
     for (const std::string& path : options.outputs) const AtomicFile probe(path);
     if (!options.stats.empty()) const AtomicFile probe(options.stats);
     if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
+    if (!options.write_scene.empty()) const AtomicFile probe(options.write_scene);
 }
 
 void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene)
@@ -70,6 +71,7 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
     for (const std::string& path : options.outputs) check("--output", path);
     if (!options.stats.empty()) check("--stats", options.stats);
     if (!options.error_log.empty()) check("--error-log", options.error_log);
+    if (!options.write_scene.empty()) check("--write-scene", options.write_scene);
 }
 
 Image to_image(const Film& film)
