@@ -1,6 +1,8 @@
 #include "harness/stage.h"
 
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
+#include "core/parallel.h"
 
 namespace lancer::bench {
 namespace {
@@ -39,8 +41,13 @@ Film Stage::draw(uint32_t spp) const
 SceneDescription load_description(const std::string& file, const RenderSettings& command_line)
 {
     Diagnostics diagnostics;
-    SceneDescription d = load_scene({.file = file, .asset_root = {}, .definitions = {}, .camera = {}}, diagnostics);
-    complete_scene(d, aspect_of(resolve_settings(command_line, d.render).size));
+    const SceneChoice choice{.file = file, .asset_root = {}, .definitions = {}, .camera = {}};
+    SceneDescription d = load_scene(choice, diagnostics);
+    const double aspect = aspect_of(resolve_settings(command_line, d.render).size);
+    with_threads(available_threads(), [&] {
+        ImageSource images(available_threads());
+        complete_scene(d, choice, aspect, images.source());
+    });
     return d;
 }
 

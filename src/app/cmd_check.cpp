@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "app/options/options.h"
 #include "app/prepare.h"
@@ -42,9 +43,11 @@ private:
         const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
-        complete_scene(description, aspect_of(settings.size));
         with_threads(threads, [&] {
             ImageSource images(threads);
+            SceneChoice choice = options_.scene;
+            choice.ground = false;  // emitters are judged by what is in the files
+            complete_scene(description, choice, aspect_of(settings.size), images.source());
             SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);

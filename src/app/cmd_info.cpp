@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "app/options/options.h"
 #include "app/paths.h"
@@ -240,9 +241,9 @@ int print_scene(const InfoOptions& options)
     const RenderSettings settings = resolve_settings({}, description.render);
     const unsigned threads = options.threads.value_or(available_threads());
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
-    complete_scene(completed, aspect_of(settings.size));
     with_threads(threads, [&] {
         ImageSource images(threads);
+        complete_scene(completed, options.scene, aspect_of(settings.size), images.source());
         const Renderer renderer(Scene::begin(completed, settings, diagnostics, images.source()), configure(settings, 1),
                                 diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();

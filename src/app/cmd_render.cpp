@@ -16,11 +16,14 @@
 #include "app/specialisation.h"
 #include "app/system_info.h"
 #include "app/version.h"
+#include "app/write_scene.h"
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "geometry/embree/embree.h"
 #include "io/atomic_file.h"
+#include "io/scene/scene_file.h"
 #include "render/aov.h"
+#include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
 #include "scene/camera.h"
 
@@ -49,8 +52,11 @@ private:
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
+    void choose_curve(const Renderer& renderer);
     void write(const Film& film);
     void write_stats();
+    void read_output_settings();
+    void write_scene();
 
     const RenderOptions& options_;
     Signals signals_;
@@ -58,6 +64,8 @@ private:
     Prepared prepared_;
     RenderSettings settings_;  // resolved
     Tile crop_;
+    OutputDescription output_;  // of the scene, and over it of the command line
+    DisplayCurve curve_;
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
@@ -81,6 +89,8 @@ void Run::load()
     timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
     refuse_input_as_output(options_, prepared_.description);
     settings_ = prepared_.settings;
+    read_output_settings();
+    write_scene();
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
     const uint32_t width = settings_.size.width, height = settings_.size.height;
@@ -90,6 +100,27 @@ void Run::load()
     log_.emplace(options_);
     if (log_->is_wanted()) log_->require_size(to_image(Film(width, height, crop_)));
     log_->warn_of_shared_samples(settings_.seed);
+}
+
+// The command line comes before the scene.
+void Run::read_output_settings()
+{
+    const SceneChoice& scene = options_.picture.scene;
+    output_ = read_output(scene.file, scene.definitions, diagnostics_);
+    if (options_.exposure) output_.exposure = options_.exposure;
+    if (options_.tonemap) output_.tonemap = options_.tonemap;
+    if (!output_.exposure) output_.exposure = usual_exposure(scene.file, settings_);
+}
+
+// Before the render, which may take long or be interrupted.
+void Run::write_scene()
+{
+    if (options_.write_scene.empty()) return;
+    const SceneChoice& scene = options_.picture.scene;
+    write_text(options_.write_scene, completed_scene_text(scene, prepared_.added.text, *prepared_.description.camera,
+                                                          options_.picture.render, output_));
+    if (const std::string root = asset_root_for(options_.write_scene, scene); !root.empty())
+        print_note("to render " + options_.write_scene + ", add --asset-root " + in_shell_quotes(root));
 }
 
 void Run::describe(const Renderer& renderer)
@@ -116,6 +147,7 @@ void Run::describe(const Renderer& renderer)
                     .materials = scene.materials.size(),
                     .accelerator_bytes = renderer.accelerator().stats().bytes,
                     .hidden_lights = prepared_.hidden_lights,
+                    .added_light = prepared_.added.light,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
     for (const Scene::Analysis& a : scene.analyses) stats_.analyses.push_back({a.name, a.seconds});
@@ -133,7 +165,7 @@ std::string Run::hash_with(uint32_t spp) const
 {
     RenderSettings settings = settings_;
     settings.spp = spp;
-    return settings_hash(settings, options_.picture.scene.camera);
+    return settings_hash(settings, options_.picture.scene.camera + view_options_text(options_.picture.scene));
 }
 
 void Run::estimate_error(const Film& film)
@@ -251,10 +283,24 @@ void Run::render(const Renderer& renderer)
     timed("write", [&] { write(film); });
 }
 
+// Before the first sample, so that snapshots and interrupted renders have the exposure of the finished picture.
+void Run::choose_curve(const Renderer& renderer)
+{
+    curve_.tonemap = output_.tonemap.value_or(usual_tonemap(settings_));
+    const Exposure exposure = *output_.exposure;
+    curve_.exposure_stops = exposure.stops;
+    if (!exposure.is_automatic || !has_display_output(options_)) return;
+    timed("choose exposure", [&] {
+        curve_.exposure_stops =
+            auto_exposure(renderer, *prepared_.description.camera, settings_.size, pixel_grid(settings_));
+    });
+    if (!options_.quiet)
+        print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
+}
+
 void Run::write(const Film& film)
 {
-    write_outputs(options_, options_.tonemap.value_or(usual_tonemap(settings_)), film,
-                  aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+    write_outputs(options_, curve_, film, aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
 }
 
 void Run::write_snapshot(const Film& film, Progress& progress)
@@ -285,6 +331,7 @@ int Run::execute()
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe(*renderer);
         if (options_.verbose) print_start(stats_, settings_);
+        choose_curve(*renderer);
         render(*renderer);
     });
     if (stats_.phases.back().name != "write") {
@@ -294,6 +341,7 @@ int Run::execute()
     write_stats();
     print_dropped_samples(stats_, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
+    if (!options_.write_scene.empty()) print_result(options_.write_scene);
     for (const std::string& path : options_.outputs) print_result(path);
     if (!stats_.partial) return exit_done;
     print_problem(format_text(

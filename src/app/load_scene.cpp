@@ -1,8 +1,5 @@
 #include "app/load_scene.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "app/asset_files.h"
 #include "app/console.h"
 #include "app/paths.h"
@@ -12,12 +9,9 @@
 #include "io/input_file.h"
 #include "io/obj/obj.h"
 #include "io/scene/scene_file.h"
-#include "scene/camera.h"
 
 namespace lancer {
 namespace {
-
-bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
 
 void choose_camera(SceneDescription& scene, const std::string& name)
 {
@@ -35,47 +29,24 @@ void choose_camera(SceneDescription& scene, const std::string& name)
                     (known.empty() ? "; the scene has no [camera.NAME]" : suggestion(name, known)));
 }
 
-// Emissive materials count only if a face uses them.
-bool emits(const MeshData& mesh)
-{
-    const auto shines = [&](size_t material) {
-        return material < mesh.materials.size() && !is_black(mesh.materials[material].emission);
-    };
-    if (mesh.face_material.empty()) return shines(0);
-    return std::any_of(mesh.face_material.begin(), mesh.face_material.end(), shines);
-}
-
-// Whether a light is there or may be: materials given by name are there for a reason.
-bool emits(const SceneDescription& scene)
-{
-    const auto shines = [](const MaterialDescription& m) { return !is_black(m.emission); };
-    return !scene.lights.empty() || scene.background ||
-           std::any_of(scene.materials.begin(), scene.materials.end(), shines) ||
-           std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                       [](const MeshDescription& m) { return m.material.empty() && emits(*m.data); });
-}
-
 std::string smoothing_text(const Smoothing& s)
 {
     return " --smooth " + (s.faces == Smoothing::Faces::none ? "off" : shortest(s.largest_deg));
 }
 
-template <class Number>
-std::string to_toml(Number x, Number y, Number z)
+// Before assets are hashed: the picture is one of them.
+void add_environment(SceneDescription& scene, const SceneChoice& choice)
 {
-    return "[" + shortest(x) + ", " + shortest(y) + ", " + shortest(z) + "]";
-}
-std::string to_toml(Vec3d v) { return to_toml(v.x, v.y, v.z); }
-std::string to_toml(Color c) { return to_toml(c.r, c.g, c.b); }
-
-std::string to_toml_string(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + "\"";
+    if (choice.ground && choice.env.empty()) return;
+    const char* const option = choice.env.empty() ? "--no-ground" : "--env";
+    if (!is_mesh(choice.file))
+        throw Error(ErrorKind::usage, {},
+                    std::string(option) + ": is for bare meshes; a scene file says its environment and ground itself");
+    if (choice.env.empty()) return;
+    const InputFile exists(choice.env);
+    LightDescription light;
+    light.where = {choice.env}, light.type = LightType::environment, light.power = {1, 1, 1}, light.file = choice.env;
+    scene.lights.push_back(std::move(light));
 }
 
 }  // namespace
@@ -98,6 +69,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
     }
     diagnostics.throw_if_errors();
     if (choice.smoothing) scene.content_hash = hash_bytes(smoothing_text(*choice.smoothing), scene.content_hash);
+    add_environment(scene, choice);
     choose_camera(scene, choice.camera);
     hash_assets(scene);
     return scene;
@@ -109,33 +81,20 @@ std::string options_text(const SceneChoice& choice)
     if (!choice.asset_root.empty()) text += " --asset-root " + in_shell_quotes(choice.asset_root);
     if (choice.smoothing) text += smoothing_text(*choice.smoothing);
     if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
+    if (!choice.env.empty()) text += " --env " + in_shell_quotes(choice.env);
+    if (!choice.ground) text += " --no-ground";
+    text += view_options_text(choice);
     for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
     return text;
 }
 
-std::string complete_scene(SceneDescription& scene, double aspect)
+std::string view_options_text(const SceneChoice& choice)
 {
-    std::string added;
-    const bool is_bare = is_mesh(scene.file);
-    if (is_bare) {
-        const std::string name = std::filesystem::path(scene.file).filename();
-        added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
-    }
-    if (!scene.camera) {
-        scene.camera = fit_camera(subject_bounds(scene), aspect);
-        added += "[camera]\nposition = " + to_toml(scene.camera->position) +
-                 "\ntarget = " + to_toml(scene.camera->target) + "\nfov = " + shortest(scene.camera->fov_deg) + "\n";
-    }
-    if (is_bare && !emits(scene))
-        for (LightDescription& light : default_lights(subject_bounds(scene))) {
-            light.where = {scene.file, 0, 0};
-            const bool sun = light.type == LightType::sphere;
-            added += std::string("[[light]]\ntype = \"") + (sun ? "sphere" : "environment") + "\"\n";
-            if (sun) added += "center = " + to_toml(light.position) + "\nradius = " + shortest(light.radius) + "\n";
-            added += "radiance = " + to_toml(light.power) + "\n";
-            scene.lights.push_back(std::move(light));
-        }
-    return added;
+    std::string text;
+    if (choice.up) text += " --up " + std::string(name_of(*choice.up));
+    if (choice.view)
+        text += " --view " + shortest(choice.view->azimuth_deg) + "," + shortest(choice.view->elevation_deg);
+    return text;
 }
 
 }  // namespace lancer

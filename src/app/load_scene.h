@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "io/smoothing.h"
 #include "scene/description/description.h"
+#include "scene/view/auto_view.h"
 
 namespace lancer {
 
@@ -18,6 +19,10 @@ struct SceneChoice {
     std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default
     std::optional<Smoothing> smoothing;    // of mesh files of which the scene says nothing
+    std::string env{};                     // bare mesh: picture of the environment in place of a sky and a key light
+    bool ground = true;                    // bare mesh: a ground below it, where that shows
+    std::optional<UpChoice> up{};          // over that of the scene
+    std::optional<ViewDirection> view{};   // likewise, over position and target
 };
 
 // Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
@@ -26,9 +31,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
 
 // The options that repeat this choice, each with a leading blank.
 std::string options_text(const SceneChoice& choice);
-
-// Gives a scene without camera one that sees all of it, and a bare mesh on which nothing emits a white sky.
-// aspect: width over height. Returns what was added, as text to paste into a scene file; empty if nothing was.
-std::string complete_scene(SceneDescription& scene, double aspect);
+// Of these only --up and --view; empty if neither is given.
+std::string view_options_text(const SceneChoice& choice);
 
 }  // namespace lancer

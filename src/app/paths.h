@@ -15,4 +15,7 @@ inline std::string extension_of(const std::string& path)
     return extension;
 }
 
+// Whether it is a bare mesh, not a scene file.
+inline bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
+
 }  // namespace lancer

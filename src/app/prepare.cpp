@@ -1,6 +1,7 @@
 #include "app/prepare.h"
 
 #include "app/console.h"
+#include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "app/system_info.h"
 #include "core/parallel.h"
@@ -39,10 +40,12 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
         with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
     p.settings = resolve_settings(options.render, p.description.render);
-    const std::string added = complete_scene(p.description, aspect_of(p.settings.size));
-    if (!added.empty() && !quiet)
+    with_threads(p.threads, [&] {
+        p.added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source());
+    });
+    if (!p.added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
-                   added);
+                   p.added.text);
     return p;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/defaults/complete_scene.h"
 #include "app/options/options.h"
 #include "app/options/settings.h"
 #include "io/image/source.h"
@@ -16,6 +17,7 @@ struct Prepared {
     RenderSettings settings;  // resolved
     unsigned threads = 1;
     SceneDescription description;         // with a camera
+    Completed added;                      // what the scene did not say
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it

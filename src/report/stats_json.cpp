@@ -54,6 +54,7 @@ Json scene_of(const RunStats::SceneFigures& s)
             {"accelerator_bytes", s.accelerator_bytes},
             {"hidden_lights", s.hidden_lights},
             {"unused_features", unused_features_of(s.unused_features)},
+            {"added_light", s.added_light.empty() ? Json(nullptr) : Json(s.added_light)},
             {"warnings", s.warnings}};
 }
 

@@ -70,17 +70,4 @@ CameraDescription fit_camera(const Bounds& subject, double aspect)
     return c;
 }
 
-std::vector<LightDescription> default_lights(const Bounds& subject)
-{
-    const double r = subject.radius() > 0 ? subject.radius() : 1;
-    LightDescription sky, sun;
-    sky.type = LightType::environment;
-    sky.power = {0.4f, 0.46f, 0.55f};
-    sun.type = LightType::sphere;
-    sun.position = (subject.empty() ? Vec3d{} : subject.center()) + normalize(Vec3d{-0.55, 1, 0.75}) * (10 * r);
-    sun.radius = r;  // seen as 11 degrees across: soft shadows, little noise
-    sun.power = {62, 57, 48};
-    return {sky, sun};
-}
-
 }  // namespace lancer

@@ -66,8 +66,4 @@ private:
 // A camera that sees the whole subject from the front and slightly from above. aspect: width over height.
 CameraDescription fit_camera(const Bounds& subject, double aspect);
 
-// Default lights for a subject without lights: a sky and a sun from the upper left, with a radiance that makes surfaces
-// about as bright as their albedo.
-std::vector<LightDescription> default_lights(const Bounds& subject);
-
 }  // namespace lancer

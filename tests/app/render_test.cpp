@@ -135,7 +135,7 @@ TEST_F(Render, ABareMeshGetsACameraAndASkyToPaste)
     expect_words(said.err, "type = \"sphere\"");
     // Beside the quad there is the sky, bluish; the quad itself is grey and lit, neither black nor burnt out.
     const Color sky = image("bare.exr").at(0, 0), face = image("bare.exr").at(12, 8);
-    EXPECT_LT(sky.r, sky.b);
+    EXPECT_LE(sky.r, sky.b);
     EXPECT_GT(luminance(face), 0.1f);
     EXPECT_LT(luminance(face), 1.5f);
 
@@ -145,14 +145,13 @@ TEST_F(Render, ABareMeshGetsACameraAndASkyToPaste)
     EXPECT_TRUE(same_pixels(image("bare.exr"), image("pasted.exr")));
 }
 
-TEST_F(Render, AMeshThatShinesGetsNoSky)
+TEST_F(Render, AMeshThatShinesKeepsItsLightAndIsNotLeftInTheDark)
 {
     write("lamp.mtl", "newmtl lamp\nKd 0 0 0\nKe 3 2 1\n");
     write("lamp.obj", std::string("mtllib lamp.mtl\nusemtl lamp\n") + quad);
     const Said said = run({"lamp.obj", "-o", "a.exr", "--size", "24x16", "-s", "4"});
     ASSERT_EQ(said.code, 0) << said.err;
-    EXPECT_EQ(said.err.find("environment"), std::string::npos) << said.err;
-    EXPECT_EQ(image("a.exr").at(0, 0).r, 0);
+    EXPECT_GT(image("a.exr").at(0, 0).r, 0.1f);
     EXPECT_FLOAT_EQ(image("a.exr").at(12, 8).g, 2);
 }
 

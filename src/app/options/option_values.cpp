@@ -94,12 +94,42 @@ double to_seconds(const std::string& option, const std::string& text)
     return value * unit;
 }
 
+ViewDirection to_view(const std::string& text)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() == 2) {
+        const auto degrees = [&](const std::string& part, double most) {
+            return to_number<double>("--view", part, -most, most, "a number of degrees");
+        };
+        return {degrees(parts[0], 360), degrees(parts[1], 90)};
+    }
+    std::vector<std::string_view> known;
+    for (const NamedView& view : named_views) known.push_back(view.name);
+    known.push_back("AZIMUTH,ELEVATION");
+    const size_t place = to_choice("--view", text, known);
+    if (place == named_views.size()) fail_usage("--view: AZIMUTH,ELEVATION are two numbers of degrees, such as 30,15");
+    return named_views[place].direction;
+}
+
+std::string listed_views()
+{
+    std::string text;
+    for (const NamedView& view : named_views) text += std::string(view.name) + "|";
+    return text + "AZIMUTH,ELEVATION";
+}
+
 std::string to_output(const std::string& path)
 {
     const std::string extension = extension_of(path);
     if (extension != ".exr" && extension != ".png" && extension != ".ppm")
         fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png or .ppm");
     return path;
+}
+
+Exposure to_exposure(const std::string& option, const std::string& text)
+{
+    if (text == "auto") return {.is_automatic = true};
+    return {.stops = to_number<float>(option, text, -64, 64, "'auto' or a number")};
 }
 
 DisplayAddress to_display_address(const std::string& text)

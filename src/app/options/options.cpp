@@ -49,8 +49,10 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             "curve with steps that round down (srgb; with --legacy one of the last two)",
             [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
     p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
-    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)",
-            [&](const std::string& t) { o.exposure_stops = to_number<float>("--exposure", t, -64, 64, "a number"); });
+    p.value(
+        "--exposure", "STOPS|auto",
+        "PNG and PPM are brightened by 2^STOPS; auto: so that objects are of a middle brightness (0; of a mesh auto)",
+        [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
     p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
     p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
             [&](const std::string& t) { o.reference = t; });
@@ -58,6 +60,12 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             [&](const std::string& t) { o.reference2 = t; });
     p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
             [&](const std::string& t) { o.error_log = t; });
+    p.value("--write-scene", "FILE.toml",
+            "The scene with what was added to it, and with these options: renders the same picture",
+            [&](const std::string& t) {
+                if (extension_of(t) != ".toml") fail_usage("--write-scene: " + in_quotes(t) + " must end in .toml");
+                o.write_scene = t;
+            });
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
 }
 
@@ -98,6 +106,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
     if (!o.error_log.empty()) files.push_back(o.error_log);
+    if (!o.write_scene.empty()) files.push_back(o.write_scene);
     refuse_doubles(files);
     if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
     for (const std::string& reference : {o.reference, o.reference2})

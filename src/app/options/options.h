@@ -11,6 +11,7 @@
 #include "core/film.h"
 #include "io/image/tonemap.h"
 #include "render/aov_kind.h"
+#include "scene/description/exposure.h"
 #include "scene/description/render_settings.h"
 
 namespace lancer {
@@ -40,10 +41,11 @@ struct RenderOptions {
     uint32_t batch = 256;   // paths under way at once
     std::vector<Aov> aovs;  // each once, in the order of Aov
     bool half = false;
-    float exposure_stops = 0;
-    std::optional<ToneMap> tonemap;  // else usual_tonemap()
+    std::optional<Exposure> exposure;  // else usual_exposure()
+    std::optional<ToneMap> tonemap;    // else usual_tonemap()
     bool dither = false;
     bool ascii_ppm = false;
+    std::string write_scene;            // empty: none
     std::string stats;                  // empty: none
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise

@@ -1,6 +1,7 @@
 #include "app/options/settings.h"
 
 #include "app/options/option_values.h"
+#include "app/paths.h"
 #include "core/hash.h"
 #include "integrators/integrator.h"
 #include "report/stats_json.h"
@@ -41,6 +42,11 @@ ToneMap usual_tonemap(const RenderSettings& s)
 {
     if (!s.legacy) return ToneMap::srgb;
     return is_classic(s.integrator) ? ToneMap::clamped : ToneMap::gamma22;
+}
+
+Exposure usual_exposure(const std::string& scene_file, const RenderSettings& s)
+{
+    return {.is_automatic = is_mesh(scene_file) && !s.legacy};
 }
 
 std::string reproducing_options(const RenderSettings& s)

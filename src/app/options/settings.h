@@ -5,6 +5,7 @@
 
 #include "io/image/tonemap.h"
 #include "scene/camera.h"
+#include "scene/description/exposure.h"
 #include "scene/description/render_settings.h"
 
 namespace lancer {
@@ -17,11 +18,14 @@ RenderSettings resolve_settings(const RenderSettings& command_line, const Render
 // What else depends on the settings: where pixels lie, and the tone map unless --tonemap gives another.
 PixelGrid pixel_grid(const RenderSettings& settings);
 ToneMap usual_tonemap(const RenderSettings& settings);
+// The exposure where none is given: chosen from the picture of a bare mesh, none of a scene file and with legacy.
+Exposure usual_exposure(const std::string& scene_file, const RenderSettings& settings);
 
 // The options that give the same samples again, whatever [render] of the scene gives. Without spp.
 std::string reproducing_options(const RenderSettings& settings);
 
-// Of all that decides the value of a pixel, but the scene; settings: resolved, camera: its name.
+// Of all that decides the value of a pixel, but the scene; settings: resolved, camera: its name and how the command
+// line changes it.
 std::string settings_hash(RenderSettings settings, const std::string& camera);
 
 }  // namespace lancer

@@ -101,6 +101,16 @@ void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
     p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
     p.group("The scene");
     p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
+    p.value("--env", "FILE", "Of a mesh: picture all around it, in place of the sky and the key light",
+            [&](const std::string& t) { o.env = t; });
+    p.flag("--no-ground", "Of a mesh: no ground below it", [&] { o.ground = false; });
+    p.value("--up", listed(enum_names<UpChoice>),
+            "What is up, over camera.up; auto looks for what the mesh stands on (auto for a mesh, else y)",
+            [&](const std::string& t) { o.up = to_enum<UpChoice>("--up", t); });
+    p.value("--view", listed_views(),
+            "See all of it from there, over camera.position and camera.target; degrees from the front to the right, "
+            "and above the horizon (by what there is to see)",
+            [&](const std::string& t) { o.view = to_view(t); });
     p.values("-D", "KEY=VALUE", "A value over that of the scene file: camera.fov=35, light.0.radiance=[1,2,3]",
              [&](const std::string& t) {
                  parse_definition(t);

@@ -1,9 +1,11 @@
 #include "app/render/outputs.h"
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 
 #include "app/asset_files.h"
+#include "app/console.h"
 #include "app/paths.h"
 #include "core/names.h"
 #include "io/atomic_file.h"
@@ -30,6 +32,8 @@ ImageRows rows_of(const Film& film)
             }};
 }
 
+bool is_for_displays(const std::string& path) { return extension_of(path) != ".exr"; }
+
 MetadataValue value_of(const RenderSettings& settings, const RenderOption& option)
 {
     return std::visit(
@@ -51,6 +55,7 @@ void probe_outputs(const RenderOptions& options)
     for (const std::string& path : options.outputs) const AtomicFile probe(path);
     if (!options.stats.empty()) const AtomicFile probe(options.stats);
     if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
+    if (!options.write_scene.empty()) const AtomicFile probe(options.write_scene);
 }
 
 void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene)
@@ -66,6 +71,7 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
     for (const std::string& path : options.outputs) check("--output", path);
     if (!options.stats.empty()) check("--stats", options.stats);
     if (!options.error_log.empty()) check("--error-log", options.error_log);
+    if (!options.write_scene.empty()) check("--write-scene", options.write_scene);
 }
 
 Image to_image(const Film& film)
@@ -83,6 +89,7 @@ Metadata make_metadata(const RunStats& s)
                  {"scene", s.scene.file},
                  {"scene_hash", to_hex(s.scene.content_hash)},
                  {"settings_hash", s.settings.hash}};
+    if (!s.scene.added_light.empty()) all.emplace_back("light", s.scene.added_light);
     // The picture has its size, and the ledger lists the switches that bias it.
     for (const RenderOption& option : render_options())
         if (!option.is_switch() && !std::holds_alternative<SizeField>(option.field))
@@ -102,18 +109,26 @@ Metadata make_metadata(const RunStats& s)
     return all;
 }
 
-void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
+bool has_display_output(const RenderOptions& options)
+{
+    return std::any_of(options.outputs.begin(), options.outputs.end(), is_for_displays);
+}
+
+void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const Film& film,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata)
 {
+    Metadata of_display = metadata;
+    of_display.emplace_back("exposure", shortest(curve.exposure_stops));
+    of_display.emplace_back("tonemap", std::string(name_of(curve.tonemap)));
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
-    const ByteOptions bytes{.exposure_stops = options.exposure_stops, .dither = options.dither, .tonemap = tonemap};
+    const ByteOptions bytes{.exposure_stops = curve.exposure_stops, .dither = options.dither, .tonemap = curve.tonemap};
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, to_image(film), metadata, bytes);
+            write_png(file, to_image(film), of_display, bytes);
         } else if (extension_of(path) == ".ppm") {
-            write_ppm(file, to_image(film), metadata, bytes, options.ascii_ppm);
+            write_ppm(file, to_image(film), of_display, bytes, options.ascii_ppm);
         } else {
             write_exr(file, rows_of(film), metadata, {.half = options.half}, planes);
         }

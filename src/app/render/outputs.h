@@ -21,8 +21,18 @@ Image to_image(const Film& film);
 // The metadata of a picture. Pixels are the same for the same scene and settings; metadata are not.
 Metadata make_metadata(const RunStats& stats);
 
-// Writes the pictures. Planes are written to EXR only; the tone map applies to the other formats.
-void write_outputs(const RenderOptions& options, ToneMap tonemap, const Film& film,
+// Whether one of them is for displays: PNG or PPM.
+bool has_display_output(const RenderOptions& options);
+
+// How light becomes code values in PNG and PPM; EXR keeps the light.
+struct DisplayCurve {
+    float exposure_stops = 0;
+    ToneMap tonemap = ToneMap::srgb;
+};
+
+// Writes the pictures. Planes are written to EXR only. The curve applies to the other formats, whose headers tell of
+// it.
+void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const Film& film,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata);
 
 }  // namespace lancer

@@ -14,17 +14,18 @@ bool are_parallel(Vec3d a, Vec3d b)
     return length(cross(normalize(a), normalize(b))) < least_sine;
 }
 
+// What is missing is chosen so that it suits the rest.
 void check_view(const CameraDescription& camera, const TomlTable& table)
 {
+    if (!camera.missing.up && camera.up == Vec3d{}) return table.error("up", " must not be the zero vector");
+    if (camera.missing.position || camera.missing.target) return;
     const Vec3d view = camera.target - camera.position;
     if (view == Vec3d{}) {
         table.error(table.where(table.has("target") ? "target" : "position"),
                     "'position' and 'target' in " + table.label() + " must be different points");
     } else if (!is_finite(view)) {
         table.error(table.where("target"), "'position' and 'target' in " + table.label() + " are too far apart");
-    } else if (camera.up == Vec3d{}) {
-        table.error("up", " must not be the zero vector");
-    } else if (are_parallel(view, camera.up)) {
+    } else if (!camera.missing.up && are_parallel(view, camera.up)) {
         table.error("up", " must not be parallel to the view, from 'position' to 'target'");
     }
 }
@@ -45,6 +46,11 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
     camera.position = position.value_or(camera.position);
     camera.target = target.value_or(camera.target);
     camera.fov_deg = table.number("fov", half_turn).value_or(camera.fov_deg);
+    const auto note = [&](bool& missing, const char* key) { missing = missing && !table.has(key); };
+    note(camera.missing.position, "position");
+    note(camera.missing.target, "target");
+    note(camera.missing.up, "up");
+    note(camera.missing.fov, "fov");
     camera.aperture = table.number("aperture", zero_or_more).value_or(camera.aperture);
     camera.inside = table.text("inside").value_or(camera.inside);
     const std::optional<double> focus = table.number("focus", above_zero);
@@ -77,6 +83,7 @@ void read_cameras(const TomlTable& root, SceneDescription& scene)
     const NameList keys{"type", "position", "target", "up", "fov", "aperture", "focus", "inside"};
     table->allow_besides_tables(keys);
     CameraDescription base;
+    base.missing = {.position = true, .target = true, .up = true, .fov = true};
     if (!table->has_only_tables()) scene.camera = base = read_camera(*table, base);
     for (const auto& [name, named] : table->tables_within("camera")) {
         named.allow(keys);

@@ -1,6 +1,7 @@
 #include "io/scene/scene_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -45,21 +46,39 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     }
 }
 
-// Fills the description from the tree of values, with the definitions put over it.
-void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
-               Diagnostics& diagnostics)
+// The file and the definitions, as messages name them.
+TomlProblems problems_of(const std::string& path, const std::vector<std::string>& definitions)
 {
-    std::vector<std::string> sources{scene.file};
-    for (const std::string& text : options.definitions) sources.push_back("-D " + on_one_line(text));
-    TomlProblems problems(std::move(sources));
+    std::vector<std::string> sources{path};
+    for (const std::string& text : definitions) sources.push_back("-D " + on_one_line(text));
+    return TomlProblems(std::move(sources));
+}
+
+void define_all(TomlValue& root, const std::vector<std::string>& definitions, TomlProblems& problems)
+{
     uint32_t source = 0;
-    for (const std::string& text : options.definitions) {
+    for (const std::string& text : definitions) {
         const Definition definition = parse_definition(text);
         TomlValue value = parse_toml_value(definition.value);
         set_source(value, ++source);
         define(root, definition, std::move(value), problems);
-        scene.content_hash = hash_bytes(text, scene.content_hash);
     }
+}
+
+// Of a scene file that holds nothing but a [[mesh]].
+TomlValue tree_of_mesh(const std::string& name)
+{
+    const TomlValue::Table mesh{{.key = "file", .value = {.data = name}}};
+    return {.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
+}
+
+// Fills the description from the tree of values, with the definitions put over it.
+void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
+               Diagnostics& diagnostics)
+{
+    TomlProblems problems = problems_of(scene.file, options.definitions);
+    define_all(root, options.definitions, problems);
+    for (const std::string& text : options.definitions) scene.content_hash = hash_bytes(text, scene.content_hash);
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
     load_meshes(files, options, assets, scene, diagnostics);
@@ -91,10 +110,36 @@ SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& opti
     AssetFolder assets(path, options.asset_root);
     const std::string name = std::filesystem::path(path).filename().string();
     assets.admit(name);
-    const TomlValue::Table mesh{{.key = "file", .value = {.data = name}}};
-    TomlValue root{.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
-    read_tree(std::move(root), assets, options, scene, diagnostics);
+    read_tree(tree_of_mesh(name), assets, options, scene, diagnostics);
     return scene;
+}
+
+TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics)
+{
+    const std::filesystem::path file(path);
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    TomlValue root{.data = TomlValue::Table{}};
+    if (extension == ".obj") {
+        root = tree_of_mesh(file.filename().string());
+    } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
+        root = std::move(*read);
+    }
+    TomlProblems problems = problems_of(path, definitions);
+    define_all(root, definitions, problems);
+    problems.report(diagnostics);
+    return root;
+}
+
+OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
+                              Diagnostics& diagnostics)
+{
+    const TomlValue root = scene_tree(path, definitions, diagnostics);
+    TomlProblems problems = problems_of(path, definitions);
+    const std::optional<TomlTable> table = TomlTable(root, "", problems).table("output");
+    const OutputDescription output = table ? read_output_table(*table) : OutputDescription{};
+    problems.report(diagnostics);
+    return output;
 }
 
 }  // namespace lancer

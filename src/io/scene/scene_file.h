@@ -11,6 +11,8 @@
 
 #include "core/error.h"
 #include "io/mesh_options.h"
+#include "io/scene/output_table.h"
+#include "io/toml_value.h"
 #include "scene/description/description.h"
 
 namespace lancer {
@@ -34,6 +36,13 @@ SceneDescription load_scene_file(const std::string& path, const SceneFileOptions
 // The same for a text in memory; `path` is used in messages, and mesh files are relative to it.
 SceneDescription parse_scene(std::string_view text, const std::string& path, const SceneFileOptions& options,
                              Diagnostics& diagnostics);
+
+// What the scene file says, or the one that a mesh file stands for, with the definitions put over it: as it is read,
+// not checked. Throws Error if the file cannot be read.
+TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics);
+// Its [output].
+OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
+                              Diagnostics& diagnostics);
 
 // A mesh file as a scene of its own: as if a scene file beside it held nothing but a [[mesh]] with its name.
 SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics);

@@ -10,6 +10,7 @@
 #include "io/scene/camera_tables.h"
 #include "io/scene/light_tables.h"
 #include "io/scene/material_tables.h"
+#include "io/scene/output_table.h"
 #include "io/scene/render_table.h"
 #include "io/scene/shape_tables.h"
 #include "scene/description/presets.h"
@@ -142,9 +143,10 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 std::vector<MeshFile> SceneReader::read()
 {
     root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
-                 "pyramid", "light", "background", "material", "material_override", "texture"});
+                 "pyramid", "light", "background", "material", "material_override", "texture", "output"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) scene_.render = read_render_table(*render);
+    if (const std::optional<TomlTable> output = root_.table("output")) read_output_table(*output);  // for its mistakes
     read_cameras(root_, scene_);
     material_uses_ = read_materials(root_, assets_, scene_);
     for (const TomlTable& mesh : root_.tables("mesh")) read_mesh(mesh);

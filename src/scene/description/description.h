@@ -34,7 +34,7 @@ struct MeshData {
     std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
     std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
     std::vector<Color> colors;            // parallel to positions, as in the file, in [0, 1]; empty if it has none
-    bool made_normals = false;  // by smoothing groups; the file has none
+    bool made_normals = false;            // by smoothing groups; the file has none
     std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one; none for a shape
     uint64_t content_hash = 0;                   // of the bytes of the mesh file and its material files
@@ -104,6 +104,11 @@ struct CameraDescription {
     double aperture = 0;          // thin lens: radius of the lens, scene units
     std::optional<double> focus;  // thin lens: distance of the plane in focus; default: |target - position|
     std::string inside{};         // if not empty: the material that fills what the camera is in
+    // What the file leaves out: a view of the scene completes it (scene/view/auto_view.h).
+    struct Missing {
+        bool position = false, target = false, up = false, fov = false;
+        bool is_any() const { return position || target || up || fov; }
+    } missing{};
 };
 
 struct SceneDescription {

@@ -1,0 +1,28 @@
+#include "app/defaults/complete_scene.h"
+
+#include <filesystem>
+
+#include "app/defaults/default_light.h"
+#include "app/defaults/default_view.h"
+#include "app/paths.h"
+#include "io/toml_write.h"
+
+namespace lancer {
+
+Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
+                         const RasterSource& pictures)
+{
+    std::string added;
+    const bool is_bare = is_mesh(choice.file);
+    if (is_bare) {
+        const std::string name = std::filesystem::path(choice.file).filename();
+        added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
+    }
+    const DefaultView view = add_default_view(scene, choice, aspect);
+    added += view.added;
+    if (!is_bare) return {added, {}};
+    const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures);
+    return {added + light.text, light.note};
+}
+
+}  // namespace lancer

@@ -1,0 +1,20 @@
+// What a scene does not say and a picture needs: a view and light. Each has a file of its own in this folder.
+#pragma once
+
+#include <string>
+
+#include "app/load_scene.h"
+
+namespace lancer {
+
+struct Completed {
+    std::string text;   // what was added, as that of a scene file; empty if nothing was
+    std::string light;  // of a bare mesh: which light was added or not, and why; on one line
+};
+
+// Adds what the scene lacks: a camera to any scene, light to a bare mesh. aspect: width over height. pictures: may be
+// asked for those of emission. Must be called inside with_threads.
+Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
+                         const RasterSource& pictures);
+
+}  // namespace lancer

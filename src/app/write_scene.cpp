@@ -1,0 +1,152 @@
+#include "app/write_scene.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/scene/scene_file.h"
+#include "io/toml_file.h"
+#include "io/toml_write.h"
+#include "scene/description/render_options.h"
+
+namespace lancer {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Table = TomlValue::Table;
+
+TomlValue& entry(Table& table, const std::string& key, TomlValue usual)
+{
+    const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
+    if (found != table.end()) return found->value;
+    table.push_back({.key = key, .value = std::move(usual)});
+    return table.back().value;
+}
+
+Table& table_at(Table& table, const std::string& key)
+{
+    return std::get<Table>(entry(table, key, {.data = Table{}}).data);
+}
+
+void set(Table& table, const std::string& key, TomlValue value) { entry(table, key, {}) = std::move(value); }
+
+void drop(Table& table, const std::string& key)
+{
+    table.erase(std::remove_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; }),
+                table.end());
+}
+
+TomlValue to_value(Vec3d v) { return {.data = TomlValue::Array{{.data = v.x}, {.data = v.y}, {.data = v.z}}}; }
+
+// Adds to tables, and puts further elements behind those of lists.
+void merge(Table& into, const Table& more)
+{
+    for (const TomlEntry& e : more) {
+        if (const auto* table = std::get_if<Table>(&e.value.data)) {
+            merge(table_at(into, e.key), *table);
+        } else if (const auto* array = std::get_if<TomlValue::Array>(&e.value.data);
+                   array && !array->empty() && std::holds_alternative<Table>(array->front().data)) {
+            auto& list = std::get<TomlValue::Array>(entry(into, e.key, {.data = TomlValue::Array{}}).data);
+            list.insert(list.end(), array->begin(), array->end());
+        } else {
+            set(into, e.key, e.value);
+        }
+    }
+}
+
+// The camera that was rendered becomes [camera]. Others stay, with the values that they have inherited.
+void set_camera(Table& root, const std::string& chosen, const CameraDescription& camera)
+{
+    Table& table = table_at(root, "camera");
+    Table own;
+    for (const TomlEntry& e : table) {
+        const auto* named = std::get_if<Table>(&e.value.data);
+        if (!named) set(own, e.key, e.value);
+    }
+    for (const TomlEntry& e : Table(table))
+        if (const auto* named = std::get_if<Table>(&e.value.data)) {
+            Table whole = own;
+            merge(whole, *named);
+            if (e.key == chosen) {
+                for (const TomlEntry& value : whole) set(table, value.key, value.value);
+            } else {
+                table_at(table, e.key) = std::move(whole);
+            }
+        }
+    if (!chosen.empty()) drop(table, chosen);
+    set(table, "position", to_value(camera.position));
+    set(table, "target", to_value(camera.target));
+    set(table, "up", to_value(camera.up));
+    set(table, "fov", {.data = camera.fov_deg});
+}
+
+void set_render_options(Table& root, const RenderSettings& settings)
+{
+    for (const RenderOption& option : render_options()) {
+        if (!is_given(settings, option)) continue;
+        TomlValue value = parse_toml_value(value_text(settings, option));
+        if (std::holds_alternative<SizeField>(option.field))
+            value = {.data = TomlValue::Array{{.data = int64_t{settings.size.width}},
+                                              {.data = int64_t{settings.size.height}}}};
+        set(table_at(root, "render"), std::string(option.name), std::move(value));
+    }
+}
+
+fs::path folder_of(const std::string& file)
+{
+    std::error_code problem;
+    return fs::weakly_canonical(fs::absolute(file, problem).parent_path(), problem);
+}
+
+fs::path common_folder(const fs::path& a, const fs::path& b)
+{
+    fs::path common;
+    for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end() && *i == *j; ++i, ++j) common /= *i;
+    return common;
+}
+
+// The picture of --env is named from the working folder, those of scene files from theirs.
+void name_environment(Table& root, const std::string& file)
+{
+    if (file.empty()) return;
+    auto& lights = std::get<TomlValue::Array>(entry(root, "light", {.data = TomlValue::Array{}}).data);
+    for (TomlValue& light : lights)
+        for (TomlEntry& e : std::get<Table>(light.data))
+            if (const auto* name = std::get_if<std::string>(&e.value.data); name && e.key == "file" && *name == file)
+                e.value.data = (folder_of(file) / fs::path(file).filename()).string();
+}
+
+}  // namespace
+
+std::string asset_root_for(const std::string& file, const SceneChoice& choice)
+{
+    const fs::path folder = folder_of(choice.file);
+    fs::path root = choice.asset_root.empty() ? folder : folder_of(choice.asset_root + "/.");
+    if (!choice.env.empty()) root = common_folder(root, folder_of(choice.env));
+    return root == folder_of(file) ? "" : root.string();
+}
+
+std::string completed_scene_text(const SceneChoice& choice, const std::string& added, const CameraDescription& camera,
+                                 const RenderSettings& settings, const OutputDescription& output)
+{
+    Diagnostics none;  // all of it has been read before
+    TomlValue tree = scene_tree(choice.file, choice.definitions, none);
+    auto& root = std::get<Table>(tree.data);
+    if (const std::optional<TomlValue> more = parse_toml(added, choice.file, none)) {
+        Table what = std::get<Table>(more->data);
+        for (const char* const known : {"version", "mesh", "camera"}) drop(what, known);
+        merge(root, what);
+    }
+    name_environment(root, choice.env);
+    set_camera(root, choice.camera, camera);
+    set_render_options(root, settings);
+    if (output.exposure && output.exposure->is_automatic)
+        set(table_at(root, "output"), "exposure", {.data = std::string("auto")});
+    else if (output.exposure)
+        set(table_at(root, "output"), "exposure", {.data = static_cast<double>(output.exposure->stops)});
+    if (output.tonemap) set(table_at(root, "output"), "tonemap", {.data = std::string(name_of(*output.tonemap))});
+    drop(root, "version");
+    return "version = 1\n" + to_toml_text(tree);
+}
+
+}  // namespace lancer

@@ -1,0 +1,17 @@
+// Plain values as the text of a TOML file: the opposite of io/toml_file.h.
+#pragma once
+
+#include <string>
+
+#include "io/toml_value.h"
+
+namespace lancer {
+
+// root: a table. What is read back is equal: numbers have the same bits, and whole numbers stay whole. Tables and lists
+// of tables at the first two levels have headers, as in [camera] and [material.NAME]; deeper ones stand on one line.
+std::string to_toml_text(const TomlValue& root);
+
+// A text as a TOML string, with its quotes. Control characters are escaped; bytes that are not UTF-8 are kept.
+std::string to_toml_string(const std::string& text);
+
+}  // namespace lancer
