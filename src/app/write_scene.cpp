@@ -92,6 +92,15 @@ void set_render_options(Table& root, const RenderSettings& settings)
     }
 }
 
+// --smooth is for meshes that say nothing of it.
+void set_smoothing(Table& root, const Smoothing& smoothing)
+{
+    const bool off = smoothing.faces == Smoothing::Faces::none;
+    const TomlValue value = off ? TomlValue{.data = std::string("off")} : TomlValue{.data = smoothing.largest_deg};
+    for (TomlValue& mesh : std::get<TomlValue::Array>(entry(root, "mesh", {.data = TomlValue::Array{}}).data))
+        entry(std::get<Table>(mesh.data), "smooth", value);
+}
+
 fs::path folder_of(const std::string& file)
 {
     std::error_code problem;
@@ -138,6 +147,7 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
         merge(root, what);
     }
     name_environment(root, choice.env);
+    if (choice.smoothing) set_smoothing(root, *choice.smoothing);
     set_camera(root, choice.camera, camera);
     set_render_options(root, settings);
     if (output.exposure && output.exposure->is_automatic)

@@ -53,6 +53,9 @@ TEST_F(WriteScene, BareMeshes)
     expect_same("block.obj", small({"--view", "-40,25", "--up", "z", "--no-ground"}));
     expect_same("block.obj", small({"--exposure", "0.7", "--tonemap", "agx", "--seed", "5", "--max-depth", "3"}));
     expect_same("block.obj", small({"--set", "multiscatter=true", "--filter", "box"}));
+    expect_same("block.obj", small({"--smooth", "100"}));
+    expect_words(read_bytes(file("written.toml")), "smooth = 100");
+    expect_same("block.obj", small({"--smooth", "off"}));
     expect_same("block.obj", small({"-D", "camera.fov=25", "-D", "mesh.0.material=m", "-D",
                                     "material.m={type=\"metal\", base_color=[0.9, 0.1234567, 0.2]}"}));
 }
