@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/load_scene.h"
 #include "app/options/options.h"
+#include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "core/parallel.h"
 #include "io/obj/check.h"
@@ -25,7 +26,7 @@ public:
         try {
             run();
         } catch (const Error& e) {
-            if (e.kind() == ErrorKind::failed || e.kind() == ErrorKind::usage) throw;
+            if (e.kind() != ErrorKind::invalid_input && e.kind() != ErrorKind::missing_input) throw;
             print_result(e.what());
             code_ = e.kind() == ErrorKind::missing_input ? exit_missing : exit_invalid;
             const std::string lines = e.what();
@@ -44,8 +45,10 @@ private:
         check_description(description, problems_, notes_);
         complete_scene(description, aspect_of(settings.size));
         with_threads(threads, [&] {
-            ImageSource images(threads);
-            SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
+            PictureMemory memory = memory_for(options_.memory, threads);
+            ImageSource images(threads, memory.ahead);
+            serve(memory, images);
+            SceneBuilder scene(description, settings, problems_, images.source(), memory);
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);

@@ -9,6 +9,7 @@
 #include "app/load_scene.h"
 #include "app/options/options.h"
 #include "app/paths.h"
+#include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "app/specialisation.h"
 #include "core/names.h"
@@ -227,9 +228,10 @@ void print_picture(const std::string& path)
         print_field("channels", format_text("%u of %u bits", info.channels, info.bits));
         return print_metadata(info.metadata);
     }
-    const Image image = read_image(path);
+    const RasterHeader header = read_raster_header(path);
     print_field("file", path);
-    print_field("size", format_text("%dx%d", image.display.width(), image.display.height()));
+    print_field("size", format_text("%ux%u", header.width, header.height));
+    print_field("channels", std::to_string(header.channels));
 }
 
 int print_scene(const InfoOptions& options)
@@ -241,9 +243,11 @@ int print_scene(const InfoOptions& options)
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
     complete_scene(completed, aspect_of(settings.size));
     with_threads(threads, [&] {
-        ImageSource images(threads);
-        const Renderer renderer(Scene::begin(completed, settings, diagnostics, images.source()), configure(settings, 1),
-                                diagnostics);
+        PictureMemory memory = memory_for(options.memory, threads);
+        ImageSource images(threads, memory.ahead);
+        serve(memory, images);
+        const Renderer renderer(SceneBuilder(completed, settings, diagnostics, images.source(), memory),
+                                configure(settings, 1), diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         print_field("kernel", std::string(name_of(renderer.profile())));
         print_field("unused", "");

@@ -16,6 +16,7 @@ struct Prepared {
     RenderSettings settings;  // resolved
     unsigned threads = 1;
     SceneDescription description;         // with a camera
+    PictureMemory memory;                 // what pictures may take
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it
