@@ -9,6 +9,7 @@
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
 #include "app/options/options.h"
+#include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "core/parallel.h"
 #include "io/obj/check.h"
@@ -26,7 +27,7 @@ public:
         try {
             run();
         } catch (const Error& e) {
-            if (e.kind() == ErrorKind::failed || e.kind() == ErrorKind::usage) throw;
+            if (e.kind() != ErrorKind::invalid_input && e.kind() != ErrorKind::missing_input) throw;
             print_result(e.what());
             code_ = e.kind() == ErrorKind::missing_input ? exit_missing : exit_invalid;
             const std::string lines = e.what();
@@ -44,11 +45,13 @@ private:
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
         with_threads(threads, [&] {
-            ImageSource images(threads);
+            PictureMemory memory = memory_for(options_.memory, threads);
+            ImageSource images(threads, memory.ahead);
+            serve(memory, images);
             SceneChoice choice = options_.scene;
             choice.ground = false;  // emitters are judged by what is in the files
-            complete_scene(description, choice, aspect_of(settings.size), images.source());
-            SceneBuilder scene = Scene::begin(description, settings, problems_, images.source());
+            complete_scene(description, choice, aspect_of(settings.size), images.source(), memory);
+            SceneBuilder scene(description, settings, problems_, images.source(), memory);
             check_texture_coordinates(description, scene.unfinished(), problems_);
             const Renderer renderer(std::move(scene), configure(settings, 1), problems_);
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);

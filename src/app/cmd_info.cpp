@@ -10,6 +10,7 @@
 #include "app/load_scene.h"
 #include "app/options/options.h"
 #include "app/paths.h"
+#include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "app/specialisation.h"
 #include "core/names.h"
@@ -229,9 +230,10 @@ void print_picture(const std::string& path)
         print_field("channels", format_text("%u of %u bits", info.channels, info.bits));
         return print_metadata(info.metadata);
     }
-    const Image image = read_image(path);
+    const RasterHeader header = read_raster_header(path);
     print_field("file", path);
-    print_field("size", format_text("%dx%d", image.display.width(), image.display.height()));
+    print_field("size", format_text("%ux%u", header.width, header.height));
+    print_field("channels", std::to_string(header.channels));
 }
 
 int print_scene(const InfoOptions& options)
@@ -242,10 +244,12 @@ int print_scene(const InfoOptions& options)
     const unsigned threads = options.threads.value_or(available_threads());
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
     with_threads(threads, [&] {
-        ImageSource images(threads);
-        complete_scene(completed, options.scene, aspect_of(settings.size), images.source());
-        const Renderer renderer(Scene::begin(completed, settings, diagnostics, images.source()), configure(settings, 1),
-                                diagnostics);
+        PictureMemory memory = memory_for(options.memory, threads);
+        ImageSource images(threads, memory.ahead);
+        serve(memory, images);
+        complete_scene(completed, options.scene, aspect_of(settings.size), images.source(), memory);
+        const Renderer renderer(SceneBuilder(completed, settings, diagnostics, images.source(), memory),
+                                configure(settings, 1), diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         print_field("kernel", std::string(name_of(renderer.profile())));
         print_field("unused", "");

@@ -42,7 +42,7 @@ ComparedPicture read_compared(const std::string& path)
     ComparedPicture picture;
     picture.path = path;
     PictureKind kind;
-    picture.image = read_image(path, Encoding::srgb, &kind);
+    picture.image = read_image(path, Encoding::of_file, &kind);
     picture.is_float = kind.is_float;
     picture.no_variance = "has no variance channel (render an EXR with --aov variance)";
     if (kind.format == "openexr") read_variance(picture);

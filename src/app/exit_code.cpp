@@ -23,6 +23,8 @@ int exit_code(ErrorKind kind)
             return exit_invalid;
         case ErrorKind::missing_input:
             return exit_missing;
+        case ErrorKind::no_memory:
+            return exit_no_memory;
     }
     return exit_failed;
 }

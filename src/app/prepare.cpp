@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
+#include "app/picture_memory.h"
 #include "app/system_info.h"
 #include "core/parallel.h"
 #include "scene/camera.h"
@@ -34,14 +35,17 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 {
     Prepared p;
     p.threads = options.threads.value_or(available_threads());
-    p.images = std::make_unique<ImageSource>(p.threads);
+    p.memory = memory_for(options.memory, p.threads);
+    p.images = std::make_unique<ImageSource>(p.threads, p.memory.ahead);
+    serve(p.memory, *p.images);
     const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.images->request(file)); };
     with_warnings(diagnostics, [&] {
         with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
     });
     p.settings = resolve_settings(options.render, p.description.render);
     with_threads(p.threads, [&] {
-        p.added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source());
+        p.added =
+            complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source(), p.memory);
     });
     if (!p.added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
@@ -51,7 +55,8 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 
 void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    with_warnings(diagnostics, [&] { p.scene.emplace(p.description, p.settings, diagnostics, p.images->source()); });
+    with_warnings(diagnostics,
+                  [&] { p.scene.emplace(p.description, p.settings, diagnostics, p.images->source(), p.memory); });
     p.early.clear();  // what the scene did not ask for again it does not use
 }
 

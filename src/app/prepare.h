@@ -18,6 +18,7 @@ struct Prepared {
     unsigned threads = 1;
     SceneDescription description;         // with a camera
     Completed added;                      // what the scene did not say
+    PictureMemory memory;                 // what pictures may take
     std::unique_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else
     std::vector<RasterFuture> early;      // those that mesh files name, asked for before the scene does
     std::optional<SceneBuilder> scene;    // until make_renderer() takes it

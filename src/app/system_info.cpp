@@ -1,10 +1,13 @@
 #include "app/system_info.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <string>
 
 namespace lancer {
 
@@ -22,6 +25,46 @@ std::optional<double> load_average()
 {
     double load = 0;
     return getloadavg(&load, 1) == 1 ? std::optional(load) : std::nullopt;
+}
+
+namespace {
+
+// The number at the beginning of a file; nothing if there is none, such as "max".
+std::optional<uint64_t> number_in(const std::string& path)
+{
+    std::ifstream in(path);
+    uint64_t number = 0;
+    return in >> number ? std::optional(number) : std::nullopt;
+}
+
+// The least limit of the control group of this process and those around it. The names of the second version of cgroups
+// and of the first, whose lines list controllers.
+uint64_t cgroup_limit()
+{
+    uint64_t least = UINT64_MAX;
+    std::ifstream in("/proc/self/cgroup");
+    for (std::string line; std::getline(in, line);) {
+        const size_t first = line.find(':'), second = line.find(':', first + 1);
+        if (second == std::string::npos) continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const bool is_second = controllers.empty();
+        if (!is_second && ("," + controllers + ",").find(",memory,") == std::string::npos) continue;
+        const std::string root = is_second ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
+        const std::string name = is_second ? "/memory.max" : "/memory.limit_in_bytes";
+        for (std::string group = line.substr(second + 1);; group.erase(group.rfind('/'))) {
+            least = std::min(least, number_in(root + group + name).value_or(UINT64_MAX));
+            if (group.find('/') == std::string::npos) break;
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+uint64_t memory_bytes()
+{
+    const auto pages = static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES));
+    return std::min(cgroup_limit(), pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
 uint64_t peak_memory_bytes()

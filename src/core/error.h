@@ -29,6 +29,7 @@ enum class ErrorKind {
     usage,          // the command line (exit 2)
     invalid_input,  // a scene or an asset is wrong (exit 65)
     missing_input,  // a file named in the input does not exist (exit 66)
+    no_memory,      // the pictures of a scene need more memory than --memory allows (exit 71)
 };
 
 // The one exception type. what() holds complete lines "place: error: message", without a newline at the end.

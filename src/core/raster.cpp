@@ -5,9 +5,28 @@
 
 namespace lancer {
 
+void divide_by_alpha(Raster& raster)
+{
+    if (!raster.has_alpha()) return;
+    const size_t channels = raster.channels, colors = channels - 1;
+    for (size_t first = 0; first < raster.bytes.size(); first += channels) {
+        const uint32_t alpha = raster.bytes[first + colors];
+        if (alpha == 0 || alpha == 255) continue;
+        for (size_t c = 0; c < colors; ++c) {
+            uint8_t& v = raster.bytes[first + c];
+            v = static_cast<uint8_t>(std::min((v * 255u + alpha / 2) / alpha, 255u));
+        }
+    }
+    for (size_t first = 0; first < raster.floats.size(); first += channels) {
+        const float alpha = raster.floats[first + colors];
+        if (!(alpha > 0) || alpha == 1 || !std::isfinite(alpha)) continue;
+        for (size_t c = 0; c < colors; ++c) raster.floats[first + c] /= alpha;
+    }
+}
+
 LinearValues::LinearValues(const Raster& raster, Encoding encoding) : raster_(raster)
 {
-    if (!raster.is_float) table_ = make_linear_table(encoding, raster.floats.empty() ? 256 : 65536);
+    if (!raster.is_float) table_ = make_linear_table(encoding, raster.floats.empty() ? 256 : 65536, raster.exponent);
 }
 
 float LinearValues::operator[](size_t i) const

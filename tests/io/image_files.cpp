@@ -9,19 +9,39 @@ std::string pack_big(uint32_t v)
     return bytes;
 }
 
-std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels)
+std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels, uint16_t extra)
 {
-    constexpr uint16_t entries = 10;
-    constexpr uint32_t bits_at = 8 + 2 + 12 * entries + 4, pixels_at = bits_at + 6;
+    const uint16_t entries = extra ? 11 : 10;
+    const uint32_t bits_at = 8 + 2 + 12 * entries + 4, pixels_at = bits_at + 8;
     const auto entry = [](uint16_t tag, uint32_t value) {
         return pack<uint16_t>({tag, 4}) + pack<uint32_t>({1, value});
     };
     const std::string sample_bits =
         samples == 1 ? entry(258, bits) : pack<uint16_t>({258, 3}) + pack<uint32_t>({samples, bits_at});
+    const std::string extra_samples = extra ? pack<uint16_t>({338, 3}) + pack<uint32_t>({1, extra}) : "";
     return "II*\0"s + pack<uint32_t>({8}) + pack<uint16_t>({entries}) + entry(256, 2) + entry(257, 2) + sample_bits +
            entry(259, 1) + entry(262, samples == 1 ? 1 : 2) + entry(273, pixels_at) + entry(277, samples) +
-           entry(278, 2) + entry(279, static_cast<uint32_t>(pixels.size())) + entry(339, sample_format) +
-           pack<uint32_t>({0}) + pack<uint16_t>({bits, bits, bits}) + pixels;
+           entry(278, 2) + entry(279, static_cast<uint32_t>(pixels.size())) + extra_samples +
+           entry(339, sample_format) + pack<uint32_t>({0}) + pack<uint16_t>({bits, bits, bits, bits}) + pixels;
+}
+
+// A palette of the four colours; clear, 0, 1, clear, 2, 3, end in codes of three bits.
+std::string gif() { return "GIF89a\2\0\2\0\x81\0\0"s + top + bottom + ",\0\0\0\0\2\0\2\0\0\2\3\x44\xa8\x15\0;"s; }
+
+// Without loss, by cwebp 1.2.4: RIFF, a size, WEBP, one chunk VP8L.
+std::string webp()
+{
+    return "\x52\x49\x46\x46\x32\x00\x00\x00\x57\x45\x42\x50\x56\x50\x38\x4c\x26\x00\x00\x00\x2f\x01\x40\x00\x00"
+           "\x1f\x20\x10\x20\x78\xf5\xbf\x60\x43\x20\x90\xe4\xef\x34\xdb\x42\x02\x82\xe4\xff\x62\xf3\x1f\xf8\xe4"
+           "\xa8\xe0\x06\x0c\x11\xfd\x0f\x01"s;
+}
+
+// Blue first, alpha last, 32 bits, uncompressed.
+std::string dds()
+{
+    return "DDS "s + pack<uint32_t>({124, 0x100f, 2, 2, 8, 0, 0}) + std::string(44, '\0') +
+           pack<uint32_t>({32, 0x41, 0, 32, 0xff0000, 0xff00, 0xff, 0xff000000, 0x1000, 0, 0, 0, 0}) +
+           "\0\0\xff\xff\0\xff\0\xff\xff\0\0\xff\x07\x64\xbc\xff"s;
 }
 
 std::string jpeg()

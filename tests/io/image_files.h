@@ -44,8 +44,15 @@ inline std::string tga(bool top_first)
     return "\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18"s + (top_first ? "\x20" + first + second : "\0"s + second + first);
 }
 
-// One directory at 8; the pixels come behind it and the list of bits for each sample.
-std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels);
+// One directory at 8; the pixels come behind it and the list of bits for each sample. 2 x 2. extra: what a fourth
+// sample is: 1 associated alpha, 2 alpha.
+std::string tiff(uint16_t bits, uint16_t samples, uint16_t sample_format, const std::string& pixels,
+                 uint16_t extra = 0);
+
+// Of 2 x 2 steps, as above, opaque.
+std::string gif();
+std::string webp();
+std::string dds();
 
 // 8 x 8 of grey 188: all quantizers 1, a DC coefficient of 8 * (188 - 128) = 480 (one code for "9 bits", then its
 // bits), then "end of block".
@@ -135,6 +142,50 @@ std::string exr(const ExrFile& f, const Value& value)
     }
     for (const std::string& chunk : chunks) file += chunk;
     return file;
+}
+
+// Parts of 2 x 1 floats, uncompressed; each lists its channels in the order of the alphabet. The number at x of channel
+// c of part p is value(p, c, x).
+template <class Value>
+std::string exr_of(const std::vector<std::vector<std::string>>& parts, const Value& value)
+{
+    const bool several = parts.size() > 1;
+    std::string headers, chunks;
+    std::vector<uint64_t> sizes;
+    const auto attribute = [&](const std::string& name, const std::string& type, const std::string& bytes) {
+        headers += name + '\0' + type + '\0' + pack<uint32_t>({static_cast<uint32_t>(bytes.size())}) + bytes;
+    };
+    for (size_t p = 0; p < parts.size(); ++p) {
+        std::string list, row;
+        for (size_t c = 0; c < parts[p].size(); ++c) {
+            list += parts[p][c] + "\0"s + pack<int32_t>({2, 0, 1, 1});
+            row += pack<float>({value(p, c, 0), value(p, c, 1)});
+        }
+        attribute("channels", "chlist", list + '\0');
+        if (several) attribute("chunkCount", "int", pack<int32_t>({1}));
+        attribute("compression", "compression", "\0"s);
+        for (const char* window : {"dataWindow", "displayWindow"})
+            attribute(window, "box2i", pack<int32_t>({0, 0, 1, 0}));
+        attribute("lineOrder", "lineOrder", "\0"s);
+        if (several) attribute("name", "string", "part" + std::to_string(p));
+        attribute("pixelAspectRatio", "float", pack<float>({1}));
+        attribute("screenWindowCenter", "v2f", pack<float>({0, 0}));
+        attribute("screenWindowWidth", "float", pack<float>({1}));
+        if (several) attribute("type", "string", "scanlineimage");
+        headers += '\0';
+        const std::string number = several ? pack<int32_t>({static_cast<int32_t>(p)}) : "";
+        const std::string chunk = number + pack<int32_t>({0, static_cast<int32_t>(row.size())}) + row;
+        sizes.push_back(chunk.size());
+        chunks += chunk;
+    }
+    if (several) headers += '\0';
+    std::string file = "\x76\x2f\x31\x01"s + pack<uint32_t>({several ? 0x1002u : 2u}) + headers;
+    uint64_t place = file.size() + 8 * parts.size();
+    for (const uint64_t size : sizes) {
+        file += pack<uint64_t>({place});
+        place += size;
+    }
+    return file + chunks;
 }
 
 }  // namespace lancer

@@ -52,6 +52,9 @@ TEST(ImageRead, IntegerFormatsAreDecodedFromSrgb)
     expect_steps(folder, "a.tga", tga(false));
     expect_steps(folder, "b.TGA", tga(true));
     expect_steps(folder, "a.tif", tiff(8, 3, 1, top + bottom));
+    expect_steps(folder, "a.gif", gif());
+    expect_steps(folder, "a.webp", webp());
+    expect_steps(folder, "a.dds", dds());
     expect_steps(folder, "a.png", [&] {
         Image image = make_image(2, 2);
         image.pixels = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, decoded(188, 100, 7)};
@@ -104,7 +107,7 @@ TEST(ImageRead, OtherFilesAreRefused)
     expect_error(ErrorKind::missing_input, missing, "No such file", [&] { read_image(missing); });
     expect_error(ErrorKind::invalid_input, folder.path(), "is a folder, not a file",
                  [&] { read_image(folder.path()); });
-    for (const std::string& bytes : {""s, "P"s, "P7\n2 2\n"s, "GIF89a\1\0\1\0"s, "a scene, not a picture"s}) {
+    for (const std::string& bytes : {""s, "P"s, "P7\n2 2\n"s, "GIF88a\1\0\1\0"s, "a scene, not a picture"s}) {
         write_bytes(path, bytes);
         expect_error(ErrorKind::invalid_input, path, "not a picture of a known format", [&] { read_image(path); });
     }
@@ -129,6 +132,11 @@ TEST(ImageRead, AbsurdSizesAreRefusedBeforeAllocation)
     expect_refused("a.bmp", bmp().replace(18, 8, pack<int32_t>({2000000000, -2000000000})));
     expect_refused("b.bmp", bmp().replace(30, 1, "\1"));
     expect_refused("a.tga", tga(true).replace(12, 4, pack<uint16_t>({65535, 65535})));
+    expect_refused("a.gif", gif().replace(6, 4, pack<uint16_t>({65535, 65535})));
+    expect_refused("a.webp", webp().replace(21, 4, "\xff\xff\xff\x0f"));
+    expect_refused("a.dds", dds().replace(12, 8, pack<uint32_t>({16000, 16000})));
+    // OpenImageIO's decoder divides by the alpha of these, which may be 0.
+    expect_refused("b.dds", dds().replace(80, 8, pack<uint32_t>({4}) + "DXT2"));
 }
 
 // Cut anywhere, a picture is refused, not filled up with grey.
@@ -137,7 +145,8 @@ TEST(ImageRead, TruncatedFilesAreRefused)
     const TempFolder folder;
     const std::pair<const char*, std::string> files[] = {
         {"a.ppm", ppm()},  {"a.bmp", bmp()}, {"a.tga", tga(true)}, {"a.tif", tiff(8, 3, 1, top + bottom)},
-        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()}};
+        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()},     {"a.webp", webp()},
+        {"a.dds", dds()}};
     for (const auto& [name, whole] : files) {
         SCOPED_TRACE(name);
         for (size_t size = 0; size < whole.size(); ++size) {
@@ -154,7 +163,8 @@ TEST(ImageRead, ChangedBytesNeverCrash)
     const TempFolder folder;
     const std::pair<const char*, std::string> files[] = {
         {"a.ppm", ppm()},  {"a.bmp", bmp()}, {"a.tga", tga(true)}, {"a.tif", tiff(8, 3, 1, top + bottom)},
-        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()}};
+        {"a.jpg", jpeg()}, {"a.hdr", hdr()}, {"a.pfm", pfm()},     {"a.webp", webp()},
+        {"a.dds", dds()},  {"a.gif", gif()}};
     for (const auto& [name, whole] : files) {
         for (size_t i = 0; i < whole.size(); ++i) {
             for (const char value : {'\x7f', '\xff'}) {

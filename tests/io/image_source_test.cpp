@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <set>
 #include <thread>
@@ -113,6 +114,52 @@ TEST(ImageSource, ManyMayAskAtOnce)
     });
     // All are held, so each of the files has given one picture.
     for (size_t i = 8; i < rasters.size(); ++i) EXPECT_EQ(rasters[i], rasters[i % 8]);
+}
+
+bool is_ready(const RasterFuture& future, std::chrono::milliseconds patience)
+{
+    return future.wait_for(patience) == std::future_status::ready;
+}
+
+// Two of 12 bytes are read ahead, and further ones when one of them is let go of, or when they are waited for.
+TEST(ImageSource, NoMoreIsReadAheadThanAllowed)
+{
+    using namespace std::chrono_literals;
+    const TempFolder folder;
+    std::vector<std::string> files;
+    for (int i = 0; i < 5; ++i) {
+        files.push_back(folder.file(std::to_string(i) + ".tga"));
+        write_bytes(files.back(), tga(true));
+    }
+    ImageSource source(2, 24);
+    std::vector<RasterFuture> futures;
+    for (const std::string& file : files) futures.push_back(source.request(file));
+    for (const std::string& file : files) {
+        const auto header = source.header(file);
+        ASSERT_TRUE(header);
+        EXPECT_EQ(header->bytes(), 12u);
+    }
+    const auto count_ready = [&] {
+        return std::count_if(futures.begin(), futures.end(),
+                             [](const RasterFuture& f) { return f.valid() && is_ready(f, 0ms); });
+    };
+    while (count_ready() < 2) std::this_thread::sleep_for(1ms);
+    std::this_thread::sleep_for(50ms);
+    EXPECT_EQ(count_ready(), 2);
+    EXPECT_FALSE(is_ready(futures[4], 0ms));
+    source.demand(files[4]);
+    EXPECT_EQ(futures[4].get()->bytes.size(), 12u);
+    std::this_thread::sleep_for(20ms);
+    EXPECT_EQ(count_ready(), 3);
+    futures[4] = {};
+    for (RasterFuture& f : futures)
+        if (f.valid() && is_ready(f, 0ms)) f = {};
+    // Room for the two that are left.
+    for (RasterFuture& f : futures)
+        if (f.valid()) EXPECT_EQ(f.get()->bytes.size(), 12u);
+    EXPECT_FALSE(source.header(folder.file("never asked for")));
+    source.request(folder.file("missing"));
+    EXPECT_FALSE(source.header(folder.file("missing")));
 }
 
 // OpenImageIO before 2.4.8.1 keeps a table of the tags it meets in profiles, which all threads write into.

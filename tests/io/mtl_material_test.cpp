@@ -71,7 +71,7 @@ TEST_F(MtlMaterial, MirrorsAndMetalsReflectKs)
     EXPECT_FLOAT_EQ(metal.roughness, std::sqrt(0.1f));
     ASSERT_TRUE(metal.base_color_map);
     EXPECT_EQ(relative(metal.base_color_map->file), "a.png");
-    EXPECT_EQ(metal.base_color_map->use.encoding, Encoding::srgb);
+    EXPECT_EQ(metal.base_color_map->use.encoding, Encoding::of_file);
     EXPECT_THAT(warnings(), IsEmpty());
 }
 
@@ -189,7 +189,7 @@ TEST_F(MtlMaterial, ColoursMultiplyTheirTextures)
     EXPECT_EQ(relative(both.base_color_map->file), "a.png");
     EXPECT_EQ(both.base_color_map->where.line, 3u);
     EXPECT_EQ(both.emission, (Color{2, 3, 4}));
-    EXPECT_EQ(both.emission_map->use.encoding, Encoding::srgb);
+    EXPECT_EQ(both.emission_map->use.encoding, Encoding::of_file);
     EXPECT_EQ(material("map_Kd a.png").base_color, (Color{1, 1, 1}));
     EXPECT_EQ(material("map_Ke a.png").emission, (Color{1, 1, 1}));
     EXPECT_EQ(material("map_Ke a.png").base_color, Color{});

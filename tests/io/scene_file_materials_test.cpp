@@ -278,8 +278,8 @@ TEST_F(SceneMaterials, AUseDecidesHowItsPictureIsRead)
     const auto is = [](const TextureUse& use, Encoding encoding, Channel channel) {
         return use && use->use.encoding == encoding && use->use.channel == channel;
     };
-    EXPECT_TRUE(is(a.base_color_map, Encoding::srgb, Channel::color));
-    EXPECT_TRUE(is(a.emission_map, Encoding::srgb, Channel::color));
+    EXPECT_TRUE(is(a.base_color_map, Encoding::of_file, Channel::color));
+    EXPECT_TRUE(is(a.emission_map, Encoding::of_file, Channel::color));
     EXPECT_TRUE(is(a.normal_map, Encoding::linear, Channel::color));
     EXPECT_TRUE(is(a.roughness_map, Encoding::linear, Channel::luminance));
     EXPECT_TRUE(is(a.bump_map, Encoding::linear, Channel::luminance));

@@ -49,5 +49,53 @@ TEST(MipPyramid, LevelsLieBehindEachOther)
     }
 }
 
+// What a limit leaves is what was there, to the bit, and all of it is what the header foretells.
+TEST(MipPyramid, ALimitDropsTheLevelsAboveItAndNothingElse)
+{
+    const auto bytes_of_test = [](uint32_t x, uint32_t y, uint32_t c) { return (x * 7 + y * 13 + c * 29) % 256; };
+    for (const Size size : odd_and_even_sizes)
+        for (const uint32_t channels : {1u, 3u, 4u})
+            for (const bool as_floats : {false, true})
+                for (const Channel channel : {Channel::color, Channel::luminance, Channel::alpha}) {
+                    Raster raster = byte_raster(size, channels, bytes_of_test);
+                    if (as_floats) {
+                        raster.is_float = true;
+                        for (const uint8_t b : raster.bytes) raster.floats.push_back(static_cast<float>(b) / 3 + 0.1f);
+                        raster.bytes.clear();
+                    }
+                    if (channel == Channel::alpha && !raster.has_alpha()) continue;
+                    const RasterHeader header{
+                        .width = raster.width,
+                        .height = raster.height,
+                        .channels = channels,
+                        .values = as_floats ? RasterHeader::Values::floats : RasterHeader::Values::bytes};
+                    const MipPyramid whole = build_pyramid(raster, Encoding::of_file, channel);
+                    EXPECT_EQ(cost_of_pyramid(header, Encoding::of_file, channel, 0).kept, whole.bytes());
+                    for (const uint32_t limit : {1u, 2u, 5u, 16u, 65536u}) {
+                        const MipPyramid part = build_pyramid(raster, Encoding::of_file, channel, limit);
+                        ASSERT_LE(std::max(part.levels[0].width, part.levels[0].height), limit);
+                        ASSERT_LE(part.levels.size(), whole.levels.size());
+                        const size_t dropped = whole.levels.size() - part.levels.size();
+                        if (dropped > 0) {
+                            EXPECT_GT(std::max(whole.levels[dropped - 1].width, whole.levels[dropped - 1].height),
+                                      limit);
+                        }
+                        std::visit(
+                            [&](const auto& of_part) {
+                                using Values = std::remove_cvref_t<decltype(of_part)>;
+                                const auto& of_whole = std::get<Values>(whole.values);
+                                const size_t before = whole.levels[dropped].first;
+                                EXPECT_EQ(of_part, Values(of_whole.begin() + static_cast<std::ptrdiff_t>(before),
+                                                          of_whole.end()));
+                                for (size_t i = 0; i < part.levels.size(); ++i)
+                                    EXPECT_EQ(part.levels[i].first + before, whole.levels[i + dropped].first);
+                            },
+                            part.values);
+                        EXPECT_EQ(part.mean, whole.mean);
+                        EXPECT_EQ(cost_of_pyramid(header, Encoding::of_file, channel, limit).kept, part.bytes());
+                    }
+                }
+}
+
 }  // namespace
 }  // namespace lancer

@@ -36,7 +36,7 @@ Texels::Texels(const lancer::Raster& raster, lancer::Encoding encoding, lancer::
 {
     using enum lancer::Channel;
     if (channel == automatic) channel = alpha_says_something(raster) ? alpha : red;
-    const bool is_curved = encoding == lancer::Encoding::srgb;
+    const bool is_curved = encoding != lancer::Encoding::linear;
     for (size_t i = 0; i < raster.value_count(); i += raster.channels) {
         const auto number = [&](size_t c) { return value_of(raster, i + (raster.channels < 3 ? 0 : c), is_curved); };
         const Rgb color{number(0), number(1), number(2)};

@@ -10,7 +10,7 @@
 namespace lancer {
 
 Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
-                         const RasterSource& pictures)
+                         const RasterSource& pictures, const PictureMemory& memory)
 {
     std::string added;
     const bool is_bare = is_mesh(choice.file);
@@ -21,7 +21,7 @@ Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, dou
     const DefaultView view = add_default_view(scene, choice, aspect);
     added += view.added;
     if (!is_bare) return {added, {}};
-    const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures);
+    const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures, memory);
     return {added + light.text, light.note};
 }
 

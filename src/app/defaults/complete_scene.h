@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/load_scene.h"
+#include "scene/build/picture_memory.h"
 
 namespace lancer {
 
@@ -13,8 +14,8 @@ struct Completed {
 };
 
 // Adds what the scene lacks: a camera to any scene, light to a bare mesh. aspect: width over height. pictures: may be
-// asked for those of emission. Must be called inside with_threads.
+// asked for those of emission; memory: what they may take. Must be called inside with_threads.
 Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
-                         const RasterSource& pictures);
+                         const RasterSource& pictures, const PictureMemory& memory);
 
 }  // namespace lancer

@@ -12,6 +12,7 @@
 #include "core/warp.h"
 #include "io/toml_write.h"
 #include "render/estimators/own_light.h"
+#include "scene/build/scene_builder.h"
 #include "scene/environment/environment.h"
 #include "scene/placement.h"
 
@@ -47,12 +48,14 @@ bool has_emitting_faces(const SceneDescription& scene)
 }
 
 // Settings of its own: the light that is added must not depend on those of the picture.
-OwnLight own_light(const SceneDescription& scene, double aspect, const RasterSource& pictures)
+OwnLight own_light(const SceneDescription& scene, double aspect, const RasterSource& pictures,
+                   const PictureMemory& memory)
 {
     RenderSettings settings;
     settings.size = {static_cast<uint32_t>(std::clamp(std::lround(720 * aspect), 1l, 65535l)), 720};
     Diagnostics ignored;  // the real scene reports the same problems
-    const Renderer renderer(Scene::begin(scene, settings, ignored, pictures), configure(settings, 256), ignored);
+    const Renderer renderer(SceneBuilder(scene, settings, ignored, pictures, memory), configure(settings, 256),
+                            ignored);
     return measure_own_light(renderer, *scene.camera, settings.size);
 }
 
@@ -64,10 +67,10 @@ struct Judgement {
     std::string why;
 };
 
-Judgement judge(const SceneDescription& scene, double aspect, const RasterSource& pictures)
+Judgement judge(const SceneDescription& scene, double aspect, const RasterSource& pictures, const PictureMemory& memory)
 {
     if (!has_emitting_faces(scene)) return {.why = "nothing in the mesh emits light"};
-    const OwnLight own = own_light(scene, aspect, pictures);
+    const OwnLight own = own_light(scene, aspect, pictures, memory);
     const std::string share = "the mesh's own lamps light " + percent(own.lit) + " of what is seen";
     const std::string open = percent(own.open) + " of a sky would reach it";
     if (own.open <= most_open && own.lit >= least_lit) return {false, 1, share + ", and only " + open};
@@ -154,14 +157,18 @@ Color albedo_of_ground(const EnvironmentMap& map, Vec3d up)
 
 // The environment of --env, which load_scene() has put into the scene, and the ground below it.
 DefaultLight complete_environment(SceneDescription& scene, const SceneChoice& choice, const DefaultView& view,
-                                  const RasterSource& pictures)
+                                  const RasterSource& pictures, const PictureMemory& memory)
 {
     const Vec3d up = view.up;
     LightDescription& light = scene.lights.back();
     if (std::abs(up.z) > std::abs(up.y)) light.rotate_deg = {90, 0, 0};  // its top is +y
     DefaultLight added{text_of(light), "environment " + choice.env};
     if (!choice.ground || !wants_ground(scene, view)) return added;
-    const EnvironmentMap map(pictures(light.file).get(), light.power, {}, light.rotate_deg);
+    PendingPictures pending;
+    pending.environment = {light, pictures(light.file)};
+    check_picture_memory(pending, memory, RenderSettings{}.texture_limit);
+    memory.wait_for(light.file);
+    const EnvironmentMap map(pending.environment->image.get(), light.power, {}, light.rotate_deg);
     add_ground(scene, up, albedo_of_ground(map, up));
     return {added.text + text_of(scene.planes.back(), scene.materials.back()), added.note + ", and a ground"};
 }
@@ -169,11 +176,11 @@ DefaultLight complete_environment(SceneDescription& scene, const SceneChoice& ch
 }  // namespace
 
 DefaultLight add_default_light(SceneDescription& scene, const SceneChoice& choice, const DefaultView& view,
-                               double aspect, const RasterSource& pictures)
+                               double aspect, const RasterSource& pictures, const PictureMemory& memory)
 {
-    if (!choice.env.empty()) return complete_environment(scene, choice, view, pictures);
+    if (!choice.env.empty()) return complete_environment(scene, choice, view, pictures, memory);
     if (!scene.lights.empty() || scene.background) return {};
-    const Judgement judged = judge(scene, aspect, pictures);
+    const Judgement judged = judge(scene, aspect, pictures, memory);
     if (!judged.needs_sky) return {"# no sky: " + judged.why + "\n", "no sky: " + judged.why};
     DefaultLight added;
     const auto add = [&](LightDescription light) {

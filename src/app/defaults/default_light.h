@@ -17,8 +17,8 @@ struct DefaultLight {
 // Adds light to a bare mesh, unless the scene has some (by -D or --env) or its own emitting faces light the view: they
 // have to light a third of what is seen at least a quarter as much as the sky would, which must not reach it freely.
 // The scene must have its camera, which `view` tells of. aspect: of the picture, width over height. pictures: asked for
-// those of emission where faces emit, and for --env. Must be called inside with_threads.
+// those of emission where faces emit, and for --env; memory: what they may take. Must be called inside with_threads.
 DefaultLight add_default_light(SceneDescription& scene, const SceneChoice& choice, const DefaultView& view,
-                               double aspect, const RasterSource& pictures);
+                               double aspect, const RasterSource& pictures, const PictureMemory& memory);
 
 }  // namespace lancer

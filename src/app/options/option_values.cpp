@@ -118,6 +118,26 @@ std::string listed_views()
     return text + "AZIMUTH,ELEVATION";
 }
 
+MemorySize to_memory_size(const std::string& option, const std::string& text)
+{
+    constexpr std::array<std::pair<char, double>, 5> units{
+        {{'K', 1e3}, {'M', 1e6}, {'G', 1e9}, {'T', 1e12}, {'%', 1e-2}}};
+    std::string_view digits = text;
+    double unit = 1;
+    for (const auto& [name, bytes] : units)
+        if (!digits.empty() && (digits.back() == name || (name != '%' && digits.back() == name - 'A' + 'a'))) {
+            digits.remove_suffix(1), unit = bytes;
+            break;
+        }
+    const bool is_part = text.ends_with('%');
+    double value = 0;
+    const auto [rest, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool is_number = problem == std::errc{} && rest == digits.data() + digits.size();
+    if (!is_number || !(value * unit > 0 && value * unit <= (is_part ? 100 : 1e18)))
+        fail_usage(option + ": " + in_quotes(text) + " is not a size such as 4G, 500M or 80%");
+    return {value * unit, is_part};
+}
+
 std::string to_output(const std::string& path)
 {
     const std::string extension = extension_of(path);

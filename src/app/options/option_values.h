@@ -58,15 +58,16 @@ std::vector<std::string> split(const std::string& text, char separator);
 // As the command line names it: "--max-depth".
 std::string option_name(const RenderOption& option);
 
-bool to_bool(const std::string& option, const std::string& text);          // "true" or "false"
-PictureSize to_size(const std::string& option, const std::string& text);   // "1280x720"
-Tile to_crop(const std::string& text);                                     // "x0,y0,x1,y1"
-double to_seconds(const std::string& option, const std::string& text);     // "90", "90s", "1.5m", "2h", "500ms"
-std::string to_output(const std::string& path);                            // ends in .exr, .png or .ppm
-void add_aovs(const std::string& text, std::vector<Aov>& aovs);            // "albedo,normal" or "all"
+bool to_bool(const std::string& option, const std::string& text);               // "true" or "false"
+PictureSize to_size(const std::string& option, const std::string& text);        // "1280x720"
+Tile to_crop(const std::string& text);                                          // "x0,y0,x1,y1"
+double to_seconds(const std::string& option, const std::string& text);          // "90", "90s", "1.5m", "2h", "500ms"
+MemorySize to_memory_size(const std::string& option, const std::string& text);  // "4G", "500M", "80%"
+std::string to_output(const std::string& path);                                 // ends in .exr, .png or .ppm
+void add_aovs(const std::string& text, std::vector<Aov>& aovs);                 // "albedo,normal" or "all"
 ViewDirection to_view(const std::string& text);                            // "front" or "30,15"
 std::string listed_views();                                                // "front|...|AZIMUTH,ELEVATION"
 Exposure to_exposure(const std::string& option, const std::string& text);  // "auto", "-0.5"
-DisplayAddress to_display_address(const std::string& text);                // "host", "host:14158" or "[::1]:14158"
+DisplayAddress to_display_address(const std::string& text);                     // "host", "host:14158" or "[::1]:14158"
 
 }  // namespace lancer

@@ -14,7 +14,7 @@ namespace {
 
 const char* const exit_codes =
     "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
-    "130 interrupted (the picture so far is written, marked partial).\n";
+    "71 the pictures need more than --memory; 130 interrupted (the picture so far is written, marked partial).\n";
 
 void add_render_options(OptionParser& p, RenderOptions& o)
 {
@@ -123,10 +123,12 @@ std::optional<CheckOptions> parse_check(int argc, char** argv)
     CheckOptions o;
     OptionParser p(
         "lancer check", "Print every problem of a scene and its files, one line each, and count them.",
-        "Exit codes: 0 no errors; 2 wrong usage; 65 errors, or with --strict warnings; 66 a file is missing.\n\n"
+        "Exit codes: 0 no errors; 2 wrong usage; 65 errors, or with --strict warnings; 66 a file is missing; "
+        "71 the\npictures need more than --memory.\n\n"
         "Example:\n  lancer check scene.toml --strict\n");
     add_scene_options(p, o.scene);
     add_threads(p, o.threads);
+    add_memory(p, o.memory);
     p.flag("--strict", "Exit with 65 if there is a warning", o.strict);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
@@ -137,10 +139,12 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
 {
     InfoOptions o;
     OptionParser p("lancer info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
-                   "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing.\n\n"
+                   "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing; "
+                   "71 the\npictures need more than --memory.\n\n"
                    "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
     add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
     add_threads(p, o.threads);
+    add_memory(p, o.memory);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
     return o;

@@ -16,11 +16,18 @@
 
 namespace lancer {
 
+// Bytes, or a part of the memory that there is.
+struct MemorySize {
+    double amount = 0.8;  // > 0
+    bool is_part = true;
+};
+
 // What every command takes that traces rays.
 struct PictureOptions {
     SceneChoice scene;
     RenderSettings render;  // what is given here overrides [render] of the scene
     std::optional<uint32_t> threads;
+    MemorySize memory;  // that all pictures may take together
     bool strict = false;
 };
 
@@ -59,12 +66,14 @@ struct RenderOptions {
 struct CheckOptions {
     SceneChoice scene;
     std::optional<uint32_t> threads;
+    MemorySize memory;
     bool strict = false;
 };
 
 struct InfoOptions {
     SceneChoice scene;  // or a picture
     std::optional<uint32_t> threads;
+    MemorySize memory;
 };
 
 struct PixelOptions {

@@ -133,7 +133,16 @@ void add_picture_options(OptionParser& p, PictureOptions& o)
     add_render_settings(p, o.render);
     p.group("How it runs");
     add_threads(p, o.threads);
+    add_memory(p, o.memory);
     p.flag("--strict", "Fail if loading the scene gives a warning", o.strict);
+}
+
+void add_memory(OptionParser& p, MemorySize& memory)
+{
+    p.value("--memory", "SIZE",
+            "What all pictures of the scene may take together, MIP levels included: 4G, 500M, or a part of the memory "
+            "that there is. More is refused (80%)",
+            [&](const std::string& t) { memory = to_memory_size("--memory", t); });
 }
 
 void add_threads(OptionParser& p, std::optional<uint32_t>& threads)

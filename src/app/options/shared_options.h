@@ -12,6 +12,7 @@ void add_scene_options(OptionParser& p, SceneChoice& o,
 // One option for each row of render_options(), and the scene, and how it runs.
 void add_picture_options(OptionParser& p, PictureOptions& o);
 
+void add_memory(OptionParser& p, MemorySize& memory);
 void add_threads(OptionParser& p, std::optional<uint32_t>& threads);
 // $LANCER_THREADS, where --threads is not given. After parsing, so that a wrong value in the environment does not
 // stand in the way of a right one. Throws Error (usage).

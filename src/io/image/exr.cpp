@@ -18,14 +18,14 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <optional>
 
+#include "io/image/exr_channels.h"
 #include "io/image/exr_header.h"
 #include "io/input_file.h"
 
 namespace lancer {
 namespace {
-
-constexpr const char* channel_names[] = {"R", "G", "B"};
 
 class FileIn : public Imf::IStream {
 public:
@@ -67,53 +67,64 @@ Metadata read_metadata(const Imf::Header& header)
     return result;
 }
 
-using Names = std::vector<const char*>;
-
-// The channels to read: R, G, B, or Y alone. Others in the file are left alone.
-Names find_channels(const InputFile& file, const Imf::ChannelList& channels)
+bool is_flat(const Imf::Header& header)
 {
-    const bool color = channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
-    if (!color && (!channels.findChannel("Y") || channels.findChannel("RY") || channels.findChannel("BY"))) {
-        std::string names;
-        for (auto i = channels.begin(); i != channels.end(); ++i)
-            names += (names.empty() ? "" : ", ") + std::string(i.name());
-        throw file.invalid("needs channels R, G, B, or Y alone; the file has " + names);
-    }
-    return color ? Names(std::begin(channel_names), std::end(channel_names)) : Names{"Y"};
+    return !header.hasType() || header.type() == Imf::SCANLINEIMAGE || header.type() == Imf::TILEDIMAGE;
 }
 
-const Imf::Header& check_part(const InputFile& file, const Imf::MultiPartInputFile& parts)
+ExrChannels find_channels(const InputFile& file, const Imf::MultiPartInputFile& parts)
 {
-    if (parts.parts() != 1) throw file.invalid("has several parts; only single-part pictures are read");
-    const Imf::Header& header = parts.header(0);
-    if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE) {
-        throw file.invalid("is of type " + header.type() + "; only flat pictures are read");
+    std::vector<std::vector<std::string>> names(static_cast<size_t>(parts.parts()));
+    std::string all;
+    for (int part = 0; part < parts.parts(); ++part) {
+        const Imf::Header& header = parts.header(part);
+        for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+            if (is_flat(header)) names[static_cast<size_t>(part)].emplace_back(i.name());
+            all += (all.empty() ? "" : ", ") + std::string(i.name());
+        }
     }
-    return header;
+    const std::optional<ExrChannels> chosen = choose_exr_channels(names);
+    if (!chosen) throw file.invalid("needs channels R, G, B, or Y, or a layer of at most three; the file has " + all);
+    return *chosen;
+}
+
+// Where to put the numbers of a channel: `place` of `stride` numbers of a pixel.
+struct Placed {
+    std::string name;
+    size_t place;
+};
+
+std::vector<Placed> placed(const ExrChannels& chosen)
+{
+    std::vector<Placed> result;
+    for (size_t c = 0; c < chosen.colors.size(); ++c)
+        if (!chosen.colors[c].empty()) result.push_back({chosen.colors[c], c});
+    if (!chosen.alpha.empty()) result.push_back({chosen.alpha, chosen.colors.size()});
+    return result;
 }
 
 // rows(y0, y1) gives the place of the first number of row y0; `stride` numbers lie between pixels. Memory is asked for
 // as far as the file truly has rows.
 template <class Rows>
-void read_channels(const InputFile& file, Imf::MultiPartInputFile& parts, const Names& names, size_t stride,
-                   const Rows& rows)
+void read_channels(const InputFile& file, Imf::MultiPartInputFile& parts, int number,
+                   const std::vector<Placed>& channels, size_t stride, const Rows& rows)
 {
-    const Imf::Header& header = parts.header(0);
-    for (const char* name : names) {
-        const Imf::Channel& c = header.channels()[name];
-        if (c.xSampling != 1 || c.ySampling != 1) throw file.invalid("channel " + std::string(name) + " is subsampled");
+    const Imf::Header& header = parts.header(number);
+    for (const Placed& channel : channels) {
+        const Imf::Channel& c = header.channels()[channel.name];
+        if (c.xSampling != 1 || c.ySampling != 1) throw file.invalid("channel " + channel.name + " is subsampled");
     }
     const Window data = to_window(header.dataWindow());
     const size_t pixel = stride * sizeof(float), row = pixel * static_cast<size_t>(data.width());
-    Imf::InputPart part(parts, 0);
+    Imf::InputPart part(parts, number);
     constexpr int32_t rows_at_once = 256;  // no compression of the format has larger blocks
     for (int32_t y0 = data.y0; y0 < data.y1; y0 += rows_at_once) {
         const int32_t y1 = std::min(y0 + rows_at_once, data.y1);
         float* const first = rows(y0, y1);
         const Imath::Box2i box = {{data.x0, y0}, {data.x1 - 1, y1 - 1}};
         Imf::FrameBuffer buffer;
-        for (size_t c = 0; c < names.size(); ++c)
-            buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, first + c, box, pixel, row));
+        for (const Placed& c : channels)
+            buffer.insert(c.name, Imf::Slice::Make(Imf::FLOAT, first + c.place, box, pixel, row));
         part.setFrameBuffer(buffer);
         part.readPixels(y0, y1 - 1);
     }
@@ -121,18 +132,20 @@ void read_channels(const InputFile& file, Imf::MultiPartInputFile& parts, const 
 
 Image read_part(const InputFile& file, Imf::MultiPartInputFile& parts)
 {
-    const Imf::Header& header = check_part(file, parts);
-    const Names names = find_channels(file, header.channels());
+    ExrChannels chosen = find_channels(file, parts);
+    chosen.alpha.clear();
+    const auto number = static_cast<int>(chosen.part);
+    const Imf::Header& header = parts.header(number);
     Image image;
     image.display = to_window(header.displayWindow());
     image.data = to_window(header.dataWindow());
     image.pixels.reserve(image.data.area());  // costs nothing until it is filled
     const auto width = static_cast<size_t>(image.data.width());
-    read_channels(file, parts, names, 3, [&](int32_t y0, int32_t y1) {
+    read_channels(file, parts, number, placed(chosen), 3, [&](int32_t y0, int32_t y1) {
         image.pixels.resize(image.pixels.size() + width * static_cast<size_t>(y1 - y0));
         return &image.at(image.data.x0, y0).r;
     });
-    if (names.size() == 1) {
+    if (chosen.colors.size() == 1) {
         for (Color& c : image.pixels) c.g = c.b = c.r;
     }
     return image;
@@ -153,34 +166,59 @@ std::vector<float> move_window(const std::vector<float>& values, const Window& f
     return result;
 }
 
-Raster read_raster_part(const InputFile& file, Imf::MultiPartInputFile& parts)
+// What a raster is made of.
+struct RasterPart {
+    ExrChannels chosen;
+    Window data, display;
+    RasterHeader header;
+};
+
+RasterPart find_raster_part(const InputFile& file, const Imf::MultiPartInputFile& parts)
 {
-    const Imf::Header& header = check_part(file, parts);
-    Names names = find_channels(file, header.channels());
-    if (header.channels().findChannel("A")) names.push_back("A");
-    const Window data = to_window(header.dataWindow()), display = to_window(header.displayWindow());
+    RasterPart found{.chosen = find_channels(file, parts), .data = {}, .display = {}, .header = {}};
+    const Imf::Header& header = parts.header(static_cast<int>(found.chosen.part));
+    found.data = to_window(header.dataWindow()), found.display = to_window(header.displayWindow());
     // A small file may say anything of its display window.
     constexpr int64_t most = 64;
-    const int64_t width = int64_t{display.x1} - display.x0, height = int64_t{display.y1} - display.y0;
+    const int64_t width = int64_t{found.display.x1} - found.display.x0,
+                  height = int64_t{found.display.y1} - found.display.y0;
     if (width <= 0 || height <= 0 || width > max_image_side || height > max_image_side ||
-        width * height > std::min(max_image_pixels, most * static_cast<int64_t>(data.area()))) {
+        width * height > std::min(max_image_pixels, most * static_cast<int64_t>(found.data.area()))) {
         throw file.invalid("a display window of " + std::to_string(width) + " x " + std::to_string(height) +
                            " pixels does not suit the picture");
     }
-    const size_t channels = names.size(), row = channels * static_cast<size_t>(data.width());
-    Raster raster = {.width = static_cast<uint32_t>(width),
-                     .height = static_cast<uint32_t>(height),
-                     .channels = static_cast<uint32_t>(channels),
+    const std::vector<Placed> channels = placed(found.chosen);
+    const bool halves = std::all_of(channels.begin(), channels.end(),
+                                    [&](const Placed& c) { return header.channels()[c.name].type == Imf::HALF; });
+    const size_t count = found.chosen.colors.size() + (found.chosen.alpha.empty() ? 0 : 1);
+    found.header = {.width = static_cast<uint32_t>(width),
+                    .height = static_cast<uint32_t>(height),
+                    .channels = static_cast<uint32_t>(count),
+                    .values = halves ? RasterHeader::Values::halves : RasterHeader::Values::floats,
+                    .decoder_bytes = found.data != found.display ? found.data.area() * count * sizeof(float) : 0};
+    return found;
+}
+
+Raster read_raster_part(const InputFile& file, Imf::MultiPartInputFile& parts)
+{
+    const RasterPart found = find_raster_part(file, parts);
+    const Window& data = found.data;
+    const size_t channels = found.header.channels, row = channels * static_cast<size_t>(data.width());
+    Raster raster = {.width = found.header.width,
+                     .height = found.header.height,
+                     .channels = found.header.channels,
                      .bytes = {},
                      .floats = {},
                      .is_float = true};
     raster.floats.reserve(data.area() * channels);
-    read_channels(file, parts, names, channels, [&](int32_t y0, int32_t y1) {
-        const size_t end = raster.floats.size();
-        raster.floats.resize(end + row * static_cast<size_t>(y1 - y0));
-        return &raster.floats[end];
-    });
-    if (data != display) raster.floats = move_window(raster.floats, data, display, channels);
+    read_channels(file, parts, static_cast<int>(found.chosen.part), placed(found.chosen), channels,
+                  [&](int32_t y0, int32_t y1) {
+                      const size_t end = raster.floats.size();
+                      raster.floats.resize(end + row * static_cast<size_t>(y1 - y0));
+                      return &raster.floats[end];
+                  });
+    if (data != found.display) raster.floats = move_window(raster.floats, data, found.display, channels);
+    divide_by_alpha(raster);  // the format multiplies colours by alpha
     return raster;
 }
 
@@ -228,9 +266,13 @@ ExrInfo read_exr_info(const std::string& path)
         constexpr const char* types[] = {"uint", "half", "float"};
         constexpr const char* compressions[] = {"none",  "rle", "zips", "zip",  "piz",
                                                 "pxr24", "b44", "b44a", "dwaa", "dwab"};
-        for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
-            const auto type = static_cast<size_t>(i.channel().type);
-            info.channels.push_back({i.name(), type < std::size(types) ? types[type] : "unknown"});
+        for (int part = 0; part < parts.parts(); ++part) {
+            const Imf::Header& of = parts.header(part);
+            const std::string name = parts.parts() > 1 && of.hasName() ? of.name() + ": " : "";
+            for (auto i = of.channels().begin(); i != of.channels().end(); ++i) {
+                const auto type = static_cast<size_t>(i.channel().type);
+                info.channels.push_back({name + i.name(), type < std::size(types) ? types[type] : "unknown"});
+            }
         }
         const auto compression = static_cast<size_t>(header.compression());
         info.compression = compression < std::size(compressions) ? compressions[compression] : "unknown";
@@ -258,6 +300,13 @@ std::vector<float> read_exr_channel(const std::string& path, const std::string& 
 }
 
 Raster read_exr_raster(const std::string& path) { return with_parts(path, read_raster_part); }
+
+RasterHeader read_exr_raster_header(const std::string& path)
+{
+    return with_parts(path, [](const InputFile& file, const Imf::MultiPartInputFile& parts) {
+        return find_raster_part(file, parts).header;
+    });
+}
 
 std::string exr_version() { return OPENEXR_VERSION_STRING; }
 

@@ -37,14 +37,16 @@ void write_exr(const std::string& path, const Image& image, const Metadata& meta
 void write_exr(AtomicFile& file, const ImageRows& image, const Metadata& metadata = {}, const ExrOptions& options = {},
                std::span<const ImagePlane> planes = {});
 
-// Reads a single-part picture, scan lines or tiles, with channels R, G, B, or Y for grey, of any type. Metadata are the
-// attributes "lancer:NAME", without the prefix. A broken or truncated file is ErrorKind::invalid_input, never a partial
-// picture; a missing one missing_input.
+// Reads a flat picture, scan lines or tiles, of any type: the channels that choose_exr_channels() takes, as they stand,
+// without alpha. Metadata are the attributes "lancer:NAME" of the first part, without the prefix. A broken or truncated
+// file is ErrorKind::invalid_input, never a partial picture; a missing one missing_input.
 Image read_exr(const std::string& path, Metadata* metadata = nullptr);
 
-// Reads the display window, black and transparent outside the data window; with channel A as alpha, if there is one;
-// the finest level of a mip-mapped picture.
+// Reads the display window, black and transparent outside the data window; with channel A as alpha, if there is one, by
+// which colours are divided; the finest level of a mip-mapped picture.
 Raster read_exr_raster(const std::string& path);
+// What that would give. Throws the same.
+RasterHeader read_exr_raster_header(const std::string& path);
 
 // Information on a picture without its pixels.
 struct ExrInfo {

@@ -13,17 +13,18 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the format's byte order is read as it stands");
 
 constexpr uint32_t magic = 20000630;
-constexpr uint32_t flag_deep = 0x800, flag_multipart = 0x1000;
+constexpr uint32_t flag_tiled = 0x200, flag_deep = 0x800, flag_multipart = 0x1000;
 
 constexpr int64_t max_block_bytes = int64_t{1} << 30;  // one compressed block, all channels, uncompressed
 
 // What of the header decides how much the library allocates.
 struct Extent {
-    bool has_window = false, has_channels = false;
+    bool has_window = false, has_channels = false, is_tiled = false;
     int64_t width = 0, height = 0;
     int64_t tile_width = 0, tile_height = 0;  // 0: scan lines
     int64_t pixel_bytes = 0;
     int64_t block_rows = 1;
+    int64_t chunks = 0;  // of a file of several parts: what it says of their number
 };
 
 class HeaderReader {
@@ -82,6 +83,7 @@ void read_attribute(HeaderReader& in, const std::string& name, int32_t size, Ext
     if (name == "dataWindow" && size == 16) read_window(in, extent);
     if (name == "channels") read_channels(in, extent);
     if (name == "compression" && size == 1) extent.block_rows = rows_of_block(in.value<uint8_t>());
+    if (name == "chunkCount" && size == 4) extent.chunks = in.value<int32_t>();
     if (name == "tiles" && size == 9) {
         const auto sides = in.value<std::array<uint32_t, 2>>();
         extent.tile_width = sides[0];
@@ -90,8 +92,9 @@ void read_attribute(HeaderReader& in, const std::string& name, int32_t size, Ext
     }
 }
 
-void check_extent(const InputFile& file, const Extent& e, bool tiled)
+void check_extent(const InputFile& file, const Extent& e)
 {
+    const bool tiled = e.is_tiled;
     if (!e.has_window || !e.has_channels || (tiled && e.tile_width == 0)) {
         throw file.invalid("not a valid OpenEXR file: the header lacks a required attribute");
     }
@@ -110,9 +113,33 @@ void check_extent(const InputFile& file, const Extent& e, bool tiled)
     // Each block has at least its place in the table of offsets, its coordinates and its size.
     const int64_t across = (e.width + block_width - 1) / block_width;
     const int64_t down = (e.height + block_rows - 1) / block_rows;
-    if (static_cast<uint64_t>(across * down) * 16 > file.size()) {
+    if (e.chunks < 0 || static_cast<uint64_t>(std::max(across * down, e.chunks)) * 16 > file.size()) {
         throw file.invalid("the file is too short for a picture of " + size + " pixels");
     }
+}
+
+// One header, up to the empty name at its end. has_type: the attribute "type" decides whether there are tiles.
+void check_part(HeaderReader& in, const std::string& first_name, bool has_type, bool is_tiled)
+{
+    InputFile& file = in.file();
+    Extent extent;
+    extent.is_tiled = is_tiled;
+    for (std::string name = first_name; !name.empty(); name = in.name()) {
+        in.name();  // the type; the library checks it
+        const int32_t size = in.value<int32_t>();
+        const uint64_t start = file.tell();
+        if (size < 0 || static_cast<uint64_t>(size) > file.size() - std::min(start, file.size())) {
+            throw file.invalid("not a valid OpenEXR file: attribute " + name + " is longer than the file");
+        }
+        if (has_type && name == "type") {
+            std::string type;
+            while (type.size() < static_cast<size_t>(std::min(size, 16))) type += in.value<char>();
+            extent.is_tiled = type.starts_with("tiled") || type.starts_with("deeptile");
+        }
+        read_attribute(in, name, size, extent);
+        file.seek(start + static_cast<uint64_t>(size));
+    }
+    check_extent(file, extent);
 }
 
 }  // namespace
@@ -123,20 +150,13 @@ void check_exr_header(InputFile& file)
     file.seek(0);
     if (in.value<uint32_t>() != magic) throw file.invalid("not an OpenEXR file");
     const uint32_t version = in.value<uint32_t>();
-    if (version & flag_deep) throw file.invalid("deep OpenEXR files are not read");
-    if (version & flag_multipart) throw file.invalid("has several parts; only single-part pictures are read");
-    Extent extent;
-    for (std::string name = in.name(); !name.empty(); name = in.name()) {
-        in.name();  // the type; the library checks it
-        const int32_t size = in.value<int32_t>();
-        const uint64_t start = file.tell();
-        if (size < 0 || static_cast<uint64_t>(size) > file.size() - std::min(start, file.size())) {
-            throw file.invalid("not a valid OpenEXR file: attribute " + name + " is longer than the file");
-        }
-        read_attribute(in, name, size, extent);
-        file.seek(start + static_cast<uint64_t>(size));
-    }
-    check_extent(file, extent, (version & 0x200) != 0);
+    const bool several = (version & flag_multipart) != 0;
+    if (!several && (version & flag_deep)) throw file.invalid("deep OpenEXR files are not read");
+    std::string name = in.name();
+    do {
+        check_part(in, name, several, (version & flag_tiled) != 0);
+        if (several) name = in.name();  // an empty one ends the headers
+    } while (several && !name.empty());
 }
 
 }  // namespace lancer

@@ -7,8 +7,8 @@
 
 namespace lancer {
 
-// Throws Error(invalid_input) where the file is no flat single-part OpenEXR file, where its picture is larger than the
-// limits of input_file.h, or where the file is too short for what its header announces.
+// Throws Error(invalid_input) where the file is no OpenEXR file or a deep one of a single part, where a picture in it
+// is larger than the limits of input_file.h, or where the file is too short for what a header announces.
 void check_exr_header(InputFile& file);
 
 }  // namespace lancer

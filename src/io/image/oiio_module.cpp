@@ -39,11 +39,13 @@ bool succeeded(bool ok, OIIO::ImageInput& input, LancerOiioInfo* info)
     return false;
 }
 
-// Grey or RGB, and the alpha behind it. In 32-bit bitmaps the fourth byte is more often nothing than alpha.
+// Grey or RGB, and the alpha behind it. In 32-bit bitmaps the fourth byte is more often nothing than alpha. Of GIF it
+// is alpha, whatever OpenImageIO says of its place.
 int find_channels(const OIIO::ImageSpec& spec, const std::string& format)
 {
     const int colors = spec.nchannels < 3 ? 1 : 3;
-    return colors + (spec.alpha_channel == colors && format != "bmp" ? 1 : 0);
+    const bool has_alpha = format == "gif" ? spec.nchannels > colors : spec.alpha_channel == colors;
+    return colors + (has_alpha && format != "bmp" ? 1 : 0);
 }
 
 LancerOiioKind find_kind(const OIIO::ImageSpec& spec)
@@ -101,6 +103,11 @@ LancerOiioPicture* open_picture(const char* path, const char* format, LancerOiio
     info->channels = picture->channels = find_channels(spec, format);
     info->kind = picture->kind = find_kind(spec);
     info->block_rows = std::max(spec.tile_height, 1);
+    // The decoder of WebP multiplies whatever it is asked for, that of TIFF hands out what is stored. Of the others
+    // alpha is 0 or 1, or as a file has it.
+    const bool may_be_associated = format == std::string("tiff") || format == std::string("webp");
+    const bool is_unassociated = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+    info->is_associated = may_be_associated && info->channels % 2 == 0 && !is_unassociated ? 1 : 0;
     return picture.release();
 }
 

@@ -10,18 +10,19 @@ struct LancerOiioPicture;  // an open file
 
 struct LancerOiioInfo {
     int32_t width, height;
-    int32_t channels;    // of read_rows: 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
-    int32_t kind;        // one of the kinds below
-    int32_t block_rows;  // y0 of read_rows must be a multiple of this
-    int32_t is_damaged;  // read_rows succeeded, but the decoder had to guess; see message
-    char message[256];   // the reason, after a failure
+    int32_t channels;       // of read_rows: 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
+    int32_t kind;           // one of the kinds below
+    int32_t block_rows;     // y0 of read_rows must be a multiple of this
+    int32_t is_associated;  // colours are multiplied by alpha
+    int32_t is_damaged;     // read_rows succeeded, but the decoder had to guess; see message
+    char message[256];      // the reason, after a failure
 };
 
 // Kinds of values: bytes as stored; floats in [0, 1] for integers of more than 8 bits; floats as stored.
 enum LancerOiioKind : int32_t { lancer_oiio_bytes, lancer_oiio_integers, lancer_oiio_floats };
 
 // Changes with every change of this file: a module left over from another build is refused.
-constexpr int32_t lancer_oiio_current_version = 3;
+constexpr int32_t lancer_oiio_current_version = 4;
 
 int32_t lancer_oiio_version();
 // Opens with the decoder of this name and no other; allocates nothing for the pixels. Null: see info->message.

@@ -114,9 +114,22 @@ struct Layout {
     png_uint_32 width = 0, height = 0;
     uint32_t channels = 0;
     int depth = 0, passes = 0;
+    float exponent = 0;           // as in Raster
     size_t stored_row_bytes = 0;  // in the file, after decompression
     size_t row_bytes = 0;         // as handed out: channels of 8 or 16 bits
 };
+
+// The power that the file gives for the decoding of its colours; 0: none, or about that of sRGB, which is then meant.
+// What the specification says of readers without colour profiles (PNG, third edition, 13.13): an sRGB chunk counts
+// more than gAMA, which stands in for a profile.
+float exponent_of(png_structp png, png_infop info)
+{
+    png_fixed_point gamma = 0;
+    if (png_get_valid(png, info, PNG_INFO_sRGB) || !png_get_gAMA_fixed(png, info, &gamma) || gamma <= 0) return 0;
+    constexpr double one = 100000, same = 0.05;  // as far apart libpng takes gammas for the same
+    const double exponent = one / gamma;
+    return std::abs(exponent / 2.2 - 1) <= same ? 0 : static_cast<float>(exponent);
+}
 
 bool decode_header(png_structp png, png_infop info, Layout* layout)
 {
@@ -124,7 +137,10 @@ bool decode_header(png_structp png, png_infop info, Layout* layout)
     png_set_read_fn(png, png_get_error_ptr(png), on_read);
     png_set_user_limits(png, max_image_side, max_image_side);
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // skip all that does not make pixels
+    constexpr png_byte gamma_chunks[] = {'g', 'A', 'M', 'A', 0, 's', 'R', 'G', 'B', 0};
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, gamma_chunks, 2);
     png_read_info(png, info);
+    layout->exponent = exponent_of(png, info);
     layout->width = png_get_image_width(png, info);
     layout->height = png_get_image_height(png, info);
     layout->stored_row_bytes = png_get_rowbytes(png, info);
@@ -204,17 +220,16 @@ void write_png(const std::string& path, const Image& image, const Metadata& meta
     file.commit();
 }
 
-Raster read_png_raster(const std::string& path)
+namespace {
+
+// Throws for what is no PNG, is too large, or cannot be as large as it says.
+Layout read_layout(Reader& reader, InputFile& file)
 {
-    InputFile file(path);
-    Reader reader;
     reader.context.in = &file;
-    if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
-    const auto broken = [&](const char* reason) {
-        return file.invalid(std::string("not a valid PNG file: ") + reason);
-    };
+    if (!reader.info) throw Error(ErrorKind::failed, {file.path()}, "not enough memory to read the picture");
     Layout layout;
-    if (!decode_header(reader.png, reader.info, &layout)) throw broken(reader.context.message);
+    if (!decode_header(reader.png, reader.info, &layout))
+        throw file.invalid(std::string("not a valid PNG file: ") + reader.context.message);
     const std::string size = std::to_string(layout.width) + " x " + std::to_string(layout.height);
     if (int64_t{layout.width} * layout.height > max_image_pixels) {
         throw file.invalid("picture too large: " + size + " pixels");
@@ -224,11 +239,40 @@ Raster read_png_raster(const std::string& path)
     if (layout.stored_row_bytes * layout.height / 1032 > file.size()) {
         throw file.invalid("the file is too short for a picture of " + size + " pixels");
     }
+    return layout;
+}
+
+}  // namespace
+
+RasterHeader read_png_raster_header(const std::string& path)
+{
+    InputFile file(path);
+    Reader reader;
+    const Layout layout = read_layout(reader, file);
+    const bool is_bytes = layout.depth == 8;
+    return {.width = layout.width,
+            .height = layout.height,
+            .channels = layout.channels,
+            .values = is_bytes ? RasterHeader::Values::bytes : RasterHeader::Values::integers,
+            .exponent = layout.exponent,
+            .decoder_bytes = is_bytes ? 0 : layout.row_bytes * layout.height};
+}
+
+Raster read_png_raster(const std::string& path)
+{
+    InputFile file(path);
+    Reader reader;
+    const Layout layout = read_layout(reader, file);
     std::vector<uint8_t> bytes(layout.row_bytes * layout.height);
     std::vector<png_bytep> rows = row_pointers(bytes, layout.row_bytes, layout.height);
-    if (!decode_rows(reader.png, rows.data())) throw broken(reader.context.message);
-    Raster raster = {
-        .width = layout.width, .height = layout.height, .channels = layout.channels, .bytes = {}, .floats = {}};
+    if (!decode_rows(reader.png, rows.data()))
+        throw file.invalid(std::string("not a valid PNG file: ") + reader.context.message);
+    Raster raster = {.width = layout.width,
+                     .height = layout.height,
+                     .channels = layout.channels,
+                     .bytes = {},
+                     .floats = {},
+                     .exponent = layout.exponent};
     if (layout.depth == 8) {
         raster.bytes = std::move(bytes);
         return raster;

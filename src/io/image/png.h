@@ -23,10 +23,13 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = 
 
 // Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
 // partial picture; a missing one missing_input.
-Image read_png(const std::string& path, Encoding encoding = Encoding::srgb);
+Image read_png(const std::string& path, Encoding encoding = Encoding::of_file);
 
 // The picture as stored: palettes are resolved, fewer than 8 bits widened, a transparent colour becomes alpha.
+// Its gamma chunks give the raster's exponent.
 Raster read_png_raster(const std::string& path);
+// What that would give. Throws the same, but for what is wrong with the pixels.
+RasterHeader read_png_raster_header(const std::string& path);
 
 // Information on a PNG without its pixels. Throws as read_png.
 struct PngInfo {

@@ -133,6 +133,14 @@ private:
 
 }  // namespace
 
+RasterHeader read_tga_header(const std::string& path)
+{
+    InputFile file(path);
+    const Header header = read_header(file);
+    check(file, header);
+    return {.width = header.width, .height = header.height, .channels = channels_of(header)};
+}
+
 Raster read_tga(const std::string& path)
 {
     InputFile file(path);

@@ -12,5 +12,7 @@ namespace lancer {
 // widened to 8. Alpha where the header says how many bits of it there are. A broken or truncated file is
 // ErrorKind::invalid_input, never a partial picture; a missing one missing_input.
 Raster read_tga(const std::string& path);
+// What that would give. Throws the same, but for what is wrong with the pixels.
+RasterHeader read_tga_header(const std::string& path);
 
 }  // namespace lancer

@@ -115,7 +115,7 @@ private:
     {
         if (e_.ke) m_.emission = e_.ke.value;
         if (e_.ke && is_black(m_.emission)) return not_used(MtlMapKind::ke, "map_Ke beside a black Ke emits nothing");
-        m_.emission_map = texture(MtlMapKind::ke, Encoding::srgb, Channel::color);
+        m_.emission_map = texture(MtlMapKind::ke, Encoding::of_file, Channel::color);
         if (m_.emission_map && !e_.ke) m_.emission = white;
     }
 
@@ -145,7 +145,7 @@ private:
     // Kd with its texture: for all but glass, mirrors and metals of the classic keys.
     void describe_base()
     {
-        m_.base_color_map = texture(MtlMapKind::kd, Encoding::srgb, Channel::color);
+        m_.base_color_map = texture(MtlMapKind::kd, Encoding::of_file, Channel::color);
         // A lamp that says nothing of its own colour reflects nothing; any other material must be seen somehow.
         m_.base_color = m_.base_color_map ? white : is_black(m_.emission) ? grey : Color{};
         if (!e_.kd) return;
@@ -211,7 +211,7 @@ private:
 
     void describe_reflector()
     {
-        m_.base_color_map = texture(MtlMapKind::ks, Encoding::srgb, Channel::color);
+        m_.base_color_map = texture(MtlMapKind::ks, Encoding::of_file, Channel::color);
         m_.base_color = e_.ks ? e_.ks.value : m_.base_color_map ? white : grey;
         const bool perfect = e_.ns ? e_.ns.value >= 1000 : e_.origin.program != MtlProgram::keyshot;
         m_.type = perfect ? MaterialType::mirror : MaterialType::metal;

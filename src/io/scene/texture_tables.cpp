@@ -3,7 +3,7 @@
 namespace lancer {
 namespace {
 
-Encoding encoding_for(TextureRole role) { return role == TextureRole::color ? Encoding::srgb : Encoding::linear; }
+Encoding encoding_for(TextureRole role) { return role == TextureRole::color ? Encoding::of_file : Encoding::linear; }
 
 Channel channel_for(TextureRole role)
 {

@@ -15,7 +15,7 @@ const float* linear_table(Encoding encoding)
 {
     static const std::vector<float> srgb = make_linear_table(Encoding::srgb, 256);
     static const std::vector<float> linear = make_linear_table(Encoding::linear, 256);
-    return encoding == Encoding::srgb ? srgb.data() : linear.data();
+    return encoding == Encoding::linear ? linear.data() : srgb.data();
 }
 
 // Storage formats of texels.
@@ -109,35 +109,54 @@ std::vector<float> shrink(const MipLevel& from, size_t channels, const Value* va
     return result;
 }
 
-// Sizes and offsets of all levels below the finest one.
-void list_levels(MipPyramid& pyramid)
+// Sizes and offsets of all levels.
+std::vector<MipLevel> list_levels(uint32_t width, uint32_t height, uint32_t channels)
 {
-    for (MipLevel level = pyramid.levels[0]; level.width > 1 || level.height > 1;) {
-        level.first += size_t{level.width} * level.height * pyramid.channels;
+    std::vector<MipLevel> levels{{width, height, 0}};
+    for (MipLevel level = levels[0]; level.width > 1 || level.height > 1;) {
+        level.first += size_t{level.width} * level.height * channels;
         level.width = static_cast<uint32_t>(next_size(level.width));
         level.height = static_cast<uint32_t>(next_size(level.height));
-        pyramid.levels.push_back(level);
+        levels.push_back(level);
     }
+    return levels;
 }
 
-// Computes the levels below the finest one in `values`, each from the unrounded numbers of the previous one.
+// How many of the levels have a side longer than the limit; never all of them.
+size_t count_dropped(const std::vector<MipLevel>& levels, uint32_t limit)
+{
+    if (limit == 0) return 0;
+    const auto first = std::find_if(levels.begin(), levels.end(),
+                                    [&](const MipLevel& l) { return std::max(l.width, l.height) <= limit; });
+    return static_cast<size_t>(first - levels.begin());
+}
+
+// Computes the levels below the finest one, which is in `values`, each from the unrounded numbers of the previous one.
+// Where some are dropped, they are what the others are computed from and are not kept.
 template <class Value, class Codec>
-void add_levels(MipPyramid& pyramid, std::vector<Value> values, const Codec& codec)
+void add_levels(MipPyramid& pyramid, std::vector<Value> values, const Codec& codec, uint32_t limit)
 {
     const size_t channels = pyramid.channels;
-    list_levels(pyramid);
-    values.resize(pyramid.levels.back().first + channels);
+    std::vector<MipLevel>& levels = pyramid.levels;
+    const size_t dropped = count_dropped(levels, limit), before = levels[dropped].first;
+    const size_t size = levels.back().first + channels - before;
+    std::vector<Value> kept;
+    if (dropped == 0) kept.swap(values);
+    kept.resize(size);
+    const Value* const finest = dropped == 0 ? kept.data() : values.data();
     std::vector<float> exact;
-    for (size_t i = 0; i + 1 < pyramid.levels.size(); ++i) {
-        const MipLevel& level = pyramid.levels[i];
-        exact = i == 0 ? shrink(level, channels, values.data(), [&](Value v) { return codec.decode(v); })
-                       : shrink(level, channels, exact.data(), [](float v) { return v; });
-        std::transform(exact.begin(), exact.end(), &values[pyramid.levels[i + 1].first],
+    for (size_t i = 0; i + 1 < levels.size(); ++i) {
+        exact = i == 0 ? shrink(levels[i], channels, finest, [&](Value v) { return codec.decode(v); })
+                       : shrink(levels[i], channels, exact.data(), [](float v) { return v; });
+        if (i + 1 < dropped) continue;
+        std::transform(exact.begin(), exact.end(), &kept[levels[i + 1].first - before],
                        [&](float v) { return codec.encode(v); });
     }
-    const auto top = [&](size_t c) { return exact.empty() ? codec.decode(values[c]) : exact[c]; };
+    const auto top = [&](size_t c) { return exact.empty() ? codec.decode(kept[c]) : exact[c]; };
     pyramid.mean = {top(0), top(channels / 2), top(channels - 1)};
-    pyramid.values = std::move(values);
+    pyramid.values = std::move(kept);
+    levels.erase(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(dropped));
+    for (MipLevel& level : levels) level.first -= before;
 }
 
 bool is_one_everywhere(const Raster& raster, uint32_t channel)
@@ -157,29 +176,51 @@ Channel resolve(const Raster& raster, Channel channel)
     return is_grey && channel != Channel::alpha ? Channel::red : channel;
 }
 
+// With room for all levels, so that adding them moves nothing.
 template <class Value, class Get>
 std::vector<Value> collect(const Raster& raster, uint32_t channels, const Get& get)
 {
-    std::vector<Value> values(size_t{raster.width} * raster.height * channels);
+    const size_t finest = size_t{raster.width} * raster.height * channels;
+    std::vector<Value> values;
+    values.reserve(list_levels(raster.width, raster.height, channels).back().first + channels);
+    values.resize(finest);
     for (size_t i = 0, pixel = 0; i < values.size(); pixel += raster.channels)
         for (uint32_t c = 0; c < channels; ++c) values[i++] = get(pixel, c);
     return values;
 }
 
+// All channels of the bytes.
+std::vector<uint8_t> collect_all(const Raster& raster)
+{
+    std::vector<uint8_t> values;
+    values.reserve(list_levels(raster.width, raster.height, raster.channels).back().first + raster.channels);
+    values.assign(raster.bytes.begin(), raster.bytes.end());
+    return values;
+}
+
+// Whether integers are decoded by a power of the file's own, for which no table is kept.
+bool is_power(float exponent, Encoding encoding)
+{
+    return encoding == Encoding::of_file && exponent != 0 && exponent != 1;
+}
+
 // A finite, decoded value.
 std::vector<float> collect_floats(const Raster& raster, Encoding encoding, MipPyramid& pyramid, uint32_t first)
 {
-    constexpr size_t steps = 65536;  // integers of more than 16 bits are rounded to these
-    const bool is_curved = !raster.is_float && encoding == Encoding::srgb;
-    const std::vector<float> table = is_curved ? make_linear_table(encoding, steps) : std::vector<float>();
+    const bool is_bytes = raster.floats.empty();
+    const size_t steps = is_bytes ? 256 : 65536;  // integers of more than 16 bits are rounded to these
+    const bool is_curved = !raster.is_float && encoding != Encoding::linear;
+    const std::vector<float> table =
+        is_curved ? make_linear_table(encoding, steps, raster.exponent) : std::vector<float>();
     return collect<float>(raster, pyramid.channels, [&](size_t pixel, uint32_t c) {
+        if (is_bytes) return table[raster.bytes[pixel + first + c]];
         const float v = raster.floats[pixel + first + c];
         if (!std::isfinite(v)) {
             ++pyramid.not_finite;
             return 0.0f;
         }
         if (!is_curved) return v;
-        return table[static_cast<size_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * (steps - 1)))];
+        return table[static_cast<size_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * static_cast<float>(steps - 1)))];
     });
 }
 
@@ -201,25 +242,45 @@ bool MipPyramid::is_constant() const
         values);
 }
 
-MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked)
+PyramidCost cost_of_pyramid(const RasterHeader& header, Encoding encoding, Channel channel, uint32_t limit)
+{
+    const uint32_t channels = channel == Channel::color && header.channels >= 3 ? 3 : 1;
+    const bool is_grey = header.channels < 3, has_alpha = header.channels % 2 == 0;
+    const bool luminance = channel == Channel::luminance && !is_grey;
+    const bool is_bytes = header.values == RasterHeader::Values::bytes && !is_power(header.exponent, encoding);
+    // A quotient by alpha and a mean of three are no halves.
+    const bool is_half =
+        header.values == RasterHeader::Values::halves && !luminance && (!has_alpha || channel == Channel::alpha);
+    const std::vector<MipLevel> levels = list_levels(header.width, header.height, channels);
+    const size_t dropped = count_dropped(levels, limit);
+    const uint64_t finest = uint64_t{header.width} * header.height * channels;
+    const uint64_t size = is_bytes ? 1 : is_half ? sizeof(uint16_t) : sizeof(float);
+    // The finest level, as floats where it is not of bytes, and two levels as unrounded floats.
+    const uint64_t collected = is_bytes ? (dropped > 0 ? finest : 0) : finest * sizeof(float) * (luminance ? 3 : 1);
+    return {.kept = (levels.back().first + channels - levels[dropped].first) * size,
+            .working = collected + finest + finest / 4};
+}
+
+MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked, uint32_t limit)
 {
     const Channel channel = resolve(raster, asked);
     MipPyramid result;
-    result.levels = {{raster.width, raster.height, 0}};
     if (channel == Channel::alpha && !raster.has_alpha()) {
         result.levels = {{1, 1, 0}};
         result.decode = linear_table(Encoding::linear);
-        add_levels(result, std::vector<uint8_t>{255}, ByteCodec(result.decode));
+        add_levels(result, std::vector<uint8_t>{255}, ByteCodec(result.decode), 0);
         return result;
     }
-    if (channel == Channel::alpha) encoding = Encoding::linear;
+    if (channel == Channel::alpha || (encoding == Encoding::of_file && raster.exponent == 1))
+        encoding = Encoding::linear;
     const bool wants_luminance = channel == Channel::luminance;
     result.channels = channel == Channel::color || wants_luminance ? 3 : 1;
     const uint32_t first = channel == Channel::alpha   ? raster.channels - 1
                            : channel == Channel::green ? 1
                            : channel == Channel::blue  ? 2
                                                        : 0;
-    if (raster.floats.empty()) {
+    const auto set_levels = [&] { result.levels = list_levels(raster.width, raster.height, result.channels); };
+    if (raster.floats.empty() && !is_power(raster.exponent, encoding)) {
         result.decode = linear_table(encoding);
         const ByteCodec codec(result.decode);
         const auto byte = [&](size_t pixel, uint32_t c) { return raster.bytes[pixel + first + c]; };
@@ -228,12 +289,12 @@ MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked)
             return codec.encode(static_cast<float>(luminance(v(0), v(1), v(2))));
         };
         if (wants_luminance) result.channels = 1;
-        const bool as_it_is = result.channels == raster.channels;
+        set_levels();
         add_levels(result,
-                   wants_luminance ? collect<uint8_t>(raster, 1, luminance_byte)
-                   : as_it_is      ? raster.bytes
-                                   : collect<uint8_t>(raster, result.channels, byte),
-                   codec);
+                   wants_luminance                      ? collect<uint8_t>(raster, 1, luminance_byte)
+                   : result.channels == raster.channels ? collect_all(raster)
+                                                        : collect<uint8_t>(raster, result.channels, byte),
+                   codec, limit);
         return result;
     }
     std::vector<float> values = collect_floats(raster, encoding, result, first);
@@ -245,14 +306,17 @@ MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel asked)
         }
         values.resize(values.size() / 3);
     }
+    set_levels();
     const HalfCodec half;
     if (std::all_of(values.begin(), values.end(), [&](float v) { return half.decode(half.encode(v)) == v; })) {
-        std::vector<uint16_t> halves(values.size());
+        std::vector<uint16_t> halves;
+        halves.reserve(result.levels.back().first + result.channels);
+        halves.resize(values.size());
         std::transform(values.begin(), values.end(), halves.begin(), [&](float v) { return half.encode(v); });
         values = {};
-        add_levels(result, std::move(halves), half);
+        add_levels(result, std::move(halves), half, limit);
     } else {
-        add_levels(result, std::move(values), FloatCodec());
+        add_levels(result, std::move(values), FloatCodec(), limit);
     }
     return result;
 }

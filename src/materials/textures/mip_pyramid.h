@@ -37,6 +37,13 @@ struct MipPyramid {
     friend bool operator==(const MipPyramid&, const MipPyramid&) = default;
 };
 
-MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel channel);
+// limit: levels with a side longer than this are dropped, in pixels; 0: none. Those that remain are the same.
+MipPyramid build_pyramid(const Raster& raster, Encoding encoding, Channel channel, uint32_t limit = 0);
+
+// The memory that build_pyramid() takes beside the raster, at most: what it keeps, and what it frees again.
+struct PyramidCost {
+    uint64_t kept = 0, working = 0;
+};
+PyramidCost cost_of_pyramid(const RasterHeader& header, Encoding encoding, Channel channel, uint32_t limit);
 
 }  // namespace lancer

@@ -98,9 +98,9 @@ float sign_of(float x) { return x > 0 ? 1.0f : x < 0 ? -1.0f : 0.0f; }
 
 }  // namespace
 
-ImageTexture::ImageTexture(const Raster& raster, const ImageUse& use)
+ImageTexture::ImageTexture(const Raster& raster, const ImageUse& use, uint32_t limit)
     : use_(use),
-      pyramid_(std::make_shared<const MipPyramid>(build_pyramid(raster, use.encoding, use.channel))),
+      pyramid_(std::make_shared<const MipPyramid>(build_pyramid(raster, use.encoding, use.channel, limit))),
       footprint_scale_(std::max(std::abs(use.scale.x) * static_cast<float>(width()),
                                 std::abs(use.scale.y) * static_cast<float>(height())))
 {

@@ -19,7 +19,7 @@ enum class Wrap : uint8_t { repeat, clamp };
 
 // Options of an image texture.
 struct ImageUse {
-    Encoding encoding = Encoding::srgb;  // of integers; floats are linear
+    Encoding encoding = Encoding::of_file;  // of integers; floats are linear
     Channel channel = Channel::color;
     Wrap wrap = Wrap::repeat;
     Vec2 scale{1, 1}, offset{0, 0};  // lookup at uv * scale + offset; v points up
@@ -30,7 +30,8 @@ struct ImageUse {
 // An image texture with trilinear filtering: between texels, and between mip levels by the width of the footprint.
 class ImageTexture {
 public:
-    ImageTexture(const Raster& raster, const ImageUse& use);
+    // limit: as for build_pyramid().
+    ImageTexture(const Raster& raster, const ImageUse& use, uint32_t limit = 0);
     // uv: of the surface. Filtered over the square of the footprint's width; 0: the finest level. A uv that is not
     // finite gives some colour of the picture.
     Color eval(Vec2d uv, Footprint footprint) const

@@ -20,10 +20,12 @@ std::shared_ptr<const Raster> received(const RasterFuture& image, const Location
 
 }  // namespace
 
-void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, Diagnostics& diagnostics)
+void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, const PictureMemory& memory,
+                         Diagnostics& diagnostics)
 {
     const LightDescription& light = pending.what;
     try {
+        memory.wait_for(light.file);
         std::shared_ptr<const Raster> picture = received(pending.image, light.where, diagnostics);
         pending.image = {};  // the last to hold the picture shall be who makes texels of it
         scene.environment_map =
@@ -37,12 +39,14 @@ void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, D
         diagnostics.warning(light.where, "a texel of the environment is negative or not finite: taken for black", bad);
 }
 
-void receive_background(Scene& scene, PendingPictures::OfBackground pending, Diagnostics& diagnostics)
+void receive_background(Scene& scene, PendingPictures::OfBackground pending, const PictureMemory& memory,
+                        uint32_t texture_limit, Diagnostics& diagnostics)
 {
     const BackgroundDescription& what = pending.what;
     const auto receive = [&](const BackgroundPicture& picture, RasterFuture& image) -> std::shared_ptr<const Raster> {
         if (picture.file.empty()) return {};
         try {
+            memory.wait_for(picture.file);
             return received(image, picture.where, diagnostics);
         } catch (const Error& e) {
             diagnostics.error(picture.where, std::string("background not read: ") + e.what(), e.kind());
@@ -51,7 +55,7 @@ void receive_background(Scene& scene, PendingPictures::OfBackground pending, Dia
     };
     const auto sky = receive(what.sky_picture, pending.sky), ground = receive(what.ground_picture, pending.ground);
     if ((!sky && !what.sky_picture.file.empty()) || (!ground && !what.ground_picture.file.empty())) return;
-    scene.background = std::make_shared<const Background>(what, sky.get(), ground.get(), scene.legacy);
+    scene.background = std::make_shared<const Background>(what, sky.get(), ground.get(), scene.legacy, texture_limit);
     if (const uint64_t bad = scene.background->bad_texels())
         diagnostics.warning(what.where, "a texel of the background is negative or not finite: taken for black", bad);
     scene.environment_table = make_background_table(scene);

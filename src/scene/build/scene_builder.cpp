@@ -245,8 +245,8 @@ private:
 }  // namespace
 
 SceneBuilder::SceneBuilder(const SceneDescription& description, const RenderSettings& settings,
-                           Diagnostics& diagnostics, const RasterSource& images)
-    : scene_(std::make_unique<Scene>())
+                           Diagnostics& diagnostics, const RasterSource& images, PictureMemory memory)
+    : scene_(std::make_unique<Scene>()), memory_(std::move(memory)), texture_limit_(settings.texture_limit)
 {
     Builder(description, settings, diagnostics, images, *scene_, pending_).build();
     bind_alpha_test(*scene_);
@@ -260,12 +260,14 @@ bool SceneBuilder::may_have_emitters() const
 void SceneBuilder::complete(Diagnostics& diagnostics)
 {
     Scene& s = *scene_;
-    receive_textures(s, std::exchange(pending_.textures, {}), diagnostics);
+    check_picture_memory(pending_, memory_, texture_limit_);
+    receive_textures(s, std::exchange(pending_.textures, {}), memory_, texture_limit_, diagnostics);
     share_texels(s);
     fold_constants(s);
     drop_unread_uvs(s);
-    if (pending_.environment) receive_environment(s, *std::exchange(pending_.environment, {}), diagnostics);
-    if (pending_.background) receive_background(s, *std::exchange(pending_.background, {}), diagnostics);
+    if (pending_.environment) receive_environment(s, *std::exchange(pending_.environment, {}), memory_, diagnostics);
+    if (pending_.background)
+        receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);
     diagnostics.throw_if_errors();
     build_light_table(s);
     s.has_tables =

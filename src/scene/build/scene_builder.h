@@ -4,16 +4,16 @@
 
 #include <memory>
 
-#include "scene/build/pending_pictures.h"
+#include "scene/build/picture_memory.h"
 #include "scene/scene.h"
 
 namespace lancer {
 
 class SceneBuilder {
 public:
-    // See Scene::begin().
+    // See Scene::begin(). memory: what `images` may take.
     SceneBuilder(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
-                 const RasterSource& images);
+                 const RasterSource& images, PictureMemory memory = {});
 
     // Complete. It stays where it is, and is the geometry of the scene that finish() returns.
     const Geometry& geometry() const { return scene_->geometry; }
@@ -25,7 +25,8 @@ public:
 
     // Waits for the pictures, makes the textures and lists the lights. A picture that could not be read gives a
     // warning, and its texture is 1; an environment or background that could not be read throws Error, as the picture
-    // would be black. Must be called once.
+    // would be black. Pictures that would take too much memory are an Error (no_memory) before they are read. Must be
+    // called once.
     std::unique_ptr<const Scene> finish(Diagnostics& diagnostics);
 
 private:
@@ -35,6 +36,8 @@ private:
 
     std::unique_ptr<Scene> scene_;
     PendingPictures pending_;
+    PictureMemory memory_;
+    uint32_t texture_limit_;  // as in RenderSettings
 };
 
 }  // namespace lancer

@@ -72,28 +72,47 @@ void warn(const std::string& file, const Report& r, Diagnostics& diagnostics)
     diagnostics.warning(r.first, NamedProblem{"picture", file, " is not used: " + r.problem + "; " + instead}, r.uses);
 }
 
+// The textures of each file, in the order of the scene: together, so that no more pictures are held than are worked on.
+std::vector<std::vector<size_t>> by_file(const std::vector<PendingPictures::OfTexture>& pending)
+{
+    std::vector<std::vector<size_t>> groups;
+    std::map<std::string, size_t> group_of;
+    for (size_t i = 0; i < pending.size(); ++i) {
+        const auto [it, is_new] = group_of.try_emplace(pending[i].what.file, groups.size());
+        if (is_new) groups.emplace_back();
+        groups[it->second].push_back(i);
+    }
+    return groups;
+}
+
 }  // namespace
 
-void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pending, Diagnostics& diagnostics)
+void receive_textures(Scene& scene, std::vector<PendingPictures::OfTexture> pending, const PictureMemory& memory,
+                      uint32_t texture_limit, Diagnostics& diagnostics)
 {
     std::vector<Outcome> outcomes(pending.size());
-    parallel_for(pending.size(), [&](size_t i) {
+    const std::vector<std::vector<size_t>> groups = by_file(pending);
+    const auto receive = [&](size_t i) {
         PendingPictures::OfTexture& p = pending[i];
         // Gone with the last texture that is made of it, so that pictures do not pile up.
         const RasterFuture image = std::move(p.image);
         try {
             if (!image.valid()) throw Error(ErrorKind::failed, "nothing reads pictures here");
+            memory.wait_for(p.what.file);
             if (p.what.may_be_normals && looks_like_normals(*image.get())) {
                 outcomes[i].is_normals = true;
                 p.what.use.channel = Channel::color;
             }
-            ImageTexture texture(*image.get(), p.what.use);
+            ImageTexture texture(*image.get(), p.what.use, texture_limit);
             outcomes[i].not_finite = texture.not_finite();
             outcomes[i].damage = image.get()->damage;
             scene.textures[p.texture] = std::move(texture);
         } catch (const Error& e) {
             outcomes[i].problem = reason_of(e, p.what.file);
         }
+    };
+    parallel_for(groups.size(), [&](size_t group) {
+        for (const size_t i : groups[group]) receive(i);
     });
     std::vector<std::string> files;  // in the order of the scene
     std::map<std::string, Report> reports;

@@ -135,6 +135,13 @@ constexpr std::array rows{
                  .field = count(&S::replicates, 1, 1024),
                  .help = "independent replicates, to which the samples are dealt: they give the error with an "
                          "interval, and may add noise"},
+    RenderOption{
+        .name = "texture_limit",
+        .field = count(&S::texture_limit, 0, 65536),
+        .help = "longest side of the pictures of textures: finer MIP levels are dropped, which saves memory; "
+                "0 is no limit",
+        .unit = "pixels",
+        .bias = {.effect = "pictures of textures have at most N pixels along a side: finer details are averaged"}},
 };
 
 // Converts to anything, for count_fields().

@@ -70,6 +70,7 @@ struct RenderSettings {
     bool legacy = false;
     double stop_error = 0.01;
     uint32_t replicates = 1;
+    uint32_t texture_limit = 0;
 
     // The options that a scene file or the command line gave, a bit for each row: what is not given may be replaced.
     uint64_t given = 0;

@@ -106,12 +106,13 @@ Vec3d upright(Vec3 dir, bool z_up)
 
 }  // namespace
 
-Background::Background(const BackgroundDescription& what, const Raster* sky, const Raster* ground, bool legacy)
+Background::Background(const BackgroundDescription& what, const Raster* sky, const Raster* ground, bool legacy,
+                       uint32_t texture_limit)
     : what_(what), legacy_(legacy)
 {
     if (sky) sky_.emplace(what.sky_picture, *sky);
     if (ground && what.ground_picture.projection == Projection::planar) {
-        plane_.emplace(*ground, ImageUse{});
+        plane_.emplace(*ground, ImageUse{}, texture_limit);
     } else if (ground) {
         ground_.emplace(what.ground_picture, *ground);
     }

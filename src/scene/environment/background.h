@@ -19,7 +19,8 @@ class Background {
 public:
     // The pictures are those that the description names, else null. legacy: as the ray tracer that --legacy reproduces:
     // the checker is not filtered, and its fish-eye pictures end in grey above the horizon.
-    Background(const BackgroundDescription& what, const Raster* sky, const Raster* ground, bool legacy);
+    Background(const BackgroundDescription& what, const Raster* sky, const Raster* ground, bool legacy,
+               uint32_t texture_limit = 0);
 
     // Radiance of a ray that leaves the scene towards dir (unit). spread: angle in radians over which the ground's
     // pattern is filtered; 0: not filtered.

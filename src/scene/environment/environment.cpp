@@ -32,16 +32,16 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Raster> picture, Color fact
     make_tables();
 }
 
-uint64_t EnvironmentMap::bytes() const
+uint64_t EnvironmentMap::bytes_of(uint32_t width, uint32_t height)
 {
-    const uint64_t texels = uint64_t{width_} * height_, cells = texels + width_;
-    return texels * 3 * sizeof(float) + (cells + height_ + 1) * sizeof(double);
+    const uint64_t texels = uint64_t{width} * height, cells = texels + width;
+    return texels * 3 * sizeof(float) + (cells + height + 1) * sizeof(double);
 }
 
 void EnvironmentMap::take_texels(const Raster& picture, Color factor, Color constant)
 {
     texels_ = std::make_unique_for_overwrite<float[]>(size_t{width_} * height_ * 3);
-    const LinearValues value(picture, Encoding::srgb);
+    const LinearValues value(picture, Encoding::of_file);
     const size_t green = picture.channels < 3 ? 0 : 1, blue = 2 * green;
     std::atomic<uint64_t> bad{0};
     parallel_for(height_, [&](size_t row) {

@@ -21,8 +21,8 @@ struct EnvironmentSample {
 
 class EnvironmentMap {
 public:
-    // Radiance is texel * factor + constant; integers of the picture are sRGB. rotate_deg rotates the picture about x,
-    // then y, then z. The picture is freed before the tables are made. Runs in parallel.
+    // Radiance is texel * factor + constant; integers of the picture are colours. rotate_deg rotates the picture about
+    // x, then y, then z. The picture is freed before the tables are made. Runs in parallel.
     EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg);
 
     // Radiance of a ray that leaves the scene towards wi (unit).
@@ -39,7 +39,9 @@ public:
     bool is_black() const { return total_ == 0; }
     // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
-    uint64_t bytes() const;
+    uint64_t bytes() const { return bytes_of(width_, height_); }
+    // Of a map of this size.
+    static uint64_t bytes_of(uint32_t width, uint32_t height);
 
 private:
     // Texel coordinates of a direction: x in [0, width] from the left, y in [0, height] from the top.

@@ -29,7 +29,7 @@ ProjectedPicture::ProjectedPicture(const BackgroundPicture& how, const Raster& p
       half_fov_(how.fov_deg * pi_d / 360),
       sin_rotation_(std::sin(how.rotate_deg * pi_d / 180)),
       cos_rotation_(std::cos(how.rotate_deg * pi_d / 180)),
-      image_(to_image(picture, Encoding::srgb))
+      image_(to_image(picture, Encoding::of_file))
 {
     radius_ = std::max(0.0, std::min(width(), height()) / 2.0 - how.margin);
     for (Color& c : image_.pixels) c *= how.scale;

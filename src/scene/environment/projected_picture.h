@@ -11,7 +11,7 @@ namespace lancer {
 
 class ProjectedPicture {
 public:
-    // how.projection: any but planar. Integers of the picture are sRGB.
+    // how.projection: any but planar. Integers of the picture are colours.
     ProjectedPicture(const BackgroundPicture& how, const Raster& picture);
 
     // Pixel coordinates: x in [0, width] from the left, y in [0, height] from the top.
