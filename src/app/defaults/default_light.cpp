@@ -56,7 +56,7 @@ OwnLight own_light(const SceneDescription& scene, double aspect, const RasterSou
     Diagnostics ignored;  // the real scene reports the same problems
     const Renderer renderer(SceneBuilder(scene, settings, ignored, pictures, memory), configure(settings, 256),
                             ignored);
-    return measure_own_light(renderer, *scene.camera, settings.size);
+    return measure_own_light(renderer, *scene.camera, settings.size, double{luminance(sky_radiance)});
 }
 
 std::string percent(double x) { return format_text("%.0f %%", 100 * x); }
