@@ -27,15 +27,19 @@ std::string square(Vec3d a, Vec3d b, Vec3d c, Vec3d d)
 
 enum class Side { left, right, bottom, top, back, front };
 
-// Faces outwards. without: a side that is left out.
+// A block, whose faces show outwards; or without a side a room, whose walls show inwards.
 std::string box(Vec3d a, Vec3d b, std::optional<Side> without = {})
 {
     const auto corner = [&](int i) { return Vec3d{i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z}; };
     constexpr int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     std::string text;
-    for (int i = 0; i < 6; ++i)
-        if (!without || i != static_cast<int>(*without))
-            text += square(corner(sides[i][0]), corner(sides[i][1]), corner(sides[i][2]), corner(sides[i][3]));
+    for (int i = 0; i < 6; ++i) {
+        const auto& s = sides[i];
+        if (!without)
+            text += square(corner(s[0]), corner(s[1]), corner(s[2]), corner(s[3]));
+        else if (i != static_cast<int>(*without))
+            text += square(corner(s[3]), corner(s[2]), corner(s[1]), corner(s[0]));
+    }
     return text;
 }
 
@@ -179,7 +183,7 @@ TEST_F(DefaultLight, LampsCountByTheLightThatTheyGive)
     EXPECT_TRUE(light_of_mesh(room, 0).ends_with("nothing in the mesh emits light"));
 }
 
-// In a yard the key light must come over the walls: under the sky alone nothing is brighter than its albedo times 0.2.
+// In a yard the key light must come over the walls: under the sky alone nothing would be brighter than the sky, 0.2.
 TEST_F(DefaultLight, InsideTheKeyLightComesThroughAnOpening)
 {
     write_mesh(box({-2, 0, -6}, {2, 4, 6}, Side::top));
@@ -189,7 +193,7 @@ TEST_F(DefaultLight, InsideTheKeyLightComesThroughAnOpening)
     std::vector<float> lights;
     for (const Color c : image("a.exr").pixels) lights.push_back(luminance(c));
     std::sort(lights.begin(), lights.end());
-    EXPECT_GT(lights[lights.size() * 9 / 10], 0.25f);
+    EXPECT_GT(lights[lights.size() * 98 / 100], 0.22f);
 }
 
 TEST_F(DefaultLight, AGroundIsForObjects)

@@ -53,7 +53,7 @@ OwnLight own_light(const SceneDescription& scene, double aspect, const RasterSou
     settings.size = {static_cast<uint32_t>(std::clamp(std::lround(720 * aspect), 1l, 65535l)), 720};
     Diagnostics ignored;  // the real scene reports the same problems
     const Renderer renderer(Scene::begin(scene, settings, ignored, pictures), configure(settings, 256), ignored);
-    return measure_own_light(renderer, *scene.camera, settings.size);
+    return measure_own_light(renderer, *scene.camera, settings.size, double{luminance(sky_radiance)});
 }
 
 std::string percent(double x) { return format_text("%.0f %%", 100 * x); }

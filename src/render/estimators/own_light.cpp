@@ -54,7 +54,7 @@ double open_part(const Renderer& renderer, const Surface& surface, uint64_t plac
 
 }  // namespace
 
-OwnLight measure_own_light(const Renderer& renderer, const CameraDescription& view, PictureSize size)
+OwnLight measure_own_light(const Renderer& renderer, const CameraDescription& view, PictureSize size, double sky)
 {
     const Scene& scene = renderer.scene();
     const SmallPicture picture(renderer, view, size, PixelGrid::centres, spp);
@@ -67,7 +67,7 @@ OwnLight measure_own_light(const Renderer& renderer, const CameraDescription& vi
             if (!seen.hit || !scene.emission[scene.material_of(seen.hit)].is_dark()) continue;
             const size_t i = picture.index(x, y);
             const double part = open_part(renderer, surface_at(scene, seen.ray, seen.hit), i);
-            const double level = picture.luminance(i) / std::max(least_albedo, picture.base_color(i));
+            const double level = picture.luminance(i) / (sky * std::max(least_albedo, picture.base_color(i)));
             levels.push_back({level, 1});
             open += part;
             if (level >= least_share * part) lit += 1;
