@@ -85,30 +85,36 @@ void Rooms::look_around()
 void Rooms::look_from(Vec3d position)
 {
     constexpr double is_wall = 0.7, is_open = 0.5;
+    const auto is_covered = [](const CoarseGrid::Sight& s, double share) { return s.front + s.back > share; };
     const CoarseGrid::Sight below = side(position, -frame_.up, frame_.front, frame_.right);
-    if (below.front < is_wall) return;
-    size_t walls = 0;
+    if (!is_covered(below, is_wall)) return;
+    size_t walls = 0, inwards = 0;
     std::optional<size_t> open;
     for (size_t i = 0; i < 4; ++i) {
         const Vec3d ahead = frame_.towards(90.0 * static_cast<double>(i), 0);
         const CoarseGrid::Sight sight = side(position, ahead, cross(frame_.up, ahead), frame_.up);
-        if (sight.front > is_wall) {
+        inwards += sight.front > is_wall ? 1 : 0;
+        if (is_covered(sight, is_wall)) {
             ++walls;
         } else if (sight.free > is_open) {
             open = i;
         }
     }
-    if (walls < 3 || (walls == 3 && !open)) return;
+    // What faces outwards all around is the inside of a body.
+    const bool is_closed = inwards == 4 && below.front > is_wall;
+    if (!is_closed && !(walls == 3 && open)) return;
     const CoarseGrid::Sight above = side(position, frame_.up, frame_.front, frame_.right);
-    const bool has_ceiling = above.front > is_open;
-    if (walls == 4) closed_.push_back({position, below.distance, has_ceiling, above.distance});
-    if (walls == 3 && has_ceiling) ++open_[*open];
+    if (is_closed) closed_.push_back({position, below.distance, above.front > is_open, above.distance});
+    if (!is_closed && is_covered(above, is_open)) ++open_[*open];
     for (int i = 0; i < 16; ++i) {
         const Vec3d dir = frame_.towards(22.5 * i + 11.25, 5);
-        grid_.follow(position, dir, [&](const Place& p, double, double front, double) { note_wall(p, dir, front); });
+        grid_.follow(position, dir, [&](const Place& p, double, double front, double back) {
+            note_wall(p, front > 0 ? dir : -dir, front + back);
+        });
     }
 }
 
+// dir: of a ray that sees the wall from the front.
 void Rooms::note_wall(const Place& place, Vec3d dir, double weight)
 {
     // The mean normal of what faces the ray.

@@ -16,8 +16,9 @@ struct Enclosure {
     std::optional<Viewpoint> inside;  // from where a closed one is best seen
 };
 
-// Rays from points of a lattice inside tell how much of the box is surrounded by walls and a floor that face inwards.
-// Vessels are as well, so walls must be at right angles to each other; and a room shows less from outside than inside.
+// Rays from points of a lattice inside tell how much of the box is surrounded by walls and a floor. Those of a closed
+// room face inwards: else it is a body. Vessels are hollow as well, so walls must be at right angles to each other; and
+// a room shows less from outside than inside.
 Enclosure find_enclosure(const CoarseGrid& grid, const UpFrame& frame);
 
 }  // namespace lancer
