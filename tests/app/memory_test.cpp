@@ -93,7 +93,8 @@ TEST_F(Memory, PicturesBeyondItAreRefusedBeforeTheyAreRead)
 
 TEST_F(Memory, APictureNeverDependsOnIt)
 {
-    for (const auto& [name, memory] : {std::pair("a.exr", "100%"), {"b.exr", "3M"}, {"c.exr", "1k"}}) {
+    for (const auto& [name, memory] :
+         {std::pair("a.exr", "100%"), std::pair("b.exr", "3M"), std::pair("c.exr", "1k")}) {
         const Said said = render_walls({"--memory", memory, "-o", name});
         EXPECT_EQ(said.code, 0) << said.err;
         EXPECT_TRUE(same_pixels(image(name), image("a.exr")));
