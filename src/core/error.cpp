@@ -36,7 +36,7 @@ Diagnostics::Warning& Diagnostics::warning_like(const Location& where, const std
                                                 const std::string& after)
 {
     const auto [it, is_new] = index_.try_emplace(before + '\n' + after, warnings_.size());
-    if (is_new) warnings_.push_back({.where = where, .before = before, .after = after});
+    if (is_new) warnings_.push_back({where, before, after, {}, {}, {}, 0});
     return warnings_[it->second];
 }
 

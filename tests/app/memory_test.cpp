@@ -84,7 +84,9 @@ TEST_F(Memory, PicturesBeyondItAreRefusedBeforeTheyAreRead)
     }
     struct rusage usage = {};
     getrusage(RUSAGE_CHILDREN, &usage);
-    if (!is_sanitized) EXPECT_LT(usage.ru_maxrss, 100000) << "kilobytes, where the picture has 50000";
+    if (!is_sanitized) {
+        EXPECT_LT(usage.ru_maxrss, 100000) << "kilobytes, where the picture has 50000";
+    }
     // With room it is a picture.
     const Said said = render_walls({"--memory", "1G", "-o", "a.exr"});
     EXPECT_EQ(said.code, 0) << said.err;

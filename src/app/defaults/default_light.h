@@ -5,6 +5,7 @@
 
 #include "app/defaults/default_view.h"
 #include "app/load_scene.h"
+#include "scene/build/picture_memory.h"
 #include "scene/description/description.h"
 
 namespace lancer {

@@ -5,6 +5,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include <filesystem>
 #include <istream>
 
 #include "core/hash.h"
@@ -74,10 +75,10 @@ UsedMaterials read_materials(const std::string& path, const ObjSummary& summary,
     for (const std::string& file : files.found) {
         const FileContent content(file);
         if (!content.problem().empty() || !content.is_text()) {
-            files.missing.push_back(
-                {{file, 0, 0},
-                 std::filesystem::path(file).filename().string(),
-                 "is ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem())});
+            MaterialFiles::Missing& missing = files.missing.emplace_back();
+            missing.where.file = file;
+            missing.name = std::filesystem::path(file).filename().string();
+            missing.problem = "is ignored: " + (content.problem().empty() ? "it holds NUL bytes" : content.problem());
             continue;
         }
         mesh.material_files.push_back(file);
