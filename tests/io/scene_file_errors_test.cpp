@@ -33,7 +33,7 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: size, spp, seed, integrator, max_depth, sampler, "
           "filter, accel, isa, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, always_nee, light_tree, "
-          "split, roulette and 6 more"},
+          "split, roulette and 7 more"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
           "vertex_colors, smooth, translate, rotate, scale"},
@@ -45,8 +45,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "band_width"},
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
-          "roughness, roughness_texture, metallic, metallic_texture, ior, absorption, priority, eta, k, specular, "
-          "first, second, weight, weight_texture, ambient, shininess and 12 more"},
+          "roughness, roughness_texture, metallic, metallic_texture, ior, thin, absorption, priority, eta, k, "
+          "specular, first, second, weight, weight_texture, ambient and 13 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate"},
@@ -55,15 +55,15 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
           "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture"},
+          "material_override, texture, output"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
           "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture"},
+          "material_override, texture, output"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
           "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture"}});
+          "material_override, texture, output"}});
 }
 
 TEST_F(SceneMistakes, LightsAndCameras)
@@ -85,8 +85,8 @@ TEST_F(SceneMistakes, LightsAndCameras)
          {"[camera]\nfov = 30\n[camera.close]\nfvo = 3",
           "4:1: error: unknown key 'fvo' in [camera.close]; did you mean 'fov'? known: type, position, target, up, "
           "fov, aperture, focus, inside"},
-         {"[camera.close]\ntarget = [0, 0, 5]",
-          "2:10: error: 'position' and 'target' in [camera.close] must be different points"},
+         {"[camera.close]\nposition = [0, 0, 5]\ntarget = [0, 0, 5]",
+          "3:10: error: 'position' and 'target' in [camera.close] must be different points"},
          {"[render]\nterminator = 1", "2:14: error: 'terminator' in [render] must be true or false, not an integer"}});
 }
 

@@ -137,10 +137,11 @@ Outcome views_that_are_none(const Setup&)
     const std::string sky = "[[light]]\ntype = \"environment\"\nradiance = 1\n[[sphere]]\nradius = 0.5\n";
     double wrong = 0, runs = 0;
     for (const char* camera :
-         {"position = [1, 2, 3]\ntarget = [1, 2, 3]", "position = [0, 0, 5]\nup = [0, 0, -1]",
-          "position = [0, 0, 5]\nup = [0, 0, 0]", "position = [0, 0, 5]\nup = [1e-9, 0, 1]",
-          "position = [0, 5, 0]\nup = \"y\"", "position = [1.7e308, 0, 0]\ntarget = [-1.7e308, 0, 0]",
-          "position = [nan, 0, 0]", "position = [0, 0, inf]", "up = [0, 1e400, 0]"}) {
+         {"position = [1, 2, 3]\ntarget = [1, 2, 3]", "position = [0, 0, 5]\ntarget = [0, 0, 0]\nup = [0, 0, -1]",
+          "position = [0, 0, 5]\nup = [0, 0, 0]", "position = [0, 0, 5]\ntarget = [0, 0, 0]\nup = [1e-9, 0, 1]",
+          "position = [0, 5, 0]\ntarget = [0, 0, 0]\nup = \"y\"",
+          "position = [1.7e308, 0, 0]\ntarget = [-1.7e308, 0, 0]", "position = [nan, 0, 0]", "position = [0, 0, inf]",
+          "up = [0, 1e400, 0]"}) {
         write(folder, "a.toml", std::string("[camera]\n") + camera + "\n" + sky);
         wrong += measured_run(folder, {"render", "a.toml", "-o", "a.exr", "--size", "8x8", "-s", "1"}).said.code !=
                  exit_invalid;

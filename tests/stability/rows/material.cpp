@@ -244,7 +244,7 @@ Outcome material_files(const Setup& setup)
     constexpr Color grey{0.8f, 0.8f, 0.8f}, red{1, 0, 0};
     double wrong = 0;
     wrong += !load("", "mtllib none.mtl\n" + corners + "f 1 2 3\n", 1, grey);
-    wrong += !load("", "mtllib none.mtl\n" + corners + "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\n", 3, grey);
+    wrong += !load("", "mtllib none.mtl\n" + corners + "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\n", 1, grey);
     wrong += !load("newmtl a\n", "mtllib a.mtl\n" + corners + "usemtl x\nf 1 2 3\nusemtl x\nf 1 2 3\n", 2, grey);
     wrong +=
         !load("newmtl a\nKd 1 0 0\nnewmtl a\nKd 0 1 0\n", "mtllib a.mtl\n" + corners + "usemtl a\nf 1 2 3\n", 1, red);
