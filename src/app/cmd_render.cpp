@@ -150,6 +150,8 @@ void Run::describe(const Renderer& renderer)
                     .added_light = prepared_.added.light,
                     .warnings = prepared_.warnings,
                     .unused_features = unused_features_of(renderer, kernel)};
+    if (prepared_.added.view_s) stats_.analyses.push_back({"view", *prepared_.added.view_s});
+    if (prepared_.added.light_s) stats_.analyses.push_back({"light", *prepared_.added.light_s});
     for (const Scene::Analysis& a : scene.analyses) stats_.analyses.push_back({a.name, a.seconds});
     if (!scene.delta_lights.empty()) stats_.analyses.push_back({"hidden lights", prepared_.hidden_lights_s});
     stats_.settings = {.render = settings_,

@@ -121,6 +121,21 @@ TEST_F(DefaultLight, ObjectsOfAnyAlbedoAreOfAMiddleBrightness)
     }
 }
 
+TEST_F(DefaultLight, StatsSayHowLongChoicesTake)
+{
+    const auto times_named = [&](const std::string& scene, const std::string& name) {
+        EXPECT_EQ(run({"render", scene, "--size", "8x8", "-s", "1", "-q", "--stats", "s.json", "-o", "a.exr"}).code, 0);
+        const std::string text = read_bytes(file("s.json"));
+        const size_t analyses = text.find("\"analyses\""), end = text.find(']', analyses);
+        return text.substr(analyses, end - analyses).find("\"" + name + "\"") != std::string::npos;
+    };
+    write_mesh(ball());
+    EXPECT_TRUE(times_named("mesh.obj", "view"));
+    EXPECT_TRUE(times_named("mesh.obj", "light"));
+    EXPECT_FALSE(times_named("scene.toml", "view"));  // it says both
+    EXPECT_FALSE(times_named("scene.toml", "light"));
+}
+
 // The exposure is that of the whole picture, and the same for any number of threads, samples and whatever is written.
 TEST_F(DefaultLight, ExposureIsSaidAndDoesNotDependOnHowThePictureIsMade)
 {

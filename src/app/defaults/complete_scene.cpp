@@ -5,6 +5,7 @@
 #include "app/defaults/default_light.h"
 #include "app/defaults/default_view.h"
 #include "app/paths.h"
+#include "app/system_info.h"
 #include "io/toml_write.h"
 
 namespace lancer {
@@ -18,11 +19,18 @@ Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, dou
         const std::string name = std::filesystem::path(choice.file).filename();
         added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
     }
+    Completed completed;
+    double begin = wall_seconds();
     const DefaultView view = add_default_view(scene, choice, aspect);
-    added += view.added;
-    if (!is_bare) return {added, {}};
+    if (is_bare || !view.added.empty()) completed.view_s = wall_seconds() - begin;
+    completed.text = added + view.added;
+    if (!is_bare) return completed;
+    begin = wall_seconds();
     const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures, memory);
-    return {added + light.text, light.note};
+    completed.light_s = wall_seconds() - begin;
+    completed.text += light.text;
+    completed.light = light.note;
+    return completed;
 }
 
 }  // namespace lancer
