@@ -212,28 +212,28 @@ std::optional<Scattered> Bsdf::sample_glass(Vec wo, Random& random) const
 Rgb Bsdf::eval_sheet(Vec wo, Vec wi) const
 {
     if (wi.z == 0) return {};
-    const bool through = wi.z < 0;
+    const bool passes = wi.z < 0;
     const Vec above{wi.x, wi.y, std::abs(wi.z)}, m = half_way(wo, above);
-    const Facets facets{alpha * (through ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
-    const Rgb a = of_pane(wo.z, index, color, through), b = of_pane(above.z, index, color, through);
+    const Facets facets{alpha * (passes ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
+    const Rgb a = of_pane(wo.z, index, color, passes), b = of_pane(above.z, index, color, passes);
     return Rgb{std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)} *
            (facets.density(m) * facets.both_seen(wo, above) / (4 * wo.z));
 }
 // One half of the samples each.
 std::optional<Scattered> Bsdf::sample_sheet(Vec wo, Random& random) const
 {
-    const bool through = random.next() < 0.5;
+    const bool passes = random.next() < 0.5;
     if (alpha == 0) {
-        const double z = through ? -wo.z : wo.z;
-        return Scattered{{-wo.x, -wo.y, z}, of_pane(wo.z, index, color, through) * 2, true};
+        const double z = passes ? -wo.z : wo.z;
+        return Scattered{{-wo.x, -wo.y, z}, of_pane(wo.z, index, color, passes) * 2, true};
     }
-    const Facets facets{alpha * (through ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
+    const Facets facets{alpha * (passes ? std::min(1.0, 0.83 * std::abs(index - 1)) : 1)};
     const double u = random.next(), v = random.next();
     const Vec m = facets.seen_from(wo, u, v), above = mirror_image(wo, m);
     if (above.z <= 0) return {};
-    const Rgb a = of_pane(wo.z, index, color, through), b = of_pane(above.z, index, color, through);
+    const Rgb a = of_pane(wo.z, index, color, passes), b = of_pane(above.z, index, color, passes);
     const double seen = facets.both_seen(wo, above) * (1 + facets.lambda(wo));
-    return Scattered{{above.x, above.y, through ? -above.z : above.z},
+    return Scattered{{above.x, above.y, passes ? -above.z : above.z},
                      Rgb{std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)} * (2 * seen)};
 }
 
