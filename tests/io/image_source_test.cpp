@@ -155,8 +155,11 @@ TEST(ImageSource, NoMoreIsReadAheadThanAllowed)
     for (RasterFuture& f : futures)
         if (f.valid() && is_ready(f, 0ms)) f = {};
     // Room for the two that are left.
-    for (RasterFuture& f : futures)
-        if (f.valid()) EXPECT_EQ(f.get()->bytes.size(), 12u);
+    for (RasterFuture& f : futures) {
+        if (f.valid()) {
+            EXPECT_EQ(f.get()->bytes.size(), 12u);
+        }
+    }
     EXPECT_FALSE(source.header(folder.file("never asked for")));
     source.request(folder.file("missing"));
     EXPECT_FALSE(source.header(folder.file("missing")));
