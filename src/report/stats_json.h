@@ -26,7 +26,7 @@ struct RunStats {
         uint64_t triangles = 0, meshes = 0, instances = 0, spheres = 0, planes = 0, lights = 0, materials = 0;
         uint64_t accelerator_bytes = 0;
         uint64_t hidden_lights = 0;  // that no technique brings into the picture
-        std::string added_light;  // of a bare mesh: which light it was given or not, and why
+        std::string added_light;     // of a bare mesh: which light it was given or not, and why
         std::vector<std::string> warnings;
         std::vector<UnusedFeature> unused_features;
     };
