@@ -282,7 +282,6 @@ Outcome slivers(const Setup& setup)
         settings.kernel.sampler = SamplerKind::independent;
         with_threads(setup.tier == Tier::A ? 1 : available_threads(), [&] {
             const Renderer renderer(build_scene(d), settings);
-            Claim claim;
             double worst = 0, noise = 0;
             for (const Vec3d& at : {Vec3d{0, 0, 0}, Vec3d{0.9, 0, 0.3}, Vec3d{-1.8, 0, 1.5}}) {
                 CameraDescription camera = make_camera(at + Vec3d{0.1, 0.5, 0.1}, at, 1e-4);

@@ -76,7 +76,6 @@ Outcome wall_spheres(const Setup& setup)
 Outcome far_spheres(const Setup& setup)
 {
     Outcome out;
-    LeastP least;
     for (const auto& [radius, distance] : {std::pair{1e-4, 1e3}, {1e-3, 1e3}, {1.0, 1e5}, {1.0, 1e2}})
         for (const Vec3d from : {Vec3d{0, 0, 1}, normalize(Vec3d{1, 2, 3})}) {
             // Aslant, a direction in float is half as coarse as that ball is wide.
