@@ -93,7 +93,7 @@ BareLoop::Corners BareLoop::corners(uint32_t mesh, uint32_t triangle) const
 Color BareLoop::direct(Vec3 p, Vec3 error, Vec3 n, const Sampler& sampler, uint32_t depth) const
 {
     if (lights_.empty()) {
-        // An even sky: both techniques have the density of the cosine.
+        // A constant sky: both techniques have the density of the cosine.
         const Vec3 wi = normalize(Frame(n).to_world(square_to_cosine_hemisphere(sampler.get2(depth, Dim::light))));
         if (embree_->any({.org = offset_origin(p, error, n, wi), .dir = wi})) return {};
         return sky_ * (0.5f * pi);

@@ -1,4 +1,4 @@
-// The least that a path tracer can be: matt surfaces, triangles of light or an even sky, next-event estimation with
+// The least that a path tracer can be: matt surfaces, triangles of light or a constant sky, next-event estimation with
 // multiple importance sampling, one path at a time on bare Embree, with the product's sampler, camera and filter. What
 // a render should come close to in spite of all that it can do besides.
 #pragma once
@@ -16,7 +16,7 @@ namespace lancer::bench {
 class BareLoop {
 public:
     // Nothing where the scene has what this cannot draw: anything but flat meshes as they are, plain diffuse materials,
-    // emission and an even sky. All must outlive the loop.
+    // emission and a constant sky. All must outlive the loop.
     static std::optional<BareLoop> make(const SceneDescription& description, const Stage& stage,
                                         const BareEmbree& embree);
 

@@ -84,7 +84,7 @@ std::vector<BenchScene> choose_scenes(const Options& options)
     if (options.wants("statues"))
         if (const std::string file = shared_file("anchors/statues.obj", options.cache); !file.empty())
             add({"statues", 4.0 / 3, anchor_options(6), [file] { return load_statues(file); }, refs("statues"), 192});
-    // Rooms as their files have them, and all grey under an even sky. They take their time, so they have to be asked
+    // Rooms as their files have them, and all grey under a constant sky. They take their time, so they have to be asked
     // for.
     for (const SharedRoom& room : shared_rooms()) {
         const std::string grey = room.name + "-grey";

@@ -88,7 +88,7 @@ TEST(Reference, SamplesWhatItEvaluates)
         }
 }
 
-// What loses nothing is not seen in an even sky.
+// What loses nothing is not seen in a constant sky.
 TEST(Reference, SeesNoneOfWhatLosesNothing)
 {
     for (const MaterialType type :

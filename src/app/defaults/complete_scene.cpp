@@ -13,17 +13,16 @@ namespace lancer {
 Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, double aspect,
                          const RasterSource& pictures, const PictureMemory& memory)
 {
-    std::string added;
+    Completed completed;
     const bool is_bare = is_mesh(choice.file);
     if (is_bare) {
         const std::string name = std::filesystem::path(choice.file).filename();
-        added += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
+        completed.text += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
     }
-    Completed completed;
     double begin = wall_seconds();
     const DefaultView view = add_default_view(scene, choice, aspect);
     if (is_bare || !view.added.empty()) completed.view_s = wall_seconds() - begin;
-    completed.text = added + view.added;
+    completed.text += view.added;
     if (!is_bare) return completed;
     begin = wall_seconds();
     const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures, memory);

@@ -19,8 +19,8 @@
 namespace lancer {
 namespace {
 
-// An even sky and a key light, nearly white, so that surfaces show their own colours: the key is 2.4 times as strong as
-// the sky on a surface that faces it. With both, a white surface on the ground has a radiance of about 0.5.
+// A constant sky and a key light, nearly white, so that surfaces show their own colours: the key is 2.4 times as strong
+// as the sky on a surface that faces it. With both, a white surface on the ground has a radiance of about 0.5.
 constexpr Color sky_radiance{0.197f, 0.2f, 0.203f};
 constexpr Color key_irradiance{1.55f, 1.51f, 1.45f};  // of a surface that faces it
 // Seen as 21 degrees across, for soft shadows. So far away that it lights all of the ground alike, up to the horizon.

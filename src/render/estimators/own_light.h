@@ -9,7 +9,7 @@ namespace lancer {
 
 // Of the surfaces that are seen and do not emit.
 struct OwnLight {
-    double open = 1;   // mean part of an even sky whose light would reach them straight or through glass, in [0, 1]
+    double open = 1;   // mean part of a constant sky whose light would reach them straight or through glass, in [0, 1]
     double lit = 0;    // part of them to which lamps bring at least a quarter of the light of such a sky
     double level = 0;  // median radiance by the lamps of a white surface in their place, over that of the sky
 };

@@ -184,7 +184,7 @@ Outcome camera_in_spheres(const Setup&)
         shells.camera = make_camera({x, 0, 0}, {2, 0, 0}, 60);
         look(shells, 1, 3);
     }
-    // In glass of index n an even sky L is n^2 L, wherever no ray is reflected totally for ever.
+    // In glass of index n a constant sky L is n^2 L, wherever no ray is reflected totally for ever.
     SceneDescription glass;
     for (const float ior : {1.0f, 1.5f}) {
         glass.materials = {make_glossy("glass", MaterialType::glass, {1, 1, 1}, 0)};
