@@ -114,15 +114,22 @@ fs::path common_folder(const fs::path& a, const fs::path& b)
     return common;
 }
 
-// The picture of --env is named from the working folder, those of scene files from theirs.
-void name_environment(Table& root, const std::string& file)
+// Names a file of the tables of a list, which goes by `name` there, by its whole path.
+void name_wholly(Table& root, const std::string& list, const std::string& name, const std::string& file)
 {
-    if (file.empty()) return;
-    auto& lights = std::get<TomlValue::Array>(entry(root, "light", {.data = TomlValue::Array{}}).data);
-    for (TomlValue& light : lights)
-        for (TomlEntry& e : std::get<Table>(light.data))
-            if (const auto* name = std::get_if<std::string>(&e.value.data); name && e.key == "file" && *name == file)
+    for (TomlValue& table : std::get<TomlValue::Array>(entry(root, list, {.data = TomlValue::Array{}}).data))
+        for (TomlEntry& e : std::get<Table>(table.data))
+            if (const auto* named = std::get_if<std::string>(&e.value.data); named && e.key == "file" && *named == name)
                 e.value.data = (folder_of(file) / fs::path(file).filename()).string();
+}
+
+// The picture of --env is named from the working folder, those of scene files from theirs. It and the bare mesh may
+// have no folder in common from which short names would lead to both.
+void name_environment(Table& root, const SceneChoice& choice)
+{
+    if (choice.env.empty()) return;
+    name_wholly(root, "light", choice.env, choice.env);
+    name_wholly(root, "mesh", fs::path(choice.file).filename().string(), choice.file);
 }
 
 }  // namespace
@@ -146,7 +153,7 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
         for (const char* const known : {"version", "mesh", "camera"}) drop(what, known);
         merge(root, what);
     }
-    name_environment(root, choice.env);
+    name_environment(root, choice);
     if (choice.smoothing) set_smoothing(root, *choice.smoothing);
     set_camera(root, choice.camera, camera);
     set_render_options(root, settings);

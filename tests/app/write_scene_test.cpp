@@ -90,6 +90,21 @@ TEST_F(WriteScene, ElsewhereWithAnAssetRoot)
     EXPECT_TRUE(same_pixels(image("first.exr"), image("second.exr")));
 }
 
+TEST_F(WriteScene, WithAnEnvironmentOfAnotherFolder)
+{
+    for (const char* folder : {"meshes", "sky", "other"}) std::filesystem::create_directory(file(folder));
+    write("meshes/b.obj", block);
+    EXPECT_EQ(render_as("block.obj", "sky/e", small()).code, 0);
+    const Said said =
+        render_as("meshes/b.obj", "first", small({"--env", "sky/e.exr", "--write-scene", "other/s.toml"}));
+    ASSERT_EQ(said.code, 0) << said.err;
+    const std::string root = std::filesystem::canonical(file("other")).parent_path();
+    expect_words(said.err, "add --asset-root " + root);
+    const Said second = render_as("other/s.toml", "second", {"--asset-root", root});
+    ASSERT_EQ(second.code, 0) << second.err;
+    EXPECT_TRUE(same_pixels(image("first.exr"), image("second.exr"))) << read_bytes(file("other/s.toml"));
+}
+
 TEST_F(WriteScene, SparesInputs)
 {
     expect_words(render_as("block.obj", "x", {"--write-scene", "s.obj"}).err, "must end in .toml");
