@@ -49,12 +49,20 @@ double List8::sah_cost() const
     return sum;
 }
 
-Mask8 List8::confirmed(const Triangle& t, const Points& points, Mask8 inside)
+void List8::find_exactly(const Part& part, const Points& points, Mask8 valid, Candidates& candidates)
 {
-    const Mask8 on_edge = inside & Edges(t, points).touch();
-    if (movemask(on_edge) == 0) return inside;
-    const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
-    return inside & (~on_edge | lanes_of(contain_origin(movemask(on_edge), {a.x, a.y, b.x, b.y, c.x, c.y})));
+    candidates.which = 0;
+    for (size_t i = 0; i < part.triangles.size(); ++i) {
+        const Triangle& t = part.triangles[i];
+        const Edges edges(t, points);
+        Mask8 inside = edges.contain() & valid;
+        if (const uint32_t on_edge = movemask(inside & edges.touch())) {
+            const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
+            inside &= ~lanes_of(on_edge & ~contain_origin(on_edge, {a.x, a.y, b.x, b.y, c.x, c.y}));
+        }
+        candidates.outside[i] = ~inside;
+        candidates.which |= uint64_t{movemask(inside) != 0} << i;
+    }
 }
 
 const List8::Triangle& List8::numbered(uint32_t number) const

@@ -83,16 +83,29 @@ private:
     };
     using Points = std::array<Point, 3 * part_size>;
     struct Edges {
-        Float8 least, most;  // of the edge functions
+        Float8 u, v, w;  // edge functions
 
         Edges(const Triangle& t, const Points& points)
         {
             const Point &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
-            const Float8 u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
-            least = min(u, min(v, w)), most = max(u, max(v, w));
+            u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
         }
-        Mask8 contain() const { return (least >= Float8{}) | (most <= Float8{}); }
-        Mask8 touch() const { return (least == Float8{}) | (most == Float8{}); }
+        // Its sign bit: the line passes the triangle, if no edge function is 0.
+        Mask8 signs_differ() const
+        {
+            const auto bits = [](Float8 x) { return reinterpret_cast<Mask8>(x); };
+            return (bits(u) ^ bits(v)) | (bits(u) ^ bits(w));
+        }
+        // 0 where an edge function is 0. It may underflow.
+        Float8 product() const { return abs(u * v * w); }
+        Mask8 contain() const { return (min(u, min(v, w)) >= Float8{}) | (max(u, max(v, w)) <= Float8{}); }
+        Mask8 touch() const { return (u == Float8{}) | (v == Float8{}) | (w == Float8{}); }
+    };
+    // Triangles of a part that the lines of some rays hit.
+    struct Candidates {
+        static_assert(part_size <= 64);
+        uint64_t which;                        // bit i: triangle i
+        std::array<Mask8, part_size> outside;  // sign bits: rays that do not hit it
     };
 
     // Calls f(triangle, lanes), in order, for triangles that the lines of some rays hit, until f returns false.
@@ -101,25 +114,29 @@ private:
     void for_candidates(const ShearedPacket& r, const F& f) const
     {
         Points points;
-        std::array<Mask8, part_size> lanes;
-        std::array<const Triangle*, part_size> which;
+        Candidates candidates;
+        const uint32_t idle = ~movemask(r.valid) & 255u;
         for (const Part& part : parts_) {
             shear(part, r, points);
-            size_t count = 0;
-            Mask8 touched{};
-            for (const Triangle& t : part.triangles) {
-                const Edges edges(t, points);
-                const Mask8 inside = edges.contain() & r.valid;
-                touched |= inside & edges.touch();
-                lanes[count] = inside, which[count] = &t;
-                count += movemask(inside) != 0;
+            Float8 least_product = broadcast(1.0f);
+            candidates.which = 0;
+            const size_t count = part.triangles.size();
+            for (size_t i = 0; i < count; ++i) {
+                const Edges edges(part.triangles[i], points);
+                const Mask8 outside = edges.signs_differ();
+                least_product = min(edges.product(), least_product);
+                candidates.outside[i] = outside;
+                candidates.which |= uint64_t{(movemask(outside) | idle) != 255} << i;
             }
-            if (movemask(touched) != 0)
-                for (size_t i = 0; i < count; ++i) lanes[i] &= confirmed(*which[i], points, lanes[i]);
-            for (size_t i = 0; i < count; ++i)
-                if (!f(*which[i], lanes[i])) return;
+            if (movemask((least_product == Float8{}) & r.valid) != 0) find_exactly(part, points, r.valid, candidates);
+            for (uint64_t which = candidates.which; which != 0; which &= which - 1) {
+                const auto i = static_cast<size_t>(std::countr_zero(which));
+                if (!f(part.triangles[i], ~(candidates.outside[i] >> 31) & r.valid)) return;
+            }
         }
     }
+    // The same candidates where edge functions are 0 and their signs do not tell.
+    static void find_exactly(const Part& part, const Points& points, Mask8 valid, Candidates& candidates);
     static void shear(const Part& part, const ShearedPacket& r, Points& points)
     {
         const float *x = part.corners[r.axes[0]].data(), *y = part.corners[r.axes[1]].data(),
@@ -130,7 +147,6 @@ private:
                          fnmadd(r.sy, height, broadcast(y[i]) - r.org.y)};
         }
     }
-    static Mask8 confirmed(const Triangle& t, const Points& points, Mask8 inside);
 
     // The lanes that hit the triangle in [t_min, best.t], or before it if best.t belongs to another triangle; see
     // LeafRay.
