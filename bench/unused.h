@@ -31,9 +31,10 @@ struct Everything : View {
     {
         calls.triangle_interactions(scene, hits, places);
     }
-    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
-                                            bool through) const
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce, bool through,
+                                            uint32_t cell) const
     {
+        if (plan.light_choice.chooses()) return View::sample_light(from, sampler, bounce, through, cell);
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
@@ -41,8 +42,9 @@ struct Everything : View {
         const Discrete::Remapped s = pick.sample_remapped(u.x);
         return calls.sample_light(scene, from, s.index, {s.u, u.y}, through);
     }
-    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
+    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at, uint32_t cell) const
     {
+        if (plan.light_choice.chooses()) return View::pdf_light(from, normal, wi, at, cell);
         return calls.pdf_light(scene, from, normal, wi, at);
     }
     // For views in which nothing that shines has a texture.
@@ -227,9 +229,10 @@ Calls lights_without()
 }
 // What is chosen without a tree.
 struct NoLightTree : Everything {
-    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
-                                            bool through) const
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce, bool through,
+                                            uint32_t cell) const
     {
+        if (plan.light_choice.chooses()) return View::sample_light(from, sampler, bounce, through, cell);
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
@@ -242,7 +245,7 @@ struct NoSky : Everything {
     Color environment(Vec3) const { return {}; }
     Color background(const Ray&, RayCone) const { return {}; }
     bool has_constant_environment() const { return false; }
-    float pdf_environment(Vec3, Vec3) const { return 0; }
+    float pdf_environment(Vec3, Vec3, uint32_t) const { return 0; }
 };
 // What shines has one colour.
 struct PlainEmission : Everything {

@@ -9,6 +9,7 @@
 #include "core/color.h"
 #include "core/ray.h"
 #include "materials/medium.h"
+#include "scene/scene.h"
 #include "scene/surface.h"
 
 namespace lancer {
@@ -26,19 +27,19 @@ struct PathState {
     Ray ray;
     Color throughput{1, 1, 1};     // of the path up to this ray
     Color importance{-1, -1, -1};  // see SamplingPlan::importance_at()
-    float pdf = 0;                 // density with which the BSDF sampled the ray, per solid angle
-    Vec3 normal;                   // shading normal at the ray's origin
-    RayCone cone;                  // ray cone, for texture filtering
-    MediumStack media;             // media around the ray; only in scenes that have media
-    float eta_scale = 1;           // product of eta^2 over refractions; throughput times eta_scale is energy
-    uint32_t slot = 0;             // index of the sample to which it adds
-    uint32_t branch = 0;           // part of the sampler's address; rays of one path differ in it
-    uint32_t sample =
-        0;  // part of the sampler's address: the sample's index until the path splits, then see SamplingPlan::parts
-    uint32_t part = 0;                        // first part of the random numbers that the path uses when it splits
-    uint32_t depth = 0;                       // number of surface vertices before this ray
-    bool specular = true;                     // sampled from a delta lobe or by the camera
-    bool light_sampled = false;               // light sampling at its origin could have found what it hits
+    float pdf = 0;               // density of the BSDF's sample per solid angle, over the rate of light sampling there
+    uint32_t cell = 0;           // of the ray's origin, if lights are chosen by place; see LightChoice
+    Vec3 normal;                 // shading normal at the ray's origin
+    RayCone cone;                // ray cone, for texture filtering
+    MediumStack media;           // media around the ray; only in scenes that have media
+    float eta_scale = 1;         // product of eta^2 over refractions; throughput times eta_scale is energy
+    uint32_t slot = 0;           // index of the sample to which it adds
+    uint32_t branch = 0;         // part of the sampler's address; rays of one path differ in it
+    uint32_t sample = 0;         // likewise: the sample's index until the path splits, then see SamplingPlan::parts
+    uint32_t part = 0;           // first part of the random numbers that the path uses when it splits
+    uint32_t depth = 0;          // number of surface vertices before this ray
+    bool specular = true;        // sampled from a delta lobe or by the camera
+    bool light_sampled = false;  // light sampling at its origin could have found what it hits
     PathSegment segment = PathSegment::view;  // segment of the path
     bool last = false;                        // only emission counts at its end
     bool has_split = false;                   // the path has passed the vertex where it splits
@@ -67,6 +68,7 @@ struct Queue {
     struct Shadow {
         Color radiance;  // if nothing is in between
         uint32_t slot;   // the sample that it adds to
+        uint32_t light;  // that it goes to, if known
     };
     std::vector<RadianceSum> radiance;  // of each slot
     struct TintedShadow {
@@ -89,13 +91,13 @@ public:
     PathActions(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
 
     void add(Color radiance) { queue_.radiance[slot_] += radiance; }
-    void shadow(const Ray& ray, Color radiance_if_unoccluded)
+    void shadow(const Ray& ray, Color radiance_if_unoccluded, uint32_t light = Scene::none)
     {
-        shadow_from([&](Ray& r) { r = ray; }, radiance_if_unoccluded);
+        shadow_from([&](Ray& r) { r = ray; }, radiance_if_unoccluded, light);
     }
     // The same; f(ray) fills a default ray in the queue.
     template <class F>
-    void shadow_from(F&& f, Color radiance_if_unoccluded)
+    void shadow_from(F&& f, Color radiance_if_unoccluded, uint32_t light = Scene::none)
     {
         if (is_black(radiance_if_unoccluded)) return;
         Ray& ray = queue_.shadow_rays.emplace_back();
@@ -104,7 +106,7 @@ public:
             queue_.shadow_rays.pop_back();
             return invalidate();
         }
-        queue_.shadows.push_back({radiance_if_unoccluded, slot_});
+        queue_.shadows.push_back({radiance_if_unoccluded, slot_, light});
     }
     // As shadow(), but surfaces in between attenuate the light by the integrator's through() instead of blocking it.
     // light: the light's own radiance, for is_spent().

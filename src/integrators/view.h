@@ -92,17 +92,28 @@ struct View {
     Color background(const Ray& ray, RayCone cone) const { return scene.radiance_seen(ray, cone); }
 
     // Samples a light as seen from `from`; nothing if no light can be sampled there. through: also lights behind the
-    // surface.
-    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce,
-                                            bool through) const
+    // surface. cell: light_cell(from).
+    std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce, bool through,
+                                            uint32_t cell) const
     {
         const Discrete& pick = scene.lights.pick;
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
+        if (plan.light_choice.chooses()) {
+            const auto [light, probability] = plan.light_choice.choose(cell, sampler.get1(bounce, Dim::light));
+            return sample_chosen_light(scene, from, light, probability, u, through);
+        }
         if (!pick.can_remap()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
         const Discrete::Remapped s = pick.sample_remapped(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
+    // See LightChoice.
+    uint32_t light_cell(const Surface& surface) const
+    {
+        return plan.light_choice.empty() ? 0 : plan.light_choice.cell_of(surface.origin, surface.n);
+    }
+    // Probability of light sampling.
+    float light_rate(uint32_t cell) const { return plan.light_choice.empty() ? 1 : plan.light_choice.rate(cell); }
     bool has_constant_environment() const { return scene.has_constant_environment(); }
     // Number of point and directional lights, and light i of these as sample_light() returns it, without the
     // probability of its selection.
@@ -120,7 +131,7 @@ struct View {
     // Density of sample_extended_light() for a direction to the environment.
     float pdf_extended_environment(Vec3 normal, Vec3 wi) const
     {
-        const float pdf = pdf_environment(normal, wi);
+        const float pdf = lancer::pdf_environment(scene, normal, wi);
         return pdf > 0 ? pdf / static_cast<float>(scene.lights.pick.share_from(scene.lights.deltas)) : 0;
     }
     bool has_media() const { return !scene.media.empty(); }
@@ -140,11 +151,22 @@ struct View {
     {
         return sampler.key(bounce, dim);
     }
-    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at) const
+    // Density with which sample_light() finds what a ray hits. cell: light_cell() of the surface that it left.
+    float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at, uint32_t cell) const
     {
+        if (at.light == Scene::none) return 0;
+        if (plan.light_choice.chooses())
+            return lancer::pdf_light(scene, from, wi, at, plan.light_choice.probability(cell, at.light));
         return lancer::pdf_light(scene, from, normal, wi, at);
     }
-    float pdf_environment(Vec3 normal, Vec3 wi) const { return lancer::pdf_environment(scene, normal, wi); }
+    float pdf_environment(Vec3 normal, Vec3 wi, uint32_t cell) const
+    {
+        if (scene.environment_light == Scene::none) return 0;
+        if (plan.light_choice.chooses())
+            return lancer::pdf_environment(scene, normal, wi,
+                                           plan.light_choice.probability(cell, scene.environment_light));
+        return lancer::pdf_environment(scene, normal, wi);
+    }
 };
 
 }  // namespace lancer

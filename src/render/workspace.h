@@ -94,7 +94,7 @@ struct NoListener {
     void background_only(const SampleId&) const {}  // instead of ray(), for samples that are not traced
     void vertex(const PathState&, const Surface&) const {}
     void added(const PathState&, Color) const {}
-    void shadow(uint32_t /*slot*/, const Ray&, Color, bool) const {}
+    void shadow(uint32_t /*slot*/, uint32_t /*light*/, const Ray&, Color, bool) const {}
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

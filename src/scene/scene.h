@@ -97,9 +97,11 @@ struct Scene {
     bool has_normals = false;     // some mesh has corner normals
     bool has_tables = false;      // some mesh differs_by_triangle()
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
-    bool light_tree = true;       // see LightTable::tree
-    bool soft_shadows = true;     // else sphere lights are sampled at their centres
-    bool legacy = false;          // see RenderSettings::legacy
+    // Of an environment light sampling leaves to BSDF sampling what is darker than this times its mean; 0: nothing.
+    double sky_compensation = 0;
+    bool light_tree = true;    // see LightTable::tree
+    bool soft_shadows = true;  // else sphere lights are sampled at their centres
+    bool legacy = false;       // see RenderSettings::legacy
 
     // Starts to build a scene: checks it, resolves names, normalises, and requests from `images` the pictures that the
     // scene uses, without waiting for them. settings: resolved; [render] of the description is not used. Problems go to

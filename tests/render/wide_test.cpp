@@ -46,6 +46,25 @@ std::vector<Built> built_cases()
     return {cases.begin(), cases.end()};
 }
 
+// Among the cases of each shading is one where light is sampled by place, and one where lights are chosen so.
+TEST(Wide, HasLearnedChoicesAmongItsCases)
+{
+    std::array<uint32_t, 3> learned{}, chosen{};
+    with_threads(1, [&] {
+        for (const Built& c : built_cases()) {
+            const auto shading = static_cast<size_t>(WideScene::of(c.scene)->shading);
+            const Renderer renderer(build_scene(c.description), {});
+            const auto plan = renderer.plan(camera_of(c.description, renderer.scene(), 32, 24), 32, 24);
+            learned[shading] += !plan->light_choice.empty();
+            chosen[shading] += plan->light_choice.chooses();
+        }
+    });
+    for (size_t shading = 0; shading < 3; ++shading) {
+        EXPECT_GT(learned[shading], 0u) << shading;
+        EXPECT_GT(chosen[shading], 0u) << shading;
+    }
+}
+
 void expect_same(const Built& c, const RenderRequest& r, const std::string& how)
 {
     ASSERT_TRUE(WideScene::of(c.scene)) << c.name;

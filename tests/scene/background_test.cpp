@@ -215,6 +215,7 @@ TEST(Background, AddsUpWithEnvironments)
     d.spheres.push_back(sphere_of({0, 0, 0}, 1));
     d.background = background_of(SkyType::dusk, GroundType::checker);
     d.lights = {sky_of({1, 1, 1}), sky_map_of({2, 2, 2})};
+    d.render.mis_compensation = false;
     const RasterSource picture = picture_source(make_raster(4, 2, [](uint32_t, uint32_t) { return Color{1, 1, 2}; }));
     const Scene s = build_scene(d, picture);
     expect_near(s.radiance_from({0, 0, 1}), {3, 3, 5.5}, 1e-6, "dusk, a map and a constant");
@@ -234,6 +235,7 @@ std::vector<Scene> shining()
         d.spheres.push_back(sphere_of({0, 0, 0}, 1));
         d.background = background_of(sky, sky == SkyType::dusk ? GroundType::none : GroundType::checker);
         d.background->z_up = sky != SkyType::noon;
+        d.render.mis_compensation = false;
         all.push_back(build_scene(d));
     }
     return all;
@@ -279,6 +281,7 @@ TEST(Background, WhatTheTableMissesCanStillBeDrawn)
     d.spheres.push_back(sphere_of({0, 0, 0}, 1));
     d.background = background_of(SkyType::picture);
     d.background->sky_picture.file = "sky";
+    d.render.mis_compensation = false;
     constexpr uint32_t columns = 16384;
     const Raster r = make_raster(columns, 2, [](uint32_t x, uint32_t) {
         const float c = x < columns / 8 || x % 1000 == 0 ? 1.0f : 0.0f;

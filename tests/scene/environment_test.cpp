@@ -13,9 +13,9 @@
 namespace lancer {
 namespace {
 
-EnvironmentMap make_map(Raster r, Vec3d rotate_deg = {}, Color constant = {})
+EnvironmentMap make_map(Raster r, Vec3d rotate_deg = {}, Color constant = {}, double compensation = 0)
 {
-    return {std::make_shared<const Raster>(std::move(r)), {1, 1, 1}, constant, rotate_deg};
+    return {std::make_shared<const Raster>(std::move(r)), {1, 1, 1}, constant, rotate_deg, compensation};
 }
 
 // Smooth, everywhere lit, different in every direction.
@@ -153,22 +153,32 @@ TEST(EnvironmentMap, TurnsAsAWhole)
     }
 }
 
+// Those of maps(), sampled as a whole and above half their mean.
+template <class F>
+void for_each_map(const F& f)
+{
+    for (const auto& [name, raster, rotate_deg] : maps())
+        for (const double compensation : {0.0, 0.5}) {
+            const EnvironmentMap m = make_map(raster, rotate_deg, {}, compensation);
+            ASSERT_TRUE(m.is_sampled()) << name;
+            f(name + (compensation > 0 ? ", compensated" : ""), m, rotate_deg);
+        }
+}
+
 TEST(EnvironmentMap, DensityIntegratesToOne)
 {
-    for (const auto& [name, raster, rotate_deg] : maps()) {
-        const EnvironmentMap m = make_map(raster, rotate_deg);
+    for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d rotate_deg) {
         const Transform t = make_transform({}, rotate_deg, {1, 1, 1});
         double sum = 0;
         for (const Quarter& q : quarters(m))
             sum += q.solid_angle * static_cast<double>(m.pdf(to_float(t.vector(q.middle))));
         EXPECT_NEAR(sum, 1, 1e-6) << name;
-    }
+    });
 }
 
 TEST(EnvironmentMap, SamplesHaveTheDensityAndRadianceOfTheirDirection)
 {
-    for (const auto& [name, raster, rotate_deg] : maps()) {
-        const EnvironmentMap m = make_map(raster, rotate_deg);
+    for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d rotate_deg) {
         Random random(6);
         for (int i = 0; i < 20000; ++i) {
             Vec2 u = random.unit2();
@@ -180,15 +190,14 @@ TEST(EnvironmentMap, SamplesHaveTheDensityAndRadianceOfTheirDirection)
             ASSERT_EQ(s.pdf, m.pdf(s.wi)) << name << u.x << " " << u.y;
             ASSERT_EQ(s.radiance, m.eval(s.wi)) << name;
         }
-    }
+    });
 }
 
 TEST(EnvironmentMap, SamplesFollowTheDensity)
 {
     stats::Family family;
     Random random(7);
-    for (const auto& [name, raster, rotate_deg] : maps()) {
-        const EnvironmentMap m = make_map(raster, rotate_deg);
+    for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d rotate_deg) {
         const Transform t = make_transform({}, rotate_deg, {1, 1, 1});
         constexpr uint32_t count = 100000;
         const uint32_t columns = 2 * m.width(), rows = 2 * m.height();
@@ -205,7 +214,33 @@ TEST(EnvironmentMap, SamplesFollowTheDensity)
             ++observed[size_t{row} * columns + column];
         }
         family.add(chi_square_test(observed, expected).p, name);
+    });
+}
+
+// Sampled is what exceeds the threshold, and only that; of an even sky nothing.
+TEST(EnvironmentMap, LeavesWhatIsDarkerThanItsMeanToBsdfSampling)
+{
+    const EnvironmentMap sunny = make_map(sun(64, 32, 20, 16, 1e3f), {}, {0.1f, 0.1f, 0.1f}, 2);
+    ASSERT_TRUE(sunny.is_sampled());
+    const double mean = make_map(sun(64, 32, 20, 16, 1e3f), {}, {0.1f, 0.1f, 0.1f}).power() / (4 * pi_d);
+    Random random(8);
+    uint32_t dark = 0, bright = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const Vec3 w = random.unit_vector();
+        const Color c = sunny.eval(w);
+        const double y = luminance(double{c.r}, double{c.g}, double{c.b});
+        if (y > 2 * mean) {
+            ++bright;
+            ASSERT_GT(sunny.pdf(w), 0);
+        }
+        if (sunny.pdf(w) == 0) ++dark;
     }
+    EXPECT_GT(dark, 90000u);
+    EXPECT_GT(bright, 20u);
+    const Raster even = make_raster(8, 4, [](uint32_t, uint32_t) { return Color{1, 2, 3}; });
+    EXPECT_FALSE(make_map(even, {}, {}, 2).is_sampled());
+    EXPECT_FALSE(make_map(even, {}, {}, 2).is_black());
+    EXPECT_EQ(make_map(even, {}, {}, 2).pdf({0, 1, 0}), 0);
 }
 
 TEST(EnvironmentMap, PowerIsTheIntegralOfLuminance)
@@ -312,7 +347,14 @@ TEST(Environment, ConstantsAddUpAndJoinTheMap)
                                     return Color{1, 1, 2};
                                 })));
     EXPECT_EQ(s.radiance_from({0, 1, 0}), (Color{3.5f, 4.5f, 7.5f}));
-    ASSERT_EQ(s.lights.lights.size(), 1u);
+    EXPECT_TRUE(s.lights.lights.empty()) << "even: left to BSDF sampling";
+    d.render.mis_compensation = false;
+    ASSERT_EQ(build_scene(d, picture_source(make_raster(4, 2,
+                                                        [](uint32_t, uint32_t) {
+                                                            return Color{1, 1, 2};
+                                                        })))
+                  .lights.lights.size(),
+              1u);
 }
 
 std::string error_of(const SceneDescription& d, const RasterSource& images)

@@ -88,6 +88,7 @@ std::vector<LitScene> lit_scenes()
     add("sky", {0, 0, 0}, 0.5).lights.push_back(sky_of({1, 1, 1}));
     add("sky map", {0, 0, 0}, 0.5).lights = {sky_map_of({1, 1, 1}, {20, 30, 40}), sky_of({0.1f, 0.2f, 0.3f})};
     all.back().images = sky_picture();
+    all.back().description.render.mis_compensation = false;  // else nothing of it is bright enough
     add("sky map with a sun", {0, 0, 0}, 0.5).lights = {sky_map_of({1, 1, 1})};
     all.back().images = sunny_picture();
     {

@@ -186,6 +186,7 @@ TEST(Lights, FromInfinityAreChosenByWhatTheSceneReceives)
     d.spheres.push_back(sphere_of({0, 0, 0}, 3));
     d.lights = {light_of(LightType::point, {1, 1, 1}, {0, 20, 0}), directional_of({2, 2, 2}, {0, -1, 0}),
                 sky_map_of({0.5f, 0.5f, 0.5f}), sky_of({0.1f, 0.1f, 0.1f})};
+    d.render.mis_compensation = false;
     const Scene scene = build_scene(d, picture_source(make_raster(8, 4, [](uint32_t, uint32_t) {
                                         return Color{1, 1, 1};
                                     })));

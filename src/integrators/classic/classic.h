@@ -84,7 +84,8 @@ private:
     // and left to light sampling.
     void add_environment_seen(Color throughput, uint32_t key, PathActions& actions) const
     {
-        if (view_.scene.environment_light == Scene::none) return;
+        const Scene& scene = view_.scene;
+        if (!scene.environment_map && !scene.background && is_black(scene.environment)) return;
         const float u = sampler_.get1(s_.depth, Dim::roulette);
         const auto b = bsdf_.sample(wo_, u, sampler_.get2(s_.depth, Dim::bsdf));
         if (!b || b->delta) return;

@@ -14,6 +14,7 @@ struct Path {
     DirectLight direct{};
     LightParts parts{};
     bool split = true, roulette_by_pixel = true;  // allow splitting and adjoint-driven roulette
+    bool learned_nee = true;                      // allow SamplingPlan::light_choice
 
     void take(const RenderSettings& settings)
     {
@@ -22,6 +23,7 @@ struct Path {
         parts = LightParts(settings);
         split = settings.split;
         roulette_by_pixel = settings.roulette;
+        learned_nee = settings.learned_nee;
     }
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

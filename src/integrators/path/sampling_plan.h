@@ -1,11 +1,13 @@
-// How the paths of a picture use their rays: path splitting and adjoint-driven Russian roulette. A pilot estimates it
-// before the first sample (render/estimators/pilot.h). The expected value of the picture does not depend on it.
+// How the paths of a picture use their rays: path splitting, adjoint-driven Russian roulette, where light is sampled. A
+// pilot estimates it before the first sample (render/estimators/pilot.h). The expected value of the picture does not
+// depend on it.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "core/color.h"
+#include "integrators/path/light_choice.h"
 
 namespace lancer {
 
@@ -43,6 +45,8 @@ struct SamplingPlan {
         return !background_only.empty() &&
                background_only[size_t{y / background_cell} * background_columns + x / background_cell] != 0;
     }
+
+    LightChoice light_choice;
 
     // Importance for a pixel; negative if it is unknown.
     Color importance_at(uint32_t x, uint32_t y) const

@@ -79,7 +79,7 @@ void add_emission(const V& view, const PathState& s, const Surface& surface, Dir
     if (!parts.has(s.segment)) return;
     const Color e = view.emission(surface);
     if (is_black(e)) return;
-    const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.normal, s.ray.dir, surface) : 0;
+    const float pdf = s.light_sampled ? view.pdf_light(s.ray.org, s.normal, s.ray.dir, surface, s.cell) : 0;
     actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
@@ -89,7 +89,7 @@ void add_environment(const V& view, const PathState& s, DirectLight how, LightPa
     if (!parts.has(s.segment)) return;
     const Color e = s.specular ? view.background(s.ray, s.cone) : view.environment(s.ray.dir);
     if (is_black(e)) return;
-    const float pdf = s.light_sampled ? view.pdf_environment(s.normal, s.ray.dir) : 0;
+    const float pdf = s.light_sampled ? view.pdf_environment(s.normal, s.ray.dir, s.cell) : 0;
     actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
@@ -151,13 +151,16 @@ bool scatters_nothing(const B& bsdf)
     return false;
 }
 
-// Next-event estimation at a vertex.
+// Next-event estimation at a vertex, with the probability of its cell; see LightChoice.
 template <class V, class B>
 void sample_direct(const V& view, const PathState& s, const Surface& surface, const Frame& frame, Vec3 wo,
-                   const B& bsdf, const Sampler& sampler, DirectLight how, PathActions& actions)
+                   const B& bsdf, const Sampler& sampler, DirectLight how, uint32_t cell, PathActions& actions)
 {
-    const auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits());
+    const float rate = view.light_rate(cell);
+    if (rate < 1 && !(sampler.get1(s.depth, Dim::roulette) < rate)) return;
+    auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits(), cell);
     if (!light) return;
+    light->pdf *= rate;
     const Vec3 wi = frame.to_local(light->wi);
     if (!sides_agree(surface, light->wi, wi)) return;
     const BsdfValue f = bsdf.eval(wo, wi);
@@ -165,7 +168,7 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     const float weight = weight_of_light_sample(light->pdf, f.pdf, light->delta, how);
     Ray ray = shadow_ray(surface, *light);
     view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
-    actions.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf));
+    actions.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf), light->light);
 }
 
 // Ray cone after scattering: a delta lobe keeps the spread (curved mirrors are treated as flat, which only makes
@@ -283,12 +286,14 @@ void trace_vertex(const V& view, const PathState& s, const Surface& surface, con
         const Frame frame(surface.ns);
         const Vec3 wo = frame.to_local(-s.ray.dir);
         const bool samples = samples_light(view, bsdf, how);
+        const uint32_t cell = samples ? view.light_cell(surface) : 0;
         if (samples && parts.has(segment_after(s.segment, false)))
-            sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, actions);
+            sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, cell, actions);
         const auto send = [&](PathState& n, const Sampler& numbers) {
             if (!scatter(view, s, n, surface, frame, wo, bsdf, numbers)) return false;
             if (!survives_roulette(n, numbers, roulette_depth, view.plan.split)) return false;
             n.light_sampled = samples && !n.specular;
+            if (n.light_sampled) n.pdf /= view.light_rate(cell), n.cell = cell;
             n.last = is_last(n) || (n.segment == PathSegment::direct && !parts.indirect);
             return true;
         };

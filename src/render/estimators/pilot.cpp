@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "render/estimators/arrivals.h"
 #include "render/estimators/stop_rule.h"
 #include "render/kernel/kernels.h"
 
@@ -61,10 +62,16 @@ struct PilotGrid {
     std::vector<PixelStatistics> pixels;
     std::array<double, 3> mean{};
     Counters counters;
+    std::vector<Arrival> arrivals;  // slot: index of a pixel
 
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
     double floor() const { return dark * brightness(); }  // as bright as what is darker counts
 };
+
+bool learns_lights(const Scene& scene, const Path& path)
+{
+    return path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
+}
 
 PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
                        const Camera& camera, uint32_t width, uint32_t height)
@@ -76,14 +83,17 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
     pilot.parts.emitters = false;
     SamplingPlan shared;
     shared.parts = parts;
+    if (learns_lights(scene, path)) shared.light_choice = choice_of_pilot(scene.lights);
     PilotGrid s;
     s.cell = std::max(least_cell, (std::max(width, height) + most_cells - 1) / most_cells);
     s.columns = (width + s.cell - 1) / s.cell, s.rows = (height + s.cell - 1) / s.cell;
     s.pixels.resize(size_t{s.columns} * s.rows);
     std::vector<Counters> counters(s.rows);
+    std::vector<std::vector<Arrival>> arrivals(s.rows);
     parallel_for(s.rows, [&](size_t row) {
         Workspace w;
         w.is_pilot = true;
+        size_t named = 0;  // arrivals that know their pixel
         for (uint32_t first = 0; first < s.columns; first += paths) {
             const uint32_t end = std::min(s.columns, first + paths);
             const auto middle = [&](size_t cell, uint32_t size) {
@@ -93,7 +103,12 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
             for (uint32_t column = first; column < end; ++column)
                 for (uint32_t i = 0; i < paths * parts; ++i)
                     w.slots.push_back({middle(column, width), middle(row, height), i});
-            Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row]);
+            Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row],
+                                 ArrivalListener(arrivals[row]));
+            for (; named < arrivals[row].size(); ++named) {
+                uint32_t& slot = arrivals[row][named].slot;
+                slot = static_cast<uint32_t>(row) * s.columns + first + slot / (paths * parts);
+            }
             for (uint32_t column = first; column < end; ++column)
                 s.pixels[row * s.columns + column] =
                     measure_pixel(std::span<const RadianceSum>(w.queue.radiance)
@@ -101,6 +116,7 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
         }
     });
     for (const Counters& c : counters) s.counters += c;
+    for (const auto& row : arrivals) s.arrivals.insert(s.arrivals.end(), row.begin(), row.end());
     for (const PixelStatistics& pixel : s.pixels)
         for (size_t c = 0; c < 3; ++c) s.mean[c] += pixel.mean[c] / static_cast<double>(s.pixels.size());
     return s;
@@ -130,6 +146,29 @@ uint32_t best_split(const PilotGrid& s, const LightTable& lights)
     if (!(above > 0)) return most_split;
     const double best = std::sqrt(below * first / (left * above * rest));
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
+}
+
+// The square of a pixel's radiance, below which no error counts as relative to it.
+double square_of(const PixelStatistics& pixel, double floor)
+{
+    const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]);
+    return y * y + floor * floor;
+}
+
+LightChoice best_light_choice(PilotGrid& s, const LightTable& lights)
+{
+    const double floor = s.floor();
+    if (!(floor > 0)) return {};
+    double variance = 0;
+    for (const PixelStatistics& pixel : s.pixels)
+        variance += (stratified * pixel.among_paths + pixel.among_parts) / square_of(pixel, floor);
+    variance /= static_cast<double>(s.pixels.size());
+    const auto count = [](uint64_t n) { return static_cast<double>(n); };
+    const double work = (packed * count(s.counters.camera_rays) + count(s.counters.bounce_rays)) / occlusion +
+                        count(s.counters.shadow_rays);
+    for (Arrival& a : s.arrivals) a.brought /= static_cast<float>(std::sqrt(square_of(s.pixels[a.slot], floor)));
+    return learn_light_choice(s.arrivals, lights, choice_of_pilot(lights),
+                              work / count(s.counters.camera_rays) / variance);
 }
 
 // Mean of the cell and its neighbours: a single cell is noisy.
@@ -166,10 +205,12 @@ SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path&
                        const Camera& camera, uint32_t width, uint32_t height)
 {
     SamplingPlan plan;
-    if (!path.split && !path.roulette_by_pixel) return plan;
-    const PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height);
+    const bool learns = learns_lights(scene, path);
+    if (!path.split && !path.roulette_by_pixel && !learns) return plan;
+    PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
+    if (learns) plan.light_choice = best_light_choice(s, scene.lights);
     return plan;
 }
 

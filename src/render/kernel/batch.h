@@ -151,7 +151,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         counters.shadow_rays += w.queue.shadow_rays.size();
         for (size_t i = 0; i < w.occluded.size(); ++i) {
             const Queue::Shadow& shadow = w.queue.shadows[i];
-            listener.shadow(shadow.slot, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            listener.shadow(shadow.slot, shadow.light, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
             if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
         }
         if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);

@@ -182,11 +182,12 @@ void Kernels<Integrator>::render(const View& view, const Accelerator& accel, con
 }
 
 template <class Integrator>
+template <class Listener>
 void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                                 const KernelSettings& settings, const Integrator& integrator, Workspace& w,
-                                Counters& counters)
+                                Counters& counters, const Listener& listener)
 {
-    trace_batch(view, accel, camera, width, settings, integrator, w, counters, NoListener{});
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, listener);
 }
 
 // Forwards the events of the only sample of a batch to a PathListener.
@@ -196,7 +197,7 @@ struct ReplayListener {
     void ray(const PathState& s, const Hit& hit) const { listener.ray(s, hit); }
     void vertex(const PathState& s, const Surface& at) const { listener.vertex(s, at); }
     void added(const PathState& s, Color c) const { listener.added(s, c); }
-    void shadow(uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
+    void shadow(uint32_t, uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
 };
 
 template <class Integrator>

@@ -34,8 +34,10 @@ struct Kernels {
                        const Integrator& integrator, Film& film, Tile tile, SampleRange samples, Workspace& w,
                        Counters& counters);
     // Traces the samples in w.slots into w.queue.radiance. width: of the whole picture, pixels.
+    template <class Listener>
     static void trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
-                      const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters);
+                      const KernelSettings& settings, const Integrator& integrator, Workspace& w, Counters& counters,
+                      const Listener& listener);
     // Traces one sample with the bits of render() and returns its radiance. width: as in trace().
     static Color replay(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
                         const KernelSettings& settings, const Integrator& integrator, const SampleId& id,

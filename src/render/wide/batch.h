@@ -51,6 +51,8 @@ public:
           counters_(counters),
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.has_constant_environment())),
           samples_on_matt_(samples_ && !view.has_constant_environment()),
+          learned_(samples_ && !view.plan.light_choice.empty()),
+          keeps_cells_(learned_ && view.plan.light_choice.chooses()),
           samples_sky_(textured && samples_ && view.scene.environment_light != Scene::none),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end()),
@@ -60,6 +62,7 @@ public:
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
         if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
+        if (keeps_cells_) w.wide.cells_now.reserve(most), w.wide.cells_next.reserve(most);
         w.hits.reserve(most + float_lanes);
         w.occluded.reserve(most);
         now_.clear();
@@ -72,12 +75,13 @@ public:
     {
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             if (depth_ > 0) counters_.bounce_rays += now_.size();
-            next_.clear(), shadows_.clear(), w_.wide.normals_next.clear();
+            next_.clear(), shadows_.clear(), w_.wide.normals_next.clear(), w_.wide.cells_next.clear();
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
             if (are_last() && !shines_) return;
             add_unoccluded();
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
+            std::swap(w_.wide.cells_now, w_.wide.cells_next);
         }
     }
 
@@ -130,10 +134,12 @@ private:
     uint32_t light_sampling_lanes(const Vertices& v) const;
     ChosenLights choose_lights(const Vertices& v, uint32_t active, const AddressLanes& address, const Vec2x8& u) const;
     void sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u, LightQuery& query);
-    void sample_constant_environment(const Vertices& v, const Vec2x8& u, uint32_t lanes, LightSampleLanes& s) const;
+    void sample_constant_environment(const Vertices& v, const ChosenLights& chosen, uint32_t lanes,
+                                     LightSampleLanes& s) const;
     void sample_any_light(const Vertices& v, const ChosenLights& chosen, LightQuery& query);
-    void sample_direct(std::span<const Vertices> vertices);
-    void query_light(const Vertices& v, LightQuery& query);
+    void sample_direct(std::span<Vertices> vertices);
+    uint32_t lanes_by_rate(uint32_t lanes, Vertices& v) const;
+    void query_light(Vertices& v, LightQuery& query);
     void eval_non_lambert(const Vertices& v, const LightQuery& query, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
     void send_shadows(const Vertices& v, const LightQuery& query);
     void scatter(Vertices& v);
@@ -199,6 +205,8 @@ private:
     Counters& counters_;
     // Whether light sampling is done, for all and for Lambertian surfaces.
     bool samples_, samples_on_matt_;
+    bool learned_;        // there is a LightChoice
+    bool keeps_cells_;    // see WideWorkspace
     bool samples_sky_;    // the environment is one of the lights
     bool keeps_normals_;  // see WideWorkspace
     bool shines_;         // whether any surface emits

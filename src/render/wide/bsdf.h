@@ -52,6 +52,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         if (roulette) goes &= roulette->get2_x(next.sample) < q;
         next.pdf = pdf_cosine_hemisphere(local.z);
         if constexpr (textured) next.spread = opened(spread, next.pdf);
+        if (learned_) next.pdf = next.pdf / v.light_rate;
         send(movemask(goes) & v.hit, v.origin, wi, v);
     }
 }
@@ -188,6 +189,7 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, 
         next.eta_scale = g.eta_scale * (s.eta * s.eta);
         next.path_flags = select(is_delta, g.straight, g.spreading);
         next.spread = spread_after(is_delta, g.spread, s.pdf);
+        if (learned_) next.pdf = select(is_set(next.path_flags, has_sampled_light), next.pdf / v.light_rate, next.pdf);
         const Float8 q = survival(next);
         if ((movemask(q != one) & goes) != 0) {
             const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
@@ -212,6 +214,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     next_.set_leaf_hints(lanes & traceable, v.leaf_hint);
     set_alpha_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::alpha);
     if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
+    if (keeps_cells_) w_.wide.cells_next.push(lanes & traceable, v.light_cell);
 }
 
 // Survival probability of Russian roulette for the rays of the next depth; see survival_by_pixel in

@@ -17,6 +17,7 @@ inline PathState WideBatch<shading>::state_of(size_t i, const Lanes& path, uint3
     s.pdf = path.pdf[in];
     if constexpr (textured) s.cone = {path.width[in], path.spread[in]};
     if (keeps_normals_ && depth_ > 0) s.normal = w_.wide.normals_now[i];
+    if (keeps_cells_ && depth_ > 0) s.cell = w_.wide.cells_now[i];
     if constexpr (any) {
         const uint32_t path_flags = path.path_flags[in];
         s.specular = (path_flags & was_specular) != 0;
@@ -88,18 +89,19 @@ inline void WideBatch<shading>::end_at_background()
     }
 }
 
-// Samples a constant environment for the given lanes.
+// Samples a constant environment for the given lanes, which chose it.
 template <Shading shading>
-inline void WideBatch<shading>::sample_constant_environment(const Vertices& v, const Vec2x8& u, uint32_t lanes,
-                                                            LightSampleLanes& s) const
+inline void WideBatch<shading>::sample_constant_environment(const Vertices& v, const ChosenLights& chosen,
+                                                            uint32_t lanes, LightSampleLanes& s) const
 {
     const Scene& scene = view_.scene;
     const Float8 zero{};
     const Mask8 here = lanes_of(lanes);
-    const ConstantEnvironmentSample<Float8> sample(v.ns, u.x, u.y);
+    const ConstantEnvironmentSample<Float8> sample(v.ns, chosen.u.x, chosen.u.y);
+    const Float8 probability = broadcast(scene.lights.pick.probability(scene.environment_light));
     const Color& c = scene.environment;
     s.wi = select(here, sample.wi, s.wi);
-    s.pdf = select(here, sample.pdf * scene.lights.pick.probability(scene.environment_light), s.pdf);
+    s.pdf = select(here, sample.pdf * (chosen.choice() ? *chosen.choice() : probability), s.pdf);
     s.radiance = select(here, {broadcast(c.r), broadcast(c.g), broadcast(c.b)}, s.radiance);
     s.found |= here & (sample.pdf > zero) & (dot(sample.wi, v.n) > zero);
     s.infinite |= here;
@@ -113,6 +115,16 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
                                                                                    const Vec2x8& u) const
 {
     const LightTable& lights = view_.scene.lights;
+    if (keeps_cells_) {
+        const Float8 number = address.get1(v.path.sample);
+        ChosenLights chosen{.u = u};
+        Float8& probability = chosen.probability.emplace();
+        for_each_lane(active, [&](uint32_t i) {
+            const LightChoice::Chosen c = view_.plan.light_choice.choose(v.light_cell[i], number[i]);
+            chosen.ids[i] = c.light, probability[i] = c.probability;
+        });
+        return chosen;
+    }
     if (lights.pick.can_remap()) {
         const Discrete::RemappedLanes chosen = lights.pick.sample_remapped(u.x);
         return {.ids = chosen.index, .u = {chosen.u, u.y}};
@@ -172,7 +184,7 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
     if (!scene_.lights.empty()) sample_kind(choosing(LightKind::triangle) & ~through, false);
     if (done == 0) s = LightSampleLanes{};
     if (const uint32_t lanes = samples_sky_ ? choosing(LightKind::constant_environment) : 0; lanes != 0) {
-        sample_constant_environment(v, chosen.u, lanes, s);
+        sample_constant_environment(v, chosen, lanes, s);
         done |= lanes;
     }
     one_by_one &= ~done;
@@ -227,14 +239,32 @@ inline uint32_t WideBatch<shading>::light_sampling_lanes(const Vertices& v) cons
     }
 }
 
+// Finds the cells of all lanes, as rays by BSDF sampling need them. Returns the lanes that go on with light sampling.
 template <Shading shading>
-inline void WideBatch<shading>::query_light(const Vertices& v, LightQuery& query)
+inline uint32_t WideBatch<shading>::lanes_by_rate(uint32_t lanes, Vertices& v) const
+{
+    const LightChoice& choice = view_.plan.light_choice;
+    v.light_cell = UInt8{}, v.light_rate = broadcast(1.0f);
+    for_each_lane(v.hit, [&](uint32_t i) {
+        v.light_cell[i] = choice.cell_of(lane(v.origin, i), lane(v.n, i));
+        v.light_rate[i] = choice.rate(v.light_cell[i]);
+    });
+    const Mask8 certain = v.light_rate == broadcast(1.0f);
+    if ((lanes & ~movemask(certain)) == 0) return lanes;
+    const Float8 u = numbers(v.path.key, depth_, Dim::roulette).get1(v.path.sample);
+    return lanes & movemask(certain | (u < v.light_rate));
+}
+
+template <Shading shading>
+inline void WideBatch<shading>::query_light(Vertices& v, LightQuery& query)
 {
     query.active = light_sampling_lanes(v);
+    if (learned_) query.active = lanes_by_rate(query.active, v);
     if (query.active == 0) return;
     const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
     const Vec2x8 u = address.get2(v.path.sample);
     sample_light(v, address, u, query);
+    if (learned_) query.light.pdf *= v.light_rate;
     if constexpr (any) {
         const uint32_t non_lambert = query.active & v.non_lambert.lanes & movemask(query.light.found);
         if (non_lambert == 0) return;
@@ -269,14 +299,14 @@ inline void WideBatch<shading>::eval_non_lambert(const Vertices& v, const LightQ
 }
 
 template <Shading shading>
-inline void WideBatch<shading>::sample_direct(std::span<const Vertices> vertices)
+inline void WideBatch<shading>::sample_direct(std::span<Vertices> vertices)
 {
     if constexpr (any) {
         for (size_t i = 0; i < vertices.size(); ++i) query_light(vertices[i], non_lambert_.query[i]);
         non_lambert_.plastic.eval();
         for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], non_lambert_.query[i]);
     } else {
-        for (const Vertices& v : vertices) {
+        for (Vertices& v : vertices) {
             LightQuery query;
             query_light(v, query);
             send_shadows(v, query);

@@ -90,6 +90,26 @@ private:
     std::array<std::vector<float>, 3> numbers_;
 };
 
+// An additional number per ray.
+class PackedNumbers {
+public:
+    void clear() { count_ = 0; }
+    void reserve(size_t most)
+    {
+        if (numbers_.size() < most + float_lanes) numbers_.resize(most + float_lanes);
+    }
+    void push(uint32_t wanted, UInt8 n)
+    {
+        Packing(wanted).store(&numbers_[count_], n);
+        count_ += static_cast<size_t>(std::popcount(wanted));
+    }
+    uint32_t operator[](size_t i) const { return numbers_[i]; }
+
+private:
+    size_t count_ = 0;
+    std::vector<uint32_t> numbers_;
+};
+
 struct PathLanes {
     Vec3x8 throughput, importance;  // as in PathState
     Float8 pdf;
@@ -124,6 +144,7 @@ struct WideWorkspace {
     PackedStates<ShadowLanes> shadows;
     // Shading normal at each ray's origin, if MIS weights need it (environment or light tree).
     PackedVectors normals_now, normals_next;
+    PackedNumbers cells_now, cells_next;  // PathState::cell, if lights are chosen by place
 };
 
 }  // namespace lancer

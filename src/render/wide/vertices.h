@@ -46,8 +46,10 @@ struct Vertices {
     Lanes path;
     Vec3x8 albedo;
     Vec3x8 n, ns, origin;  // as in Surface
-    Float8 cos_o;          // between the shading normal and wo
-    Float8 width;          // of the cone, where textures are looked up
+    UInt8 light_cell;      // see LightChoice; only set if there is one, like light_rate
+    Float8 light_rate;
+    Float8 cos_o;  // between the shading normal and wo
+    Float8 width;  // of the cone, where textures are looked up
     UInt8 material;
     UInt8 leaf_hint;  // Ray::leaf_hint of rays that start there
     [[no_unique_address]] std::conditional_t<textured, SurfaceQuery, Empty> found;

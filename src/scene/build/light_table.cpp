@@ -133,7 +133,9 @@ private:
     void list_environment()
     {
         const EnvironmentMap* map = scene_.environment_table.get();
-        if (map ? map->is_black() : is_black(scene_.environment)) return;
+        if (map ? !map->is_sampled() : is_black(scene_.environment)) return;
+        const bool is_alone = std::all_of(powers_.begin(), powers_.end(), [](double power) { return power == 0; });
+        if (!map && !is_alone && scene_.sky_compensation > 0) return;  // all of it is left to BSDF sampling
         scene_.environment_light = next();
         add(EnvironmentLight{}, disk_ * (map ? map->power() : 4 * pi_d * power_of(scene_.environment)));
     }

@@ -28,8 +28,8 @@ void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, c
         memory.wait_for(light.file);
         std::shared_ptr<const Raster> picture = received(pending.image, light.where, diagnostics);
         pending.image = {};  // the last to hold the picture shall be who makes texels of it
-        scene.environment_map =
-            std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment, light.rotate_deg);
+        scene.environment_map = std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment,
+                                                                 light.rotate_deg, scene.sky_compensation);
     } catch (const Error& e) {
         return diagnostics.error(light.where, std::string("environment not read: ") + e.what(), e.kind());
     }

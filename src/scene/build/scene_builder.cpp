@@ -14,11 +14,20 @@
 #include "scene/build/shapes.h"
 #include "scene/build/texture_table.h"
 #include "scene/build/thin_glass.h"
+#include "scene/environment/environment.h"
 
 namespace lancer {
 namespace {
 
 constexpr double far_limit = 1e15;  // scene units; Embree drops what lies beyond 1.8e18, and squares must stay finite
+
+// See Scene::sky_compensation. The factor was fitted on rooms and streets under photographed skies; from 1 to 4 the
+// error differs by less than a tenth. Only where multiple importance sampling makes up for what is left out.
+double sky_compensation(const RenderSettings& s)
+{
+    const bool is_path = s.integrator == IntegratorKind::path || s.integrator == IntegratorKind::direct;
+    return s.mis_compensation && is_path && !s.legacy && s.nee && s.mis ? 2 : 0;
+}
 
 // One run over a description: fills a scene and what is still missing of it.
 class Builder {
@@ -36,6 +45,7 @@ public:
         scene_.terminator_fix = settings.terminator;
         scene_.soft_shadows = settings.soft_shadows;
         scene_.light_tree = settings.light_tree;
+        scene_.sky_compensation = sky_compensation(settings);
         scene_.legacy = settings.legacy;
     }
 
@@ -272,7 +282,8 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
     build_light_table(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
-    bool emits = !s.lights.lights.empty();
+    // Light sampling may leave all of an environment to BSDF sampling.
+    bool emits = !s.lights.lights.empty() || (s.environment_table && !s.environment_table->is_black());
     for (const uint32_t m : s.plane_material) emits = emits || !s.emission[m].is_dark();
     if (!emits) diagnostics.warning({s.file, 0, 0}, "nothing emits light: the picture will be black");
 }

@@ -90,6 +90,15 @@ constexpr std::array rows{
                  .field = SwitchField{&S::always_nee},
                  .help = "light sampling also where BSDF sampling has the same density: on diffuse surfaces under a "
                          "constant environment without other lights"},
+    RenderOption{.name = "mis_compensation",
+                 .field = SwitchField{&S::mis_compensation},
+                 .help = "path and direct sample only what is bright of an environment, above twice its mean, and of a "
+                         "constant one beside other lights nothing; BSDF sampling finds the rest (needs nee and mis)"},
+    RenderOption{.name = "learned_nee",
+                 .field = SwitchField{&S::learned_nee},
+                 .help =
+                     "path samples lights as often, and of several the one, as a pilot's shadow rays brought light to "
+                     "places near by; BSDF sampling finds the rest (needs nee and mis)"},
     RenderOption{.name = "light_tree",
                  .field = SwitchField{&S::light_tree},
                  .help = "of more than 64 points, spheres and triangles of light one is chosen by what it may send to "

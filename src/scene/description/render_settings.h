@@ -61,6 +61,8 @@ struct RenderSettings {
     bool fresnel = true;
     bool soft_shadows = true;
     bool always_nee = false;
+    bool mis_compensation = true;
+    bool learned_nee = true;
     bool light_tree = true;
     bool split = true;
     bool roulette = true;

@@ -264,7 +264,8 @@ std::shared_ptr<const EnvironmentMap> make_background_table(const Scene& scene)
     for (const double row : rows) total += row;
     const auto floor = static_cast<float>(least * total / (double{width} * height));
     return std::make_shared<const EnvironmentMap>(std::make_shared<const Raster>(std::move(raster)), Color{1, 1, 1},
-                                                  Color{floor, floor, floor}, Vec3d{z_up ? 90.0 : 0.0, 0, 0});
+                                                  Color{floor, floor, floor}, Vec3d{z_up ? 90.0 : 0.0, 0, 0},
+                                                  scene.sky_compensation);
 }
 
 }  // namespace lancer

@@ -24,12 +24,13 @@ double sample_linear(double a, double b, double u)
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg)
+EnvironmentMap::EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg,
+                               double compensation)
     : width_(picture->width), height_(picture->height), to_world_(make_transform({}, rotate_deg, {1, 1, 1}))
 {
     take_texels(*picture, factor, constant);
     picture.reset();
-    make_tables();
+    make_tables(compensation);
 }
 
 uint64_t EnvironmentMap::bytes_of(uint32_t width, uint32_t height)
@@ -66,10 +67,10 @@ Color EnvironmentMap::texel(uint32_t column, uint32_t row) const
     const float* t = &texels_[3 * (size_t{row} * width_ + column)];
     return {t[0], t[1], t[2]};
 }
-double EnvironmentMap::texel_luminance(uint32_t column, uint32_t row) const
+double EnvironmentMap::weight(uint32_t column, uint32_t row) const
 {
     const Color c = texel(column, row);
-    return luminance(c.r, c.g, c.b);
+    return std::max(0.0, luminance(c.r, c.g, c.b) - threshold_);
 }
 
 double EnvironmentMap::border(uint32_t row) const
@@ -83,17 +84,27 @@ double EnvironmentMap::solid_angle(uint32_t row) const
     return 2 * pi_d / width_ * 2 * std::sin((top + bottom) / 2) * std::sin((bottom - top) / 2);
 }
 
+void EnvironmentMap::make_tables(double compensation)
+{
+    sum_weights();
+    is_black_ = total_ == 0;
+    if (!(compensation > 0)) return;
+    threshold_ = compensation * total_ / (4 * pi_d);
+    sum_weights();
+}
+
 // The weight of a cell is the mean of its corners times its solid angle.
-void EnvironmentMap::make_tables()
+void EnvironmentMap::sum_weights()
 {
     const size_t rows = size_t{height_} + 1;
-    in_row_ = std::make_unique_for_overwrite<double[]>(rows * width_);
-    rows_ = std::make_unique_for_overwrite<double[]>(rows);
+    if (!in_row_) in_row_ = std::make_unique_for_overwrite<double[]>(rows * width_);
+    if (!rows_) rows_ = std::make_unique_for_overwrite<double[]>(rows);
+    total_ = 0;
     parallel_for(rows, [&](size_t r) {
         const auto row = static_cast<uint32_t>(r);
         const uint32_t above = row ? row - 1 : 0, below = std::min(row, height_ - 1);
         const double quarter = 0.25 * solid_angle(row);
-        const auto pair = [&](uint32_t x) { return texel_luminance(x, above) + texel_luminance(x, below); };
+        const auto pair = [&](uint32_t x) { return weight(x, above) + weight(x, below); };
         const double first = pair(0);
         double sum = 0, left = first;
         for (uint32_t x = 0; x < width_; ++x) {
@@ -144,14 +155,14 @@ Color EnvironmentMap::eval(Vec3 wi) const { return lookup(place_of(wi)); }
 // As the lookup, but linear in the cosine of the polar angle: so the cells' weights are its integrals.
 float EnvironmentMap::pdf(Place p) const
 {
-    if (is_black()) return 0;
+    if (!is_sampled()) return 0;
     const Cell c = cell_of(p);
     // The part of the cell's solid angle above the place, without cancellation. The half cells at the poles have the
     // same above and below.
     const double step = pi_d / height_, top = border(c.row), down = c.y * step / 2;
     const double part = std::sin(top + down) * std::sin(down) / (std::sin(top + step / 2) * std::sin(step / 2));
-    const double above = mix(texel_luminance(c.left, c.above), texel_luminance(c.right, c.above), c.x);
-    const double below = mix(texel_luminance(c.left, c.below), texel_luminance(c.right, c.below), c.x);
+    const double above = mix(weight(c.left, c.above), weight(c.right, c.above), c.x);
+    const double below = mix(weight(c.left, c.below), weight(c.right, c.below), c.x);
     return static_cast<float>(mix(above, below, std::clamp(part, 0.0, 1.0)) / total_);
 }
 float EnvironmentMap::pdf(Vec3 wi) const { return pdf(place_of(wi)); }
@@ -172,8 +183,8 @@ EnvironmentSample EnvironmentMap::sample(Vec2 u) const
 
     const uint32_t above = row ? row - 1 : 0, below = std::min(row, height_ - 1);
     const uint32_t right = left + 1 < width_ ? left + 1 : 0;
-    const double a = texel_luminance(left, above), b = texel_luminance(right, above);
-    const double c = texel_luminance(left, below), d = texel_luminance(right, below);
+    const double a = weight(left, above), b = weight(right, above);
+    const double c = weight(left, below), d = weight(right, below);
     const double y = sample_linear(a + b, c + d, down), x = sample_linear(mix(a, c, y), mix(b, d, y), across);
 
     const double top = border(row), bottom = border(row + 1);

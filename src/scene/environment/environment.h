@@ -2,6 +2,9 @@
 // +z, the top is +y, and longitude falls from +pi at the left edge to -pi at the right. Radiance is interpolated
 // bilinearly between texel centres and sampled in proportion to its luminance: a row of cells and a cell by tables,
 // then a point in the cell. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., sections 12.5 and A.5.
+// Where BSDF sampling finds the environment as well, sampling in proportion to what exceeds a multiple of the mean
+// makes less noise: Karlik et al., "MIS Compensation: Optimizing Sampling Techniques in Multiple Importance Sampling",
+// 2019.
 #pragma once
 
 #include <memory>
@@ -22,21 +25,26 @@ struct EnvironmentSample {
 class EnvironmentMap {
 public:
     // Radiance is texel * factor + constant; integers of the picture are colours. rotate_deg rotates the picture about
-    // x, then y, then z. The picture is freed before the tables are made. Runs in parallel.
-    EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg);
+    // x, then y, then z. Texels are sampled by their luminance above `compensation` times the mean. The picture is
+    // freed before the tables are made. Runs in parallel.
+    EnvironmentMap(std::shared_ptr<const Raster> picture, Color factor, Color constant, Vec3d rotate_deg,
+                   double compensation = 0);
 
     // Radiance of a ray that leaves the scene towards wi (unit).
     Color eval(Vec3 wi) const;
-    // Samples a direction; radiance and density are those of eval() and pdf() for it. Must not be called if is_black().
+    // Samples a direction; radiance and density are those of eval() and pdf() for it. Must not be called unless
+    // is_sampled().
     EnvironmentSample sample(Vec2 u) const;
     float pdf(Vec3 wi) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
-    // Integral of the luminance over all directions by the tables, which neglect the change of the cosine within a
-    // cell.
+    // Integral over all directions of the luminance that is sampled, by the tables, which neglect the change of the
+    // cosine within a cell.
     double power() const { return total_; }
-    bool is_black() const { return total_ == 0; }
+    bool is_black() const { return is_black_; }
+    // Whether any direction has a density.
+    bool is_sampled() const { return total_ > 0; }
     // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
     uint64_t bytes() const { return bytes_of(width_, height_); }
@@ -55,9 +63,10 @@ private:
     };
 
     void take_texels(const Raster& picture, Color factor, Color constant);
-    void make_tables();
+    void make_tables(double compensation);
+    void sum_weights();
     Color texel(uint32_t column, uint32_t row) const;
-    double texel_luminance(uint32_t column, uint32_t row) const;
+    double weight(uint32_t column, uint32_t row) const;  // of a texel when sampling
     // Polar angle of the upper border of a row of cells.
     double border(uint32_t row) const;
     double solid_angle(uint32_t row) const;  // of a cell
@@ -73,6 +82,8 @@ private:
     std::unique_ptr<double[]> in_row_;  // cumulative weights of the cells in each row
     std::unique_ptr<double[]> rows_;    // cumulative weights of the rows
     double total_ = 0;
+    bool is_black_ = false;
+    double threshold_ = 0;  // luminance that weights begin at
     uint64_t bad_ = 0;
 };
 

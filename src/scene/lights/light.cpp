@@ -145,16 +145,20 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
     if (scene.lights.pick.empty()) return {};
     const auto [id, probability] = choose_light(scene.lights, from.origin, from.ns, extend_precision(pick, u));
     if (!(probability > 0)) return {};
-    auto s = sample_given_light(scene, from, id, u, through);
-    if (s) s->pdf *= probability;
-    return s;
+    return sample_chosen_light(scene, from, id, probability, u, through);
 }
 
 std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                                bool through)
 {
+    return sample_chosen_light(scene, from, id, scene.lights.pick.probability(id), u, through);
+}
+
+std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, float probability,
+                                               Vec2 u, bool through)
+{
     auto s = sample_given_light(scene, from, id, u, through);
-    if (s) s->pdf *= scene.lights.pick.probability(id);
+    if (s) s->pdf *= probability;
     return s;
 }
 
@@ -188,13 +192,18 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     } else if (s && dot(s->wi, from.side) <= 0) {
         s.reset();
     }
+    if (s) s->light = id;
     return s;
 }
 
 float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)
 {
     if (at.light == Scene::none) return 0;
-    const float choice = probability_of(scene.lights, at.light, from, normal);
+    return pdf_light(scene, from, wi, at, probability_of(scene.lights, at.light, from, normal));
+}
+
+float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at, float choice)
+{
     if (std::holds_alternative<TriangleLight>(scene.lights.lights[at.light])) {
         const Vec3 d = at.p - from;
         const float c = std::abs(dot(wi, at.n));
@@ -217,7 +226,11 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surfa
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 {
     if (scene.environment_light == Scene::none) return 0;
-    const float choice = scene.lights.pick.probability(scene.environment_light);
+    return pdf_environment(scene, normal, wi, scene.lights.pick.probability(scene.environment_light));
+}
+
+float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi, float choice)
+{
     return choice * (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_constant_environment(normal, wi));
 }
 

@@ -67,6 +67,10 @@ std::optional<LightSample> sample_light(const Scene& scene, const Surface& from,
 std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                                bool through = false);
 
+// The same, selected with the given probability.
+std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface& from, uint32_t id, float probability,
+                                               Vec2 u, bool through);
+
 // Samples light `id`; the density does not include the selection.
 std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                               bool through = false);
@@ -78,7 +82,11 @@ std::optional<LightSample> sample_extended_light(const Scene& scene, const Surfa
 // (unit); 0 if it is not in the table. from: origin of the ray; normal: the shading normal there.
 float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at);
 
+// The same for a light of the table that is selected with the given probability.
+float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at, float probability);
+
 // The same for a ray that left the scene. normal: the shading normal at its origin.
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi);
+float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi, float probability);
 
 }  // namespace lancer

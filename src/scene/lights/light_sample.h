@@ -14,6 +14,7 @@ struct LightSample {
     Color radiance;      // unoccluded radiance; for a delta light the irradiance on a surface that faces it
     float pdf = 0;       // per solid angle, including the selection; 1 x selection for a delta light
     bool delta = false;  // BSDF sampling cannot hit it
+    uint32_t light = 0;  // id
 };
 
 // What a delta light sends towards a place, not dimmed by distance: for the discs of a background's glow and the

@@ -82,6 +82,7 @@ Film shoot_classic(SceneDescription d, Integrator how, bool legacy, Shot shot)
     how.legacy = legacy;
     shot.integrator = how;
     d.render.legacy = legacy;
+    d.render.integrator = Integrator::kind;
     return shoot(d, shot);
 }
 

@@ -1,5 +1,7 @@
 #include "support/scenes/wide_cases.h"
 
+#include "support/scenes/dark_rooms.h"
+
 namespace lancer {
 
 SceneDescription smooth_scene()
@@ -205,12 +207,20 @@ SceneDescription balls_of_light()
     d.meshes.pop_back();  // the panel
     d.lights = {light_of(LightType::sphere, {10, 12, 14}, {1.5, 2, 1}, 0.2),
                 light_of(LightType::sphere, {400, 300, 200}, {-1.5, 5, 1}, 0.05), sky_of({0.2f, 0.2f, 0.3f})};
+    d.render.mis_compensation = false;  // the sky is one of the lights
     MaterialDescription shown = make_emitter("shown", {30, 30, 30});
     shown.emission_map = picture_of("colours", Encoding::srgb);
     d.materials.push_back(shown);
     d.spheres.push_back(sphere_of({-1.6, 0.5, 1}, 0.2, "shown"));
     d.meshes.push_back(make_mesh(make_quad({1.4, 0, -0.3}, {1.4, 0, 0.3}, {1.4, 0.6, 0.3}, {1.4, 0.6, -0.3},
                                            make_emitter("plain", {30, 20, 10}))));
+    return d;
+}
+
+SceneDescription balls_beside_a_sky()
+{
+    SceneDescription d = balls_of_light();
+    d.render.mis_compensation = true;
     return d;
 }
 
@@ -274,6 +284,10 @@ std::vector<WideCase> wide_cases()
             {"materials, tree", materials_under_lamps(50)},
             {"materials, lights", materials_and_many_lights()},
             {"balls", balls_of_light()},
+            {"balls beside a sky", balls_beside_a_sky()},
+            {"behind a window", room_with_hole(0.3)},
+            {"under a sun", room_under_a_sun()},
+            {"under a pictured sky", room_under_a_pictured_sky()},
             {"a dim ball more", a_dim_ball_more()},
             {"many balls", many_balls()},
             {"inside a ball", inside_a_ball()},

@@ -42,6 +42,8 @@ SceneDescription pictured_materials();
 // Few lights, so that lanes which choose alike sample together: balls, a small one and one with a picture among them, a
 // panel and a sky.
 SceneDescription balls_of_light();
+// The same with the sky left to BSDF sampling.
+SceneDescription balls_beside_a_sky();
 // One that hardly shines beside the others, and is chosen by a number of its own.
 SceneDescription a_dim_ball_more();
 // So many that a tree chooses, but whether it is the sky.

@@ -1,0 +1,76 @@
+// How often light is sampled and which light is chosen, by place, as a pilot learned it. Where few shadow rays arrive,
+// as in a room whose window shows little of the sky, most vertices leave light to BSDF sampling: a light sample is
+// taken with probability q, weighs 1 / q, and q times its density counts in multiple importance sampling. Of several
+// lights the one is chosen that brings most. The expected value does not depend on either. Learned choice: Vevoda,
+// Kondapaneni, Krivanek, "Bayesian Online Regression for Adaptive Direct Illumination Sampling", 2018.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace lancer {
+
+// A grid of places, with six directions of the surface's normal in each.
+struct LightChoice {
+    static constexpr uint32_t most_cells = 24;   // along an axis
+    static constexpr uint32_t most_lights = 64;  // that are chosen by place
+    static constexpr uint8_t lowest = 3;         // rates are 2^-0 to 2^-lowest
+
+    Vec3 low{};                             // corner of the grid, scene units
+    float per_unit = 0;                     // cells; a power of two, or 0 for one cell
+    std::array<uint32_t, 3> size{1, 1, 1};  // number of cells along each axis
+    std::vector<uint8_t> exponents;         // q = 2^-exponent, of each cell; empty: nothing was learned
+    uint32_t lights = 0;                    // that are chosen by place; 0: the choice is that of LightTable
+    std::vector<float> cumulative;          // probabilities of the lights of each cell, summed; the last is 1
+
+    bool empty() const { return exponents.empty(); }
+    bool chooses() const { return lights > 0; }
+    uint32_t cells() const { return 6 * size[0] * size[1] * size[2]; }
+
+    // Index of a place and a normal. Places outside of the grid belong to its border.
+    uint32_t cell_of(Vec3 p, Vec3 n) const
+    {
+        const auto along = [&](float x, float from, uint32_t count) {
+            const float place = (x - from) * per_unit, last = static_cast<float>(count - 1);
+            return static_cast<uint32_t>(place > 0 ? (place < last ? place : last) : 0.0f);
+        };
+        const uint32_t x = along(p.x, low.x, size[0]), y = along(p.y, low.y, size[1]), z = along(p.z, low.z, size[2]);
+        return ((z * size[1] + y) * size[0] + x) * 6 + side_of(n);
+    }
+    float rate(uint32_t cell) const { return rate_of(exponents[cell]); }
+    static float rate_of(uint8_t exponent) { return 1.0f / static_cast<float>(1u << exponent); }
+
+    // A light for u in [0, 1). Only if chooses(), like the next.
+    struct Chosen {
+        uint32_t light;
+        float probability;
+    };
+    Chosen choose(uint32_t cell, float u) const
+    {
+        const float* const sums = &cumulative[size_t{cell} * lights];
+        const auto light = static_cast<uint32_t>(std::upper_bound(sums, sums + lights - 1, u) - sums);
+        return {light, probability(cell, light)};
+    }
+    float probability(uint32_t cell, uint32_t light) const
+    {
+        const float* const sums = &cumulative[size_t{cell} * lights];
+        return sums[light] - (light == 0 ? 0 : sums[light - 1]);
+    }
+
+private:
+    // The axis along which the normal is longest, and its sign.
+    static uint32_t side_of(Vec3 n)
+    {
+        const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+        if (x >= y && x >= z) return n.x < 0;
+        if (y >= z) return 2 + (n.y < 0);
+        return 4 + (n.z < 0);
+    }
+};
+
+}  // namespace lancer

@@ -1,0 +1,65 @@
+#include "support/scenes/dark_rooms.h"
+
+#include "support/scenes/things.h"
+
+namespace lancer {
+
+namespace {
+
+MeshDescription wall(Vec3d a, Vec3d b, Vec3d c, Vec3d d)
+{
+    return make_mesh(make_quad(a, b, c, d, make_lambert("grey", {0.6f, 0.6f, 0.6f})));
+}
+
+}  // namespace
+
+SceneDescription room_with_hole(double hole)
+{
+    SceneDescription d;
+    const auto across = [&](double x, double y0, double y1, double z0, double z1) {
+        d.meshes.push_back(wall({x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}));
+    };
+    across(-1, -1, 1, -1, 1), across(3, -1, 1, -1, 1);
+    across(1, -1, -hole, -1, 1), across(1, hole, 1, -1, 1);
+    across(1, -hole, hole, -1, -hole), across(1, -hole, hole, hole, 1);
+    for (const double s : {-1.0, 1.0}) {
+        d.meshes.push_back(wall({-1, s, -1}, {3, s, -1}, {3, s, 1}, {-1, s, 1}));
+        d.meshes.push_back(wall({-1, -1, s}, {3, -1, s}, {3, 1, s}, {-1, 1, s}));
+    }
+    d.meshes.push_back(make_mesh(make_quad({1.8, 0.99, -0.3}, {2.4, 0.99, -0.3}, {2.4, 0.99, 0.3}, {1.8, 0.99, 0.3},
+                                           make_emitter("lamp", {40, 40, 40}))));
+    d.camera = make_camera({0.9, 0.6, 0.9}, {-1, -0.4, -0.6}, 70);
+    return d;
+}
+
+SceneDescription room_with_niche()
+{
+    SceneDescription d = room_with_hole(0.1);
+    d.meshes.push_back(make_mesh(make_quad({-0.999, -0.05, -0.05}, {-0.999, 0.05, -0.05}, {-0.999, 0.05, 0.05},
+                                           {-0.999, -0.05, 0.05}, make_emitter("glow", {20, 20, 20}))));
+    for (const double s : {-0.08, 0.08}) {
+        d.meshes.push_back(wall({-1, s, -0.08}, {-0.7, s, -0.08}, {-0.7, s, 0.08}, {-1, s, 0.08}));
+        d.meshes.push_back(wall({-1, -0.08, s}, {-0.7, -0.08, s}, {-0.7, 0.08, s}, {-1, 0.08, s}));
+    }
+    return d;
+}
+
+SceneDescription room_under_a_sun()
+{
+    SceneDescription d = room_with_niche();
+    d.lights = {directional_of({1000, 1000, 1000}, {0, -1, 0})};
+    return d;
+}
+
+SceneDescription room_under_a_pictured_sky()
+{
+    SceneDescription d = room_with_hole(0.3);
+    d.meshes.erase(d.meshes.begin() + 1);  // the wall behind the hole
+    d.meshes.pop_back();                   // the lamp
+    d.meshes.push_back(make_mesh(make_quad({-1, -0.99, 1}, {1, -0.99, 1}, {1, -0.99, -1}, {-1, -0.99, -1},
+                                           make_glossy("floor", MaterialType::plastic, {0.5f, 0.4f, 0.3f}, 0.2f))));
+    d.lights = {sky_map_of({3, 3, 3}), directional_of({20, 20, 15}, {-1, -0.5, 0.1})};
+    return d;
+}
+
+}  // namespace lancer

@@ -1,0 +1,22 @@
+// Rooms that see little of their lights.
+#pragma once
+
+#include "scene/description/description.h"
+
+namespace lancer {
+
+// The inside of a box from -1 to 3 along x, divided at x = 1 by a wall with a square hole of the given half width. The
+// lamp hangs behind it, the camera looks at the room before it.
+SceneDescription room_with_hole(double hole);
+
+// The camera's room without a hole to the lamp's, but with a lamp of its own in a niche that only the place opposite
+// sees.
+SceneDescription room_with_niche();
+
+// The same under a sun that no ray from the room reaches.
+SceneDescription room_under_a_sun();
+
+// Behind a window to a bright sky with a sun, with a glossy floor.
+SceneDescription room_under_a_pictured_sky();
+
+}  // namespace lancer
