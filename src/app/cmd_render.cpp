@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -32,6 +33,28 @@ namespace {
 
 // Number of samples if only time or error stops a render.
 constexpr uint32_t unlimited_spp = 1u << 28;
+
+// Adds what the phase took to the figures when the next begins, and at its end.
+class PhaseClock {
+public:
+    PhaseClock(RunStats& stats, const char* phase) : stats_(stats), phase_(phase) {}
+    ~PhaseClock() { end(); }
+    PhaseClock(const PhaseClock&) = delete;
+    PhaseClock& operator=(const PhaseClock&) = delete;
+
+    void next(const char* phase)
+    {
+        end();
+        phase_ = phase, wall_ = wall_seconds(), cpu_ = cpu_seconds();
+    }
+
+private:
+    void end() { stats_.phases.push_back({phase_, wall_seconds() - wall_, cpu_seconds() - cpu_}); }
+
+    RunStats& stats_;
+    const char* phase_;
+    double wall_ = wall_seconds(), cpu_ = cpu_seconds();
+};
 
 // One run of the command. Its figures grow as it goes.
 class Run {
@@ -75,13 +98,11 @@ private:
 template <class F>
 auto Run::timed(const char* phase, F&& f)
 {
-    struct Clock {
-        RunStats& stats;
-        const char* name;
-        double wall = wall_seconds(), cpu = cpu_seconds();
-        ~Clock() { stats.phases.push_back({name, wall_seconds() - wall, cpu_seconds() - cpu}); }
-    } clock{stats_, phase};
-    return f();
+    PhaseClock clock(stats_, phase);
+    if constexpr (std::is_invocable_v<F, PhaseClock&>)
+        return f(clock);
+    else
+        return f();
 }
 
 void Run::load()
@@ -327,8 +348,9 @@ int Run::execute()
     with_threads(prepared_.threads, [&] {
         timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
         prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
-        const auto renderer = timed("build accelerator and lights", [&] {
-            return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_);
+        const auto renderer = timed("build accelerator", [&](PhaseClock& clock) {
+            return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_,
+                                 [&] { clock.next("finish scene"); });
         });
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe(*renderer);

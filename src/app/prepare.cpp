@@ -72,10 +72,11 @@ uint32_t warn_of_hidden_lights(const SceneDescription& description, const Render
 }
 
 std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& options, uint32_t batch,
-                                        Diagnostics& diagnostics)
+                                        Diagnostics& diagnostics, const std::function<void()>& accelerator_built)
 {
     auto renderer = with_warnings(diagnostics, [&] {
-        return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics);
+        return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics,
+                                          accelerator_built);
     });
     const double begin = wall_seconds();
     p.hidden_lights = warn_of_hidden_lights(p.description, p.settings, *renderer, diagnostics);

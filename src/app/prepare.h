@@ -1,6 +1,7 @@
 // Common steps of commands that trace rays: load, complete, build, resolve settings. Warnings are printed.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,9 +35,9 @@ void begin_prepared(Prepared& prepared, Diagnostics& diagnostics);
 // Warns of lights that the renderer's integrator cannot find; returns how many there are. description: with a camera.
 uint32_t warn_of_hidden_lights(const SceneDescription& description, const RenderSettings& settings,
                                const Renderer& renderer, Diagnostics& diagnostics);
-// Builds the accelerator, waits for the pictures and reports problems. Throws Error (invalid_input) if there were
-// warnings and --strict is set. Must be called inside with_threads.
+// Builds the accelerator, calls accelerator_built, waits for the pictures and reports problems. Throws Error
+// (invalid_input) if there were warnings and --strict is set. Must be called inside with_threads.
 std::unique_ptr<Renderer> make_renderer(Prepared& prepared, const PictureOptions& options, uint32_t batch,
-                                        Diagnostics& diagnostics);
+                                        Diagnostics& diagnostics, const std::function<void()>& accelerator_built = {});
 
 }  // namespace lancer

@@ -1,6 +1,8 @@
 #include "materials/albedo_table.h"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "materials/fresnel.h"
 #include "materials/microfacet.h"
@@ -37,38 +39,44 @@ double mean_loss(const Ggx& ggx, double cos, const F& reflectance)
 
 }  // namespace
 
-template <class F>
-void AlbedoTable::fill(const F& reflectance)
+void AlbedoTable::fill_row(uint32_t row)
 {
-    for (uint32_t row = 0; row < rows; ++row) {
-        const float alpha = node(least_row, row);
-        for (uint32_t i = 0; i < cosines; ++i) {
-            const Ggx ggx{alpha};
-            loss_[row * cosines + i] =
-                static_cast<float>(mean_loss(ggx, static_cast<double>(node(least_cos, i)), reflectance));
-        }
-        mean_missing_[row] = static_cast<float>(cosine_mean([&](double cos) {
-            const double smooth = reflectance(cos), lost = loss(static_cast<float>(cos), alpha);
-            return (1 - smooth) + smooth * lost;
-        }));
-    }
+    if (std::exchange(is_filled_[row], true)) return;
+    const auto reflectance = [&](double cos) {
+        if (std::isinf(eta_)) return 1.0;
+        return fresnel_dielectric_double(std::min(1.0, cos), (1 - cos) * (1 + cos), eta_).reflectance;
+    };
+    const float alpha = node(least_row, row);
+    for (uint32_t i = 0; i < cosines; ++i)
+        loss_[row * cosines + i] =
+            static_cast<float>(mean_loss(Ggx{alpha}, static_cast<double>(node(least_cos, i)), reflectance));
+    mean_missing_[row] = static_cast<float>(cosine_mean([&](double cos) {
+        const double smooth = reflectance(cos), lost = loss(static_cast<float>(cos), alpha);
+        return (1 - smooth) + smooth * lost;
+    }));
+}
+
+void AlbedoTable::need(float alpha)
+{
+    const uint32_t first = cell(alpha, least_row, rows).index;
+    fill_row(first);
+    fill_row(first + 1);
+}
+
+// In order: the last row is asked as the end of the interval before it.
+void AlbedoTable::need_all()
+{
+    for (uint32_t row = 0; row < rows; ++row) fill_row(row);
 }
 
 const AlbedoTable& AlbedoTable::white()
 {
     static const AlbedoTable table = [] {
-        AlbedoTable t;
-        t.fill([](double) { return 1.0; });
+        AlbedoTable t(std::numeric_limits<float>::infinity());
+        t.need_all();
         return t;
     }();
     return table;
-}
-
-AlbedoTable::AlbedoTable(float eta)
-{
-    fill([=](double cos) {
-        return fresnel_dielectric_double(std::min(1.0, cos), (1 - cos) * (1 + cos), eta).reflectance;
-    });
 }
 
 float mean_transmittance(float eta)

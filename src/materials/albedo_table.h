@@ -23,8 +23,14 @@ class AlbedoTable {
 public:
     // For a perfect reflector; built on first use and shared.
     static const AlbedoTable& white();
-    // For a dielectric; eta: index beyond the surface over index before it, finite, > 0. Takes some milliseconds.
-    explicit AlbedoTable(float eta);
+    // For a dielectric; eta: index beyond the surface over index before it, finite, > 0. Nothing may be asked of it
+    // before need() or need_all().
+    explicit AlbedoTable(float eta) : eta_(eta) {}
+    // From now on row() and mean_missing() answer for this alpha in (0, 1]. The bits do not depend on what else was
+    // needed. About half a millisecond.
+    void need(float alpha);
+    // The same for every alpha: 28 times as long.
+    void need_all();
 
     // The row of one alpha; default-constructed: no loss. The table must outlive it.
     class Row {
@@ -83,9 +89,7 @@ public:
     }
 
 private:
-    AlbedoTable() = default;
-    template <class F>
-    void fill(const F& reflectance);
+    void fill_row(uint32_t row);
 
     static constexpr float node(float least, uint32_t i)
     {
@@ -106,6 +110,8 @@ private:
 
     std::array<float, rows * cosines> loss_{};  // row by row
     std::array<float, rows> mean_missing_{};
+    float eta_;  // infinite: a perfect reflector
+    std::array<bool, rows> is_filled_{};
 };
 
 // 1 - the hemispherical albedo of a smooth dielectric. eta as above.

@@ -28,9 +28,12 @@ std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool ma
 
 }  // namespace
 
-Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnostics& diagnostics) : settings_(settings)
+Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnostics& diagnostics,
+                   const std::function<void()>& accelerator_built)
+    : settings_(settings)
 {
     accel_ = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    if (accelerator_built) accelerator_built();
     scene_ = builder.finish(diagnostics);
     choose();
 }

@@ -2,6 +2,7 @@
 // progressive, one sample) use pass() or replay().
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -25,9 +26,11 @@ struct PassResult {
 
 class Renderer {
 public:
-    // The first builds the accelerator while pictures are still being read, and then finishes the scene. Problems with
-    // pictures go to diagnostics. Both throw Error (failed) and must be called inside with_threads.
-    Renderer(SceneBuilder scene, const RendererConfig& settings, Diagnostics& diagnostics);
+    // The first builds the accelerator while pictures are still being read, calls accelerator_built, and then finishes
+    // the scene. Problems with pictures go to diagnostics. Both throw Error (failed) and must be called inside
+    // with_threads.
+    Renderer(SceneBuilder scene, const RendererConfig& settings, Diagnostics& diagnostics,
+             const std::function<void()>& accelerator_built = {});
     Renderer(Scene scene, const RendererConfig& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;

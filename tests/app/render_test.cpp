@@ -1,6 +1,7 @@
 // lancer render as it should go: files, names, metadata, and pixels that depend on nothing else.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/run_program.h"
@@ -201,9 +202,29 @@ TEST_F(Render, StatsTellWhatWasDone)
     EXPECT_EQ(s.at("partial"), false);
     std::vector<std::string> phases;
     for (const auto& p : s.at("phases")) phases.push_back(p.at("name"));
-    EXPECT_EQ(phases,
-              (std::vector<std::string>{"load", "build scene", "build accelerator and lights", "render", "write"}));
+    EXPECT_EQ(phases, (std::vector<std::string>{"load", "build scene", "build accelerator", "finish scene", "render",
+                                                "write"}));
     EXPECT_EQ(s.at("passes").back().at("spp"), 40);
+}
+
+// The maps and tables of the picture, apart from the accelerator and without the wait for the picture.
+TEST_F(Render, StatsTellHowLongTheEnvironmentTook)
+{
+    const auto seconds = [&] {
+        std::vector<double> found;
+        EXPECT_EQ(render({"-o", "a.exr", "--stats", "s.json"}).code, 0);
+        const auto stats = nlohmann::json::parse(read_bytes(file("s.json")));
+        for (const auto& a : stats.at("analyses"))
+            if (a.at("name") == "environment") found.push_back(a.at("wall_s"));
+        return found;
+    };
+    EXPECT_TRUE(seconds().empty());
+    std::filesystem::rename(file("a.exr"), file("sky.exr"));
+    write("scene.toml", std::string(small_scene) + "[[light]]\ntype = 'environment'\nfile = 'sky.exr'\n");
+    ASSERT_EQ(seconds().size(), 1u);
+    EXPECT_GT(seconds()[0], 0);
+    write("scene.toml", std::string(small_scene) + "[background]\nsky = 'dawn'\n");
+    EXPECT_EQ(seconds().size(), 1u);
 }
 
 // Of one sample each nothing is known of the error; 0 would be a claim.

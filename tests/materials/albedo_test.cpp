@@ -150,10 +150,30 @@ TEST(Albedo, OfPlasticUnderEvenLight)
     }
 }
 
+// Of a table that has what one alpha needs the answers are those of the whole, to the bit; at nodes and at both ends
+// too.
+TEST(Albedo, TablesDoNotDependOnWhatElseWasNeeded)
+{
+    AlbedoTable whole(1.5f);
+    whole.need_all();
+    Random random(1);
+    std::vector<float> some{0x1p-149f, 0x1p-14f, 0x1p-13f, 0.25f, 0.25f + 0x1p-26f, 0.875f, 1 - 0x1p-24f, 1};
+    for (int i = 0; i < 20; ++i) some.push_back(std::exp2(static_cast<float>(random.uniform(-15, 0))));
+    for (const float alpha : some) {
+        AlbedoTable alone(1.5f);
+        alone.need(alpha);
+        EXPECT_NE(alone.loss(0.5f, alpha), 0) << alpha;
+        EXPECT_EQ(alone.mean_missing(alpha), whole.mean_missing(alpha)) << alpha;
+        for (const float cos : {0x1p-149f, 0x1p-12f, 0.001f, 0.3f, 0.99f, 1.0f})
+            EXPECT_EQ(alone.loss(cos, alpha), whole.loss(cos, alpha)) << alpha << ' ' << cos;
+    }
+}
+
 TEST(Albedo, TablesAreWithinTheirBounds)
 {
-    const AlbedoTable coat(1.5f);
-    for (const AlbedoTable* t : {&AlbedoTable::white(), &coat}) {
+    AlbedoTable coat(1.5f);
+    coat.need_all();
+    for (const AlbedoTable* t : std::array<const AlbedoTable*, 2>{&AlbedoTable::white(), &coat}) {
         for_each_angle([&](const std::string& name, float alpha, float cos) {
             EXPECT_LE(t->loss(cos, alpha), 1) << name;
             EXPECT_GT(t->mean_missing(alpha), 0) << name;

@@ -4,12 +4,12 @@ namespace lancer {
 
 Plastic make_plastic(Color base, float roughness, float ior, Color specular)
 {
-    return {base,
-            roughness,
-            ior,
-            specular,
-            mean_transmittance(ior),
-            roughness == 0 ? nullptr : std::make_shared<const AlbedoTable>(ior)};
+    std::shared_ptr<AlbedoTable> coat;
+    if (roughness > 0) {
+        coat = std::make_shared<AlbedoTable>(ior);
+        coat->need_all();
+    }
+    return {base, roughness, ior, specular, mean_transmittance(ior), coat};
 }
 
 std::vector<Place> places()

@@ -33,9 +33,14 @@ void MaterialBuilder::finish(Glass& glass, const MaterialDescription& m)
 void MaterialBuilder::finish(Plastic& plastic, const MaterialDescription& m)
 {
     plastic.mean_through = mean_transmittance(m.ior);
-    if (alpha_of_roughness(m.roughness) == 0) return;
+    const float alpha = alpha_of_roughness(m.roughness);
+    if (alpha == 0) return;
     auto& coat = coats_[m.ior];
-    if (!coat) coat = std::make_shared<const AlbedoTable>(m.ior);
+    if (!coat) coat = std::make_shared<AlbedoTable>(m.ior);
+    if (plastic.roughness.texture == no_texture)
+        coat->need(alpha);
+    else
+        coat->need_all();
     plastic.coat = coat;
 }
 

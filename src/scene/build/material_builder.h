@@ -35,7 +35,7 @@ private:
     void finish(Interface& interface, const MaterialDescription& description);
 
     MaterialOptions options_;
-    std::map<float, std::shared_ptr<const AlbedoTable>> coats_;  // per index of refraction, shared by rough plastics
+    std::map<float, std::shared_ptr<AlbedoTable>> coats_;  // per index of refraction, shared by rough plastics
 };
 
 }  // namespace lancer

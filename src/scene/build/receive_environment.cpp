@@ -1,5 +1,6 @@
 #include "scene/build/receive_environment.h"
 
+#include <chrono>
 #include <utility>
 
 #include "scene/environment/background.h"
@@ -18,6 +19,23 @@ std::shared_ptr<const Raster> received(const RasterFuture& image, const Location
     return picture;
 }
 
+// Lists, at its end, how long making maps and tables of the pictures took, without the wait for them.
+class EnvironmentClock {
+public:
+    explicit EnvironmentClock(Scene& scene) : scene_(scene) {}
+    ~EnvironmentClock()
+    {
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
+        scene_.analyses.push_back({"environment", taken.count()});
+    }
+    EnvironmentClock(const EnvironmentClock&) = delete;
+    EnvironmentClock& operator=(const EnvironmentClock&) = delete;
+
+private:
+    Scene& scene_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, const PictureMemory& memory,
@@ -28,6 +46,7 @@ void receive_environment(Scene& scene, PendingPictures::OfEnvironment pending, c
         memory.wait_for(light.file);
         std::shared_ptr<const Raster> picture = received(pending.image, light.where, diagnostics);
         pending.image = {};  // the last to hold the picture shall be who makes texels of it
+        const EnvironmentClock clock(scene);
         scene.environment_map = std::make_shared<EnvironmentMap>(std::move(picture), light.power, scene.environment,
                                                                  light.rotate_deg, scene.sky_compensation);
     } catch (const Error& e) {
@@ -55,6 +74,7 @@ void receive_background(Scene& scene, PendingPictures::OfBackground pending, con
     };
     const auto sky = receive(what.sky_picture, pending.sky), ground = receive(what.ground_picture, pending.ground);
     if ((!sky && !what.sky_picture.file.empty()) || (!ground && !what.ground_picture.file.empty())) return;
+    const EnvironmentClock clock(scene);
     scene.background = std::make_shared<const Background>(what, sky.get(), ground.get(), scene.legacy, texture_limit);
     if (const uint64_t bad = scene.background->bad_texels())
         diagnostics.warning(what.where, "a texel of the background is negative or not finite: taken for black", bad);
