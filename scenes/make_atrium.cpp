@@ -127,7 +127,7 @@ void upper_bay(Pieces& p, double x)
     p.box({x + 0.16, floor_2 + 0.90, -0.14}, {x + bay - 0.16, floor_2 + 1.04, 0.14}, 0.025);
     const Pieces::Profile baluster{{0.072, 0},    {0.072, 0.05}, {0.046, 0.09}, {0.085, 0.25},
                                    {0.074, 0.35}, {0.037, 0.55}, {0.068, 0.68}, {0.070, 0.74}};
-    for (int k = 0; k < 7; ++k) p.turned({x + 0.16 + 0.3829 * (k + 0.5), floor_2 + 0.16, 0}, baluster, 8);
+    for (int k = 0; k < 6; ++k) p.turned({x + 0.16 + 0.4467 * (k + 0.5), floor_2 + 0.16, 0}, baluster, 8);
 }
 
 void side(Pieces& p, const Side& s)
@@ -148,12 +148,12 @@ void side(Pieces& p, const Side& s)
         p.box({x - 0.33, 0, -0.33}, {x + 0.33, 0.14, 0.33}, 0.015);
         p.box({x - 0.32, spring - 0.14, -0.32}, {x + 0.32, spring, 0.32}, 0.02);
         p.material("column");
-        p.turned({x, 0.14, 0}, column(spring - 0.28, 0.21), 18);
+        p.turned({x, 0.14, 0}, column(spring - 0.28, 0.21), 24);
         p.material("stone");
         p.box({x - 0.24, floor_2 + 0.02, -0.24}, {x + 0.24, floor_2 + 1.04, 0.24}, 0.02);
         p.box({x - 0.22, floor_2 + column_2, -0.22}, {x + 0.22, floor_2 + column_2 + 0.10, 0.22}, 0.015);
         p.material("column");
-        p.turned({x, floor_2 + 1.04, 0}, column(column_2 - 1.04, 0.15), 12);
+        p.turned({x, floor_2 + 1.04, 0}, column(column_2 - 1.04, 0.15), 14);
     }
     // Courses of stone along the court, the upper floor, the beams and the roof.
     p.material("stone");
@@ -238,7 +238,7 @@ void court(Pieces& p)
             p.material("wood");
             p.rod({{x, 0.5, z}, {x + 0.03, 1.0, z - 0.02}, {x, 1.6, z}}, 0.045, 8);
             p.material("leaf");
-            for (int k = 0; k < 300; ++k) {
+            for (int k = 0; k < 200; ++k) {
                 Point d;
                 do d = {random.spread(1), random.spread(1), random.spread(1)};
                 while (length(d) > 1 || length(d) < 0.55);
