@@ -167,4 +167,19 @@ FlipAtTime flip_at_equal_time(const Study& study, const StudyScene& scene, const
     return flip;
 }
 
+Overview overview_of(const Study& study, const StudyMethod& method)
+{
+    Overview all;
+    std::vector<Comparison> flips;
+    for (const StudyScene& scene : study.scenes) {
+        all.errors.push_back(equal_error(study, scene, method));
+        all.times.push_back(speed_up(study, scene, method, all.errors.back()));
+        all.flips.push_back(flip_at_equal_time(study, scene, method));
+        flips.push_back(all.flips.back().ratio);
+    }
+    all.mean_time = geometric_mean_of(all.times);
+    all.mean_flip = geometric_mean_of(flips);
+    return all;
+}
+
 }  // namespace lancer

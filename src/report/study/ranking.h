@@ -43,4 +43,13 @@ struct FlipAtTime {
 };
 FlipAtTime flip_at_equal_time(const Study& study, const StudyScene& scene, const StudyMethod& method);
 
+// Both of a method, on each scene of the study and over all of them.
+struct Overview {
+    std::vector<double> errors;  // equal_error() of each scene
+    std::vector<Comparison> times;
+    std::vector<FlipAtTime> flips;
+    Comparison mean_time, mean_flip;
+};
+Overview overview_of(const Study& study, const StudyMethod& method);
+
 }  // namespace lancer

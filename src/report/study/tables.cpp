@@ -229,12 +229,11 @@ Cell ratio_cell(const Comparison& c, const std::string& at)
     return {ratio_text(c) + "\n" + at + "\n" + rank_text(c), c.rank != Rank::not_ranked, tone_of(c)};
 }
 
-Cell mean_cell(const std::vector<Comparison>& scenes)
+std::string of_scenes(const std::vector<Comparison>& scenes)
 {
-    const Comparison mean = geometric_mean_of(scenes);
     const auto counts = [](const Comparison& c) { return c.rank != Rank::not_ranked; };
-    return ratio_cell(mean, "of " + std::to_string(std::count_if(scenes.begin(), scenes.end(), counts)) + " of " +
-                                std::to_string(scenes.size()) + " scenes");
+    return "of " + std::to_string(std::count_if(scenes.begin(), scenes.end(), counts)) + " of " +
+           std::to_string(scenes.size()) + " scenes";
 }
 
 }  // namespace
@@ -253,23 +252,22 @@ Table overview_table(const Study& study)
         if (m.name == study.baseline) continue;
         const std::string name = m.name + (m.biased() ? " (biased)" : "");
         table.head.insert(table.head.end(), {name + ": time to equal error", name + ": FLIP at equal time"});
-        std::vector<Comparison> times, flips;
+        const Overview overview = overview_of(study, m);
+        std::vector<Comparison> flips;
         for (size_t i = 0; i < study.scenes.size(); ++i) {
-            const StudyScene& scene = study.scenes[i];
-            const double error = equal_error(study, scene, m);
-            times.push_back(speed_up(study, scene, m, error));
-            const FlipAtTime flip = flip_at_equal_time(study, scene, m);
+            const FlipAtTime& flip = overview.flips[i];
             flips.push_back(flip.ratio);
-            if (const std::string why = why_left_out(study, scene, m); !why.empty()) {
+            if (const std::string why = why_left_out(study, study.scenes[i], m); !why.empty()) {
                 table.rows[i].insert(table.rows[i].end(), {Cell{why, false, Tone::bad}, Cell{"left out"}});
                 continue;
             }
-            table.rows[i].push_back(ratio_cell(times.back(), "at relMSE " + round_text(error)));
+            table.rows[i].push_back(ratio_cell(overview.times[i], "at relMSE " + round_text(overview.errors[i])));
             table.rows[i].push_back(ratio_cell(flip.ratio, significant(flip.baseline) + " against " +
                                                                significant(flip.method) + " at " +
                                                                significant(flip.seconds) + " s"));
         }
-        table.rows.back().insert(table.rows.back().end(), {mean_cell(times), mean_cell(flips)});
+        table.rows.back().push_back(ratio_cell(overview.mean_time, of_scenes(overview.times)));
+        table.rows.back().push_back(ratio_cell(overview.mean_flip, of_scenes(flips)));
     }
     return table;
 }
