@@ -95,6 +95,8 @@ public:
     }
 
     void material(const std::string& name) { std::fprintf(file_, "usemtl %s\n", name.c_str()); }
+    // Whether the faces that follow are round together, for files without normals.
+    void smoothing(bool wanted) { std::fputs(wanted ? "s 1\n" : "s off\n", file_); }
     void position(Point p)
     {
         const double fine = std::pow(10, decimals_);

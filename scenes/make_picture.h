@@ -72,6 +72,24 @@ inline void write_png(const std::string& path, Picture& p, int levels = 256)
     if (std::fclose(file) != 0) fail(path);
 }
 
+// Fills a picture of one channel with value(u, v), both in [0, 1), v upwards.
+inline void write_grey(const std::string& path, int width, int height, int levels,
+                       const std::function<double(double, double)>& value)
+{
+    Picture p(width, height, 1);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) p.at(x, y, 0) = value((x + 0.5) / width, 1 - (y + 0.5) / height);
+    write_png(path, p, levels);
+}
+inline void write_color(const std::string& path, int width, int height, int levels,
+                        const std::function<Rgb(double, double)>& value)
+{
+    Picture p(width, height, 3);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) p.set(x, y, value((x + 0.5) / width, 1 - (y + 0.5) / height));
+    write_png(path, p, levels);
+}
+
 // Mean over 3 x 3 places of each pixel. `paint` gets places in [0, 1], y upwards, and says whether anything is there.
 inline Picture cut_out(int width, int height, Rgb behind, const std::function<bool(double, double, Rgb&)>& paint)
 {

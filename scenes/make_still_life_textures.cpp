@@ -5,24 +5,6 @@
 
 namespace {
 
-// Fills a picture of one channel with value(u, v), both in [0, 1), v upwards.
-void write_grey(const std::string& path, int width, int height, int levels,
-                const std::function<double(double, double)>& value)
-{
-    Picture p(width, height, 1);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) p.at(x, y, 0) = value((x + 0.5) / width, 1 - (y + 0.5) / height);
-    write_png(path, p, levels);
-}
-void write_color(const std::string& path, int width, int height, int levels,
-                 const std::function<Rgb(double, double)>& value)
-{
-    Picture p(width, height, 3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) p.set(x, y, value((x + 0.5) / width, 1 - (y + 0.5) / height));
-    write_png(path, p, levels);
-}
-
 // Five boards along u; each is cut through the rings of a tree of its own.
 Rgb wood(double u, double v)
 {

@@ -2,8 +2,8 @@
 # Error against run time as pages.
 #   scripts/study.sh                        the ladder, the anchors and Whitted, each into build/study/NAME: half an hour
 #   scripts/study.sh STUDY.toml [FOLDER]    one study (build/study/NAME)
-# The anchors need scenes from outside this repository (scripts/anchors.sh says where) and other renderers that are
-# installed (bench/peers/README.md); what is missing is left out and said.
+# The anchors and the rooms need scenes from outside this repository (scripts/anchors.sh and scripts/rooms.sh say where)
+# and other renderers that are installed (bench/peers/README.md); what is missing is left out and said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck source=scripts/common.sh
@@ -22,7 +22,10 @@ anchor_scenes() {
 }
 
 if (($#)); then
-    case $1 in *anchors.toml) anchor_scenes ;; esac
+    case $1 in
+        *anchors.toml) anchor_scenes ;;
+        *rooms.toml) scripts/rooms.sh ;;
+    esac
     study "$@"
     exit
 fi

@@ -42,6 +42,7 @@ struct MarkdownBlock {
     }
     std::string operator()(const Plot&) const { return ""; }
     std::string operator()(const PictureRow&) const { return ""; }
+    std::string operator()(const Gallery&) const { return ""; }
     std::string operator()(const JsonData&) const { return ""; }
 };
 

@@ -147,15 +147,15 @@ void StudyRunner::measure()
 
 void StudyRunner::write()
 {
-    std::vector<SceneCrops> crops;
+    std::vector<ScenePictures> pictures;
     for (const StudyPlan::Scene& scene : work_.plan.scenes) {
         add_levels(study_, scene.name, pictures_, references_.at(scene.name));
-        crops.push_back(crops_of(work_, study_, scene.name, pictures_, references_.at(scene.name)));
+        pictures.push_back(pictures_of(work_, study_, scene.name, pictures_, references_.at(scene.name)));
     }
     check_study(work_.options.study, study_);
     write_text(work_.file("study.json"), to_json(study_));
     write_text(work_.file("runs.csv"), to_csv(study_.runs));
-    write_text(work_.file("index.html"), to_html(make_study_page(study_, crops)));
+    write_text(work_.file("index.html"), to_html(make_study_page(study_, pictures)));
 }
 
 // What was left out and what failed.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/run_program.h"
+#include "report/page/html_pictures.h"
 #include "report/study/json.h"
 #include "support/xml_check.h"
 
@@ -158,8 +159,12 @@ TEST_F(StudyPeers, ThePageShowsLevelsAndCrops)
             EXPECT_EQ(e.attributes.at("src").rfind("data:image/png;base64,", 0), 0u);
         }
     }
-    EXPECT_EQ(captions, 1u);        // the picture is one block
-    EXPECT_EQ(images, 3u + 2 + 6);  // side by side, the reference over two of them, and either side of the slider
+    EXPECT_EQ(captions, 1u);  // the picture is one block
+    // The scene; side by side, the reference over two of them, and either side of the slider.
+    EXPECT_EQ(images, 1u + 3 + 2 + 6);
+    const std::string reference = read_bytes(file("out/references/balls.png"));
+    EXPECT_NE(page().find("<div class=\"gallery\">"), std::string::npos);
+    EXPECT_NE(page().find(base64(reference)), std::string::npos);
     const Study s = result();
     ASSERT_EQ(s.levels.size(), 2u);
     for (size_t c = 0; c < 3; ++c) EXPECT_EQ(s.levels[0].ratio[c], s.levels[1].ratio[c]);

@@ -137,6 +137,30 @@ TEST(Html, PicturesStandInThePageSideBySideAndUnderASlider)
     EXPECT_EQ(to_markdown({"t", {document.sections[1].blocks}, {}}, 2), "");
 }
 
+TEST(Html, GalleriesShowEachPictureOnceWithItsNameAndCaption)
+{
+    const Gallery gallery{{{"a " + wild, wild, png_of("x")}, {"b", "", png_of("y")}}};
+    const std::string text = to_html(Document{"t", {gallery}, {{"s", {Paragraph{"p"}}}}});
+    std::vector<XmlElement> images;
+    std::vector<std::string> captions;
+    std::string style;
+    for (const XmlElement& e : read_xml(text)) {
+        if (e.name == "img") images.push_back(e);
+        if (e.name == "figcaption") captions.push_back(e.text);
+        if (e.name == "style") style = e.text;
+    }
+    ASSERT_EQ(images.size(), 2u);
+    EXPECT_EQ(images[0].attributes.at("alt"), "a " + wild);
+    EXPECT_EQ(images[1].attributes.at("src"), "data:image/png;base64," + base64(png_of("y")));
+    ASSERT_EQ(captions.size(), 2u);
+    EXPECT_NE(captions[0].find(wild), std::string::npos);
+    // Without rows of crops nothing of theirs is in the style, and a page without galleries has nothing of these.
+    EXPECT_NE(style.find(".gallery"), std::string::npos);
+    EXPECT_EQ(style.find(".swap"), std::string::npos);
+    EXPECT_EQ(to_html(everything()).find(".gallery"), std::string::npos);
+    EXPECT_EQ(to_markdown({"t", {gallery}, {}}, 2), "");
+}
+
 TEST(Html, SmallPicturesAreShownLarge)
 {
     const std::string small("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x20\0\0\0\x10", 24);

@@ -99,6 +99,20 @@ TEST(StudyJson, ComesBackAsItWas)
     expect_same(a.runs, b.runs);
 }
 
+TEST(StudyJson, HoldsTheMeansOverAllScenes)
+{
+    const Study study = synthetic_study({{"plain", 1, -1, 0, 1, 0, 256}, {"better", 0.5, -1, 0, 0.8, 0, 256}}, 21);
+    const auto means = nlohmann::json::parse(to_json(study)).at("geometric_means");
+    ASSERT_EQ(means.size(), 2u);
+    EXPECT_EQ(means[0].at("method"), "better");
+    EXPECT_EQ(means[0].at("of"), "time to equal error");
+    EXPECT_NEAR(means[0].at("baseline_over_method").get<double>(), 2.5, 0.1);
+    EXPECT_LT(means[0].at("interval")[0].get<double>(), 2.5);
+    EXPECT_EQ(means[0].at("verdict"), "faster");
+    EXPECT_EQ(means[1].at("verdict"), "not ranked: ranked on no scene") << "FLIP was not measured";
+    EXPECT_TRUE(means[1].at("interval").is_null());
+}
+
 TEST(StudyJson, SaysWhereItIsBroken)
 {
     const std::string good = to_json(everything());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/page/html.h"
 #include "report/page/html_pictures.h"
@@ -33,7 +34,7 @@ Study example()
     return study;
 }
 
-std::vector<XmlElement> page_of(const Study& study, const std::vector<SceneCrops>& crops = {})
+std::vector<XmlElement> page_of(const Study& study, const std::vector<ScenePictures>& crops = {})
 {
     return read_xml(to_html(make_study_page(study, crops)));
 }
@@ -157,7 +158,7 @@ TEST(StudyPage, FailedRunsAreShown)
 TEST(StudyPage, CropsOfAScene)
 {
     const PictureRow row{"", "here", {{"reference", "", png}, {"plain", "16 spp", png}, {"clamped", "17 spp", png}}};
-    const auto page = page_of(example(), {{"box", {row, row}}});
+    const auto page = page_of(example(), {{"box", {row, row}, ""}});
     size_t images = 0;
     for (const XmlElement& e : page) {
         if (e.name != "img") continue;
@@ -179,14 +180,14 @@ TEST(StudyPage, WhatIsLeftOutAndWhatIsNotRankedIsSaid)
     EXPECT_EQ(holding(words, "Left out: better: not installed"), 1u);
     EXPECT_EQ(holding(words, "better: the same samples in every run."), 1u);
     EXPECT_EQ(holding(words, "plain: errors against its own. Its own noise is a relMSE of"), 1u);
-    EXPECT_EQ(holding(texts(page, "td"), "not ranked: left out"), 2u);  // above alone: at equal time and at equal error
+    EXPECT_EQ(holding(texts(page, "td"), "left out: not installed"), 1u);  // above alone
     EXPECT_EQ(holding(texts(page, "td"), "not ranked: the same samples in every run"), 6u);
     // The own reference is too noisy to tell the time to 1e-3.
     EXPECT_EQ(row(make_study_page(study, {}), 1, "Seconds of rendering", "plain")[3],
               "below the noise of the reference");
 }
 
-TEST(StudyPage, LevelsAndTheRatioOfTimes)
+TEST(StudyPage, Levels)
 {
     Study study = example();
     PictureLevel level;
@@ -199,13 +200,48 @@ TEST(StudyPage, LevelsAndTheRatioOfTimes)
     const auto cells = row(page, 1, "Exposure and energy", "better");
     EXPECT_EQ(cells[2], "0.99800\n[0.99790 .. 0.99810]");
     EXPECT_EQ(cells[5], "1.20·10⁻⁵\n[1.00·10⁻⁵ .. 1.40·10⁻⁵]");
-    const auto* ratios = std::get_if<Table>(&page.opening.at(1));
-    ASSERT_TRUE(ratios);
-    EXPECT_EQ(ratios->caption,
-              "Time to error, ratio to baseline: time of plain to relMSE 0.001 over that of the method [95 %]");
-    EXPECT_NE(ratios->rows[0][1].text.find("\nfaster"), std::string::npos);
-    EXPECT_NEAR(std::stod(ratios->rows[0][1].text.substr(std::string("×").size())), 2.5, 0.5);
-    EXPECT_EQ(ratios->rows[0][2].text, "not ranked: biased, the baseline is not");
+}
+
+TEST(StudyPage, OneTableOverAllScenes)
+{
+    Study study = example();
+    for (StudyRun& run : study.runs)
+        for (ErrorPoint& p : run.points) p.flip = 0.3 * std::sqrt(p.relmse);
+    const auto table = [&] { return std::get<Table>(make_study_page(study, {}).opening.at(1)); };
+    const Table all = table();
+    EXPECT_EQ(all.head, (std::vector<std::string>{"scene", "better: time to equal error", "better: FLIP at equal time",
+                                                  "clamped (biased): time to equal error",
+                                                  "clamped (biased): FLIP at equal time"}));
+    ASSERT_EQ(all.rows.size(), 3u);
+    EXPECT_EQ(all.rows[1][0].text, "<statues>");
+    EXPECT_EQ(all.rows[2][0].text, "geometric mean");
+    const auto number = [](const Cell& cell) { return std::stod(cell.text.substr(std::string("×").size())); };
+    EXPECT_NEAR(number(all.rows[0][1]), 2.5, 0.5);
+    EXPECT_NE(all.rows[0][1].text.find("\nat relMSE 0.001\nfaster"), std::string::npos) << all.rows[0][1].text;
+    EXPECT_NE(all.rows[1][1].text.find("\nat relMSE 0.005\n"), std::string::npos) << "above the noise";
+    EXPECT_NEAR(number(all.rows[0][2]), std::sqrt(2.5), 0.3);
+    EXPECT_NE(all.rows[0][2].text.find(" against "), std::string::npos);
+    EXPECT_NEAR(number(all.rows[2][1]), std::sqrt(number(all.rows[0][1]) * number(all.rows[1][1])), 0.02);
+    EXPECT_NE(all.rows[2][1].text.find("of 2 of 2 scenes\nfaster"), std::string::npos);
+    EXPECT_NE(all.rows[0][3].text.find("not ranked: biased, the baseline is not"), std::string::npos);
+    EXPECT_EQ(all.rows[2][3].text, "not ranked: ranked on no scene");
+    study.on_scenes = {{"box", "better", "textures are not supported", "", "", 0}};
+    const Table refused = table();
+    EXPECT_EQ(refused.rows[0][1].text, "left out: textures are not supported");
+    EXPECT_EQ(refused.rows[0][1].tone, Tone::bad);
+    EXPECT_NE(refused.rows[2][1].text.find("of 1 of 2 scenes"), std::string::npos);
+}
+
+TEST(StudyPage, OpensWithTheReferences)
+{
+    const Document page = make_study_page(example(), {{"<statues>", {}, png}, {"box", {}, ""}});
+    const auto* gallery = std::get_if<Gallery>(&page.opening.at(0));
+    ASSERT_TRUE(gallery);
+    ASSERT_EQ(gallery->pictures.size(), 1u) << "of those that there are";
+    EXPECT_EQ(gallery->pictures[0].name, "<statues>");
+    EXPECT_EQ(gallery->pictures[0].caption, "a scene");
+    EXPECT_EQ(gallery->pictures[0].png, png);
+    EXPECT_FALSE(std::get_if<Gallery>(&make_study_page(example(), {}).opening.at(0)));
 }
 
 TEST(StudyPage, HoldsTheWholeStudy)

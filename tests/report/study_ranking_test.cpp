@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "synthetic_study.h"
 
 namespace lancer {
@@ -157,6 +159,75 @@ TEST(StudyRanking, WithoutACommonTimeThereIsNoGain)
     EXPECT_EQ(rank_text(e.gain), "not ranked: no time at which both were measured");
     EXPECT_TRUE(std::isnan(e.seconds));
     EXPECT_TRUE(std::isnan(e.gain.ratio));
+}
+
+// The study of two scenes: on the second one the method needs a quarter of the time for the same samples.
+Study two_scenes(double noise, uint64_t seed, double faster = 0.25)
+{
+    SyntheticMethod a = plain, b = better, quick = better;
+    a.noise = b.noise = quick.noise = noise;
+    quick.seconds_per_spp *= faster;
+    Study study = synthetic_study({a, b}, seed, 8, "box");
+    const Study other = synthetic_study({a, quick}, seed + 1, 8, "hall");
+    study.scenes.push_back(other.scenes[0]);
+    study.runs.insert(study.runs.end(), other.runs.begin(), other.runs.end());
+    return study;
+}
+
+TEST(StudyRanking, AnEqualErrorIsTheLeastRoundOneThatAllReach)
+{
+    SyntheticMethod a = plain, b = better;
+    a.noise = b.noise = 0;
+    Study study = synthetic_study({a, b}, 5);
+    const auto error = [&] { return equal_error(study, study.scenes[0], study.methods[1]); };
+    EXPECT_DOUBLE_EQ(error(), 5e-3);  // the baseline ends at 1/256
+    study.runs[6].points.resize(7);   // at 1/64
+    EXPECT_DOUBLE_EQ(error(), 2e-2);
+    study.scenes[0].reference_noise_relmse = 2.5e-2;  // at twice the noise nothing is ranked
+    EXPECT_DOUBLE_EQ(error(), 1e-1);
+    study.runs.clear();
+    EXPECT_TRUE(std::isnan(error()));
+}
+
+TEST(StudyRanking, FlipIsComparedAtEqualTime)
+{
+    Study study = two_scenes(0, 5);
+    const auto flip = [&] { return flip_at_equal_time(study, study.scenes[0], study.methods[1]); };
+    EXPECT_EQ(rank_text(flip().ratio), "not ranked: FLIP was not measured");
+    for (StudyRun& run : study.runs)
+        for (ErrorPoint& p : run.points) p.flip = 0.5 * std::sqrt(p.relmse);
+    const FlipAtTime f = flip();
+    EXPECT_EQ(f.seconds, efficiency_of(study, study.scenes[0], study.methods[1]).seconds);
+    EXPECT_NEAR(f.baseline / f.method, std::sqrt(2.5), 0.1);
+    EXPECT_NEAR(f.ratio.ratio, std::sqrt(2.5), 0.1);
+    EXPECT_EQ(f.ratio.rank, Rank::faster);
+    study.methods[1].biases = {"clamp 10"};
+    EXPECT_EQ(rank_text(flip().ratio), "not ranked: biased, the baseline is not");
+}
+
+TEST(StudyRanking, TheGeometricMeanIsThatOfTheRankedScenes)
+{
+    const auto of_scenes = [](const Study& study) {
+        std::vector<Comparison> all;
+        for (const StudyScene& scene : study.scenes) all.push_back(speed_up(study, scene, study.methods[1], 1e-2));
+        return all;
+    };
+    std::vector<Comparison> all = of_scenes(two_scenes(0, 5));
+    Comparison mean = geometric_mean_of(all);
+    EXPECT_NEAR(mean.ratio, 5, 0.2);  // of 2.5 and 10
+    EXPECT_EQ(mean.rank, Rank::faster);
+    all.emplace_back().reason = "left out";
+    EXPECT_EQ(geometric_mean_of(all).ratio, mean.ratio);
+    EXPECT_EQ(rank_text(geometric_mean_of({all[2]})), "not ranked: ranked on no scene");
+    // Twice as fast on one scene and half as fast on the other.
+    all = of_scenes(two_scenes(0, 5, 6.25));
+    EXPECT_EQ(all[0].rank, Rank::faster);
+    EXPECT_EQ(all[1].rank, Rank::slower);
+    EXPECT_EQ(geometric_mean_of(all).rank, Rank::no_difference);
+    int holds = 0;
+    for (uint64_t k = 0; k < 100; ++k)
+        holds += geometric_mean_of(of_scenes(two_scenes(0.1, 5000 + 2 * k))).interval.contains(5);
+    EXPECT_GE(holds, 90);
 }
 
 }  // namespace

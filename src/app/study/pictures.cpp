@@ -49,6 +49,15 @@ int stops_for(const Image& part)
                : 0;
 }
 
+// The whole picture, as bright as one sees well; highlights keep their colours.
+std::string reference_png(const StudyWork& work, const std::string& scene, const Image& reference)
+{
+    const std::string path = work.file("references/" + scene + ".png");
+    write_png(path, reference, {},
+              {.exposure_stops = static_cast<float>(stops_for(reference)), .tonemap = ToneMap::agx});
+    return read_input_text(path);
+}
+
 }  // namespace
 
 void add_levels(Study& study, const std::string& scene, const LastPictures& pictures, const Reference& reference)
@@ -77,8 +86,8 @@ void add_levels(Study& study, const std::string& scene, const LastPictures& pict
     }
 }
 
-SceneCrops crops_of(const StudyWork& work, const Study& study, const std::string& scene, const LastPictures& pictures,
-                    const Reference& reference)
+ScenePictures pictures_of(const StudyWork& work, const Study& study, const std::string& scene,
+                          const LastPictures& pictures, const Reference& reference)
 {
     struct Shown {
         std::string name, when;
@@ -97,12 +106,12 @@ SceneCrops crops_of(const StudyWork& work, const Study& study, const std::string
     std::vector<const Image*> choosing;
     for (const Shown& s : shown)
         if (s.chooses) choosing.push_back(&s.image);
-    SceneCrops crops;
-    crops.scene = scene;
+    ScenePictures result;
+    result.scene = scene, result.reference_png = reference_png(work, scene, mean);
     for (const Window& window : worst_blocks(mean, choosing, block_side, most_blocks)) {
         const Image reference_part = part_of(mean, window);
         const int stops = stops_for(reference_part);
-        PictureRow& row = crops.rows.emplace_back();
+        PictureRow& row = result.rows.emplace_back();
         row.caption =
             format_text("%d x %d pixels at (%d, %d)", window.width(), window.height(), window.x0, window.y0) +
             (stops == 0 ? ""
@@ -117,7 +126,7 @@ SceneCrops crops_of(const StudyWork& work, const Study& study, const std::string
             row.pictures.push_back({s.name, s.when.empty() ? "" : error, read_input_text(path)});
         }
     }
-    return crops;
+    return result;
 }
 
 }  // namespace lancer

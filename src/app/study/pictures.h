@@ -1,4 +1,4 @@
-// Analysis of the last pictures of a study's runs: brightness, and the worst blocks.
+// The pictures of a study: brightness of the last ones of its runs, their worst blocks, and the references.
 #pragma once
 
 #include <map>
@@ -15,9 +15,9 @@ using LastPictures = std::map<std::pair<std::string, std::string>, std::vector<L
 // from then on. Throws Error if a picture cannot be read.
 void add_levels(Study& study, const std::string& scene, const LastPictures& pictures, const Reference& reference);
 
-// The worst blocks of the first pictures of all methods, as PNG files beside the study and as rows of its page. Those
-// that may not be ranked are shown and choose none.
-SceneCrops crops_of(const StudyWork& work, const Study& study, const std::string& scene, const LastPictures& pictures,
-                    const Reference& reference);
+// The reference, and the worst blocks of the first pictures of all methods, as PNG files beside the study and for its
+// page. Methods that may not be ranked are shown and choose no block.
+ScenePictures pictures_of(const StudyWork& work, const Study& study, const std::string& scene,
+                          const LastPictures& pictures, const Reference& reference);
 
 }  // namespace lancer

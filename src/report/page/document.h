@@ -50,7 +50,12 @@ struct PictureRow {
     std::vector<Picture> pictures;
 };
 
-using Block = std::variant<Paragraph, Table, Plot, PictureRow, JsonData>;
+// Pictures of different things beside each other, each with its name and caption.
+struct Gallery {
+    std::vector<Picture> pictures;
+};
+
+using Block = std::variant<Paragraph, Table, Plot, PictureRow, Gallery, JsonData>;
 
 struct Section {
     std::string heading;

@@ -71,6 +71,7 @@ struct HtmlBlock {
     }
     std::string operator()(const Plot& plot) const { return "<figure>\n" + plot.svg + "</figure>\n"; }
     std::string operator()(const PictureRow& row) const { return pictures_html(row); }
+    std::string operator()(const Gallery& gallery) const { return gallery_html(gallery); }
     std::string operator()(const JsonData& data) const
     {
         return "<script type=\"application/json\" id=\"" + escape_xml(data.id) + "\">" + json_for_html(data.json) +

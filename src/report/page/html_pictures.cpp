@@ -80,6 +80,17 @@ std::string slider(const PictureRow& row)
            "oninput=\"this.parentNode.querySelector('div.left').style.width=this.value+'%'\"/>\n</div>\n";
 }
 
+bool has_gallery(const std::vector<Block>& blocks)
+{
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [](const Block& block) { return std::holds_alternative<Gallery>(block); });
+}
+
+constexpr const char* gallery_style =
+    ".gallery{display:flex;flex-wrap:wrap;gap:.8em;margin:1em 0}\n"
+    ".gallery figure{margin:0;width:256px}.gallery img{display:block;width:100%;height:auto;border-radius:3px}\n"
+    ".gallery figcaption{font-size:.8em;padding-top:.25em}.gallery b{display:block}\n";
+
 size_t longest(const std::vector<Block>& blocks)
 {
     size_t most = 0;
@@ -99,18 +110,35 @@ std::string pictures_html(const PictureRow& row)
            "</div>\n" + (row.pictures.size() > 1 ? slider(row) : "") + "</div>\n";
 }
 
+std::string gallery_html(const Gallery& gallery)
+{
+    std::string figures;
+    for (const Picture& p : gallery.pictures) {
+        const std::string name = escape_xml(p.name);
+        figures += "<figure>" + image(p, 0, name) + "<figcaption><b>" + name + "</b>" + escape_xml(p.caption) +
+                   "</figcaption></figure>\n";
+    }
+    return "<div class=\"gallery\">\n" + figures + "</div>\n";
+}
+
 std::string pictures_style(const Document& document)
 {
     size_t most = longest(document.opening);
-    for (const Section& section : document.sections) most = std::max(most, longest(section.blocks));
-    if (most == 0) return "";
+    bool galleries = has_gallery(document.opening);
+    for (const Section& section : document.sections) {
+        most = std::max(most, longest(section.blocks));
+        galleries = galleries || has_gallery(section.blocks);
+    }
+    const std::string of_galleries = galleries ? gallery_style : "";
+    if (most == 0) return of_galleries;
     std::string shown;
     for (size_t i = 0; i < most; ++i)
         for (const char* side : {"left", "right"}) {
             const std::string name = side + std::to_string(i);
             shown += (shown.empty() ? "" : ",") + std::string("input.") + name + ":checked~.view span." + name;
         }
-    return ".pictures img{display:block;max-width:none;image-rendering:pixelated}\n"
+    return of_galleries +
+           ".pictures img{display:block;max-width:none;image-rendering:pixelated}\n"
            ".row figure{display:inline-block;vertical-align:top;margin:.3em .6em .6em 0}\n"
            ".row figcaption{font-size:.8em;max-width:200px}\n"
            ".swap{display:block;position:relative;cursor:pointer}\n"

@@ -11,7 +11,10 @@ namespace lancer {
 // The row, each picture with its name and caption, and the slider if there are two. Error (failed) for what is no PNG.
 std::string pictures_html(const PictureRow& row);
 
-// The CSS of rows, for as many pictures as the longest of the document has; empty without any.
+// The gallery; the same error.
+std::string gallery_html(const Gallery& gallery);
+
+// The CSS of rows and galleries, for as many pictures as the longest of the document has; empty without any picture.
 std::string pictures_style(const Document& document);
 
 // RFC 4648, section 4.

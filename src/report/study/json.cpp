@@ -90,6 +90,24 @@ Json time_ratios_json(const Study& study)
     return all;
 }
 
+// The same, over all scenes.
+Json geometric_means_json(const Study& study)
+{
+    Json all = Json::array();
+    for (const StudyMethod& m : study.methods) {
+        if (m.name == study.baseline) continue;
+        const Overview overview = overview_of(study, m);
+        for (const auto& [what, mean] :
+             {std::pair{"time to equal error", &overview.mean_time}, {"FLIP at equal time", &overview.mean_flip}})
+            all.push_back({{"method", m.name},
+                           {"of", what},
+                           {"baseline_over_method", number_json(mean->ratio)},
+                           {"interval", std::isnan(mean->ratio) ? Json() : interval_json(mean->interval)},
+                           {"verdict", rank_text(*mean)}});
+    }
+    return all;
+}
+
 // A value and how one gets to it, for messages.
 struct Node {
     const Json& json;
@@ -251,6 +269,7 @@ std::string to_json(const Study& study)
                    {"on_scenes", on_scenes},
                    {"levels", levels},
                    {"time_to_error_ratio_to_baseline", time_ratios_json(study)},
+                   {"geometric_means", geometric_means_json(study)},
                    {"runs", runs}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

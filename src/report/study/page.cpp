@@ -68,7 +68,25 @@ std::vector<Block> remarks(const StudyMethod& method, const MethodOnScene& known
     return blocks;
 }
 
-Section scene_section(const Study& study, const StudyScene& scene, const std::vector<SceneCrops>& crops, size_t number)
+const ScenePictures* pictures_of(const std::vector<ScenePictures>& pictures, const StudyScene& scene)
+{
+    const auto own =
+        std::find_if(pictures.begin(), pictures.end(), [&](const auto& p) { return p.scene == scene.name; });
+    return own == pictures.end() ? nullptr : &*own;
+}
+
+// Each scene as its reference shows it.
+Gallery references(const Study& study, const std::vector<ScenePictures>& pictures)
+{
+    Gallery gallery;
+    for (const StudyScene& scene : study.scenes)
+        if (const ScenePictures* own = pictures_of(pictures, scene); own && !own->reference_png.empty())
+            gallery.pictures.push_back({scene.name, scene.description, own->reference_png});
+    return gallery;
+}
+
+Section scene_section(const Study& study, const StudyScene& scene, const std::vector<ScenePictures>& pictures,
+                      size_t number)
 {
     SceneFigures figures{study, scene, {}};
     Section section{"Scene: " + scene.name, reference_blocks(scene)};
@@ -86,8 +104,8 @@ Section scene_section(const Study& study, const StudyScene& scene, const std::ve
     section.blocks.push_back(Plot{error_plot(figures, false)});
     section.blocks.push_back(errors_table(figures));
     section.blocks.push_back(runs_table(figures));
-    const auto own = std::find_if(crops.begin(), crops.end(), [&](const auto& c) { return c.scene == scene.name; });
-    if (own == crops.end() || own->rows.empty()) return section;
+    const ScenePictures* own = pictures_of(pictures, scene);
+    if (!own || own->rows.empty()) return section;
     section.blocks.push_back(Paragraph{
         "Where methods are worst, at about equal time, of the first seed: each block by its reference and by each "
         "method. Point at one, or touch it, to see the reference in its place. Blocks are chosen by their error "
@@ -180,18 +198,19 @@ Section reading_section()
 
 }  // namespace
 
-Document make_study_page(const Study& study, const std::vector<SceneCrops>& crops)
+Document make_study_page(const Study& study, const std::vector<ScenePictures>& pictures)
 {
     Document page{study.title, {}, {}};
+    if (Gallery gallery = references(study, pictures); !gallery.pictures.empty())
+        page.opening.push_back(std::move(gallery));
     for (const std::string& reason : study.not_comparable)
         page.opening.push_back(Paragraph{"Not comparable: " + reason + ".", Tone::bad});
     if (study.not_comparable.empty())
         page.opening.push_back(Paragraph{"Comparable: nothing was found that sets these runs apart.", Tone::good});
-    page.opening.push_back(time_ratios_table(study));
-    page.opening.push_back(gains_table(study));
+    page.opening.push_back(overview_table(study));
     page.sections.push_back(methods_section(study));
     for (size_t i = 0; i < study.scenes.size(); ++i)
-        page.sections.push_back(scene_section(study, study.scenes[i], crops, i));
+        page.sections.push_back(scene_section(study, study.scenes[i], pictures, i));
     for (Section& section : failures(study)) page.sections.push_back(std::move(section));
     page.sections.push_back(machine_section(study));
     page.sections.push_back(reading_section());

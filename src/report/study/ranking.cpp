@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "report/study/curve.h"
@@ -12,51 +11,6 @@ namespace lancer {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-using CurveFigure = std::function<double(const ErrorCurve&)>;
-
-struct Pair {
-    ErrorCurve baseline, method;
-};
-
-// The runs of both with the same seed.
-std::vector<Pair> pairs_of(const Study& study, const StudyScene& scene, const StudyMethod& method)
-{
-    std::vector<Pair> pairs;
-    const auto others = runs_of(study, scene.name, study.baseline);
-    for (const StudyRun* run : runs_of(study, scene.name, method.name)) {
-        const auto other =
-            std::find_if(others.begin(), others.end(), [&](const StudyRun* o) { return o->seed == run->seed; });
-        if (other != others.end())
-            pairs.push_back({curve_of(**other, Along::time, &ErrorPoint::relmse),
-                             curve_of(*run, Along::time, &ErrorPoint::relmse)});
-    }
-    return pairs;
-}
-
-// Finite, so that differences are numbers: beyond either end of what was measured stands for very far.
-double bounded(double logarithm) { return std::clamp(logarithm, -800.0, 800.0); }
-
-// exp() of the difference of the medians of such logarithms.
-void compare_medians(const std::vector<Pair>& pairs, const CurveFigure& logarithm_of, Comparison& result)
-{
-    std::vector<double> baseline, method;
-    for (const Pair& p : pairs) {
-        baseline.push_back(bounded(logarithm_of(p.baseline)));
-        method.push_back(bounded(logarithm_of(p.method)));
-    }
-    const auto difference = [&](std::span<const size_t> drawn) {
-        std::vector<double> a, b;
-        for (const size_t i : drawn) a.push_back(baseline[i]), b.push_back(method[i]);
-        return median(std::move(a)) - median(std::move(b));
-    };
-    result.ratio = std::exp(median(baseline) - median(method));
-    const Interval interval = resampled_interval(pairs.size(), 0, difference);
-    result.interval = {std::exp(interval.low), std::exp(interval.high)};
-    if (!result.reason.empty()) return;
-    result.rank = result.interval.low > 1    ? Rank::faster
-                  : result.interval.high < 1 ? Rank::slower
-                                             : Rank::no_difference;
-}
 
 const StudyMethod* find_method(const Study& study, const std::string& name)
 {
@@ -78,6 +32,17 @@ std::string first_of(std::initializer_list<std::string> reasons)
 {
     const auto found = std::find_if(reasons.begin(), reasons.end(), [](const auto& r) { return !r.empty(); });
     return found == reasons.end() ? "" : *found;
+}
+
+// The longest time at which every run of both was measured; NaN: none.
+double common_time(const std::vector<CurvePair>& pairs)
+{
+    double first = 0, last = std::numeric_limits<double>::infinity();
+    for (const CurvePair& p : pairs) {
+        first = std::max({first, p.baseline.x.front(), p.method.x.front()});
+        last = std::min({last, p.baseline.x.back(), p.method.x.back()});
+    }
+    return pairs.empty() || first > last ? no_number : last;
 }
 
 std::string of_baseline(const std::string& reason) { return reason.empty() ? "" : "the baseline: " + reason; }
@@ -109,24 +74,20 @@ Efficiency efficiency_of(const Study& study, const StudyScene& scene, const Stud
 {
     Efficiency e{no_number, no_number, {no_number, no_number}, no_number, {}};
     e.gain.reason = why_not_ranked(study, scene, method);
-    const std::vector<Pair> pairs = pairs_of(study, scene, method);
+    const std::vector<CurvePair> pairs = pairs_of(study, scene, method);
     if (pairs.empty()) {
         e.gain.reason = first_of({e.gain.reason, "no run"});
         return e;
     }
-    double first = 0, last = std::numeric_limits<double>::infinity();
-    for (const Pair& p : pairs) {
-        first = std::max({first, p.baseline.x.front(), p.method.x.front()});
-        last = std::min({last, p.baseline.x.back(), p.method.x.back()});
-    }
-    if (first > last) {
+    const double last = common_time(pairs);
+    if (std::isnan(last)) {
         e.gain.reason = first_of({e.gain.reason, "no time at which both were measured"});
         return e;
     }
     e.seconds = last;
     const auto log_error = [&](const ErrorCurve& curve) { return std::log(error_at(curve, last)); };
     std::vector<double> errors, baseline_errors;
-    for (const Pair& p : pairs) {
+    for (const CurvePair& p : pairs) {
         errors.push_back(bounded(log_error(p.method)));
         baseline_errors.push_back(bounded(log_error(p.baseline)));
     }
@@ -145,7 +106,7 @@ Efficiency efficiency_of(const Study& study, const StudyScene& scene, const Stud
         e.gain.reason = first_of({e.gain.reason, below ? noise : of_baseline(noise)});
         return e;
     }
-    compare_medians(pairs, log_error, e.gain);
+    compare_pairs(pairs, log_error, e.gain);
     if (method.name == study.baseline) e.gain.rank = Rank::baseline;
     return e;
 }
@@ -160,29 +121,65 @@ Comparison speed_up(const Study& study, const StudyScene& scene, const StudyMeth
     const StudyMethod* baseline = find_method(study, study.baseline);
     const std::string why = first_of({why_none(method), baseline ? of_baseline(why_none(*baseline)) : ""});
     result.reason = first_of({result.reason, why});
-    const std::vector<Pair> pairs = pairs_of(study, scene, method);
+    const std::vector<CurvePair> pairs = pairs_of(study, scene, method);
     if (!why.empty() || pairs.empty()) return result;
-    compare_medians(
+    compare_pairs(
         pairs, [&](const ErrorCurve& curve) { return log_reached(curve, target); }, result);
     if (method.name == study.baseline) result.rank = Rank::baseline;
     return result;
 }
 
-std::string rank_text(const Comparison& comparison)
+double equal_error(const Study& study, const StudyScene& scene, const StudyMethod& method)
 {
-    switch (comparison.rank) {
-        case Rank::baseline:
-            return "the baseline";
-        case Rank::faster:
-            return "faster";
-        case Rank::slower:
-            return "slower";
-        case Rank::no_difference:
-            return "no difference found";
-        case Rank::not_ranked:
-            return "not ranked: " + comparison.reason;
+    const std::vector<CurvePair> pairs = pairs_of(study, scene, method);
+    double most = 0;
+    for (const CurvePair& p : pairs)
+        for (const ErrorCurve* curve : {&p.baseline, &p.method}) most = std::max(most, curve->y.back());
+    for (const StudyMethod* m : {&method, find_method(study, study.baseline)})
+        // Just above, as nothing is ranked at the limit itself.
+        if (m) most = std::max(most, 1.0001 * noise_limit(reference_noise(study, scene, *m)));
+    if (pairs.empty() || !std::isfinite(most) || most <= 0) return no_number;
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= most) return factor * power;
+    return 10 * power;
+}
+
+FlipAtTime flip_at_equal_time(const Study& study, const StudyScene& scene, const StudyMethod& method)
+{
+    FlipAtTime flip{common_time(pairs_of(study, scene, method)), no_number, no_number, {}};
+    flip.ratio.reason = why_not_ranked(study, scene, method);
+    const StudyMethod* baseline = find_method(study, study.baseline);
+    if (!baseline || std::isnan(flip.seconds)) {
+        flip.ratio.reason = first_of({flip.ratio.reason, "no time at which both were measured"});
+        return flip;
     }
-    return "";
+    flip.baseline = errors_at(study, scene, *baseline, flip.seconds).flip;
+    flip.method = errors_at(study, scene, method, flip.seconds).flip;
+    if (!(flip.baseline > 0 && flip.method > 0)) {
+        flip.ratio.reason = first_of({flip.ratio.reason, "FLIP was not measured"});
+        return flip;
+    }
+    compare_pairs(
+        pairs_of(study, scene, method, &ErrorPoint::flip),
+        [&](const ErrorCurve& curve) { return std::log(error_at(curve, flip.seconds)); }, flip.ratio);
+    if (method.name == study.baseline) flip.ratio.rank = Rank::baseline;
+    return flip;
+}
+
+Overview overview_of(const Study& study, const StudyMethod& method)
+{
+    Overview all;
+    std::vector<Comparison> flips;
+    for (const StudyScene& scene : study.scenes) {
+        all.errors.push_back(equal_error(study, scene, method));
+        all.times.push_back(speed_up(study, scene, method, all.errors.back()));
+        all.flips.push_back(flip_at_equal_time(study, scene, method));
+        flips.push_back(all.flips.back().ratio);
+    }
+    all.mean_time = geometric_mean_of(all.times);
+    all.mean_flip = geometric_mean_of(flips);
+    return all;
 }
 
 }  // namespace lancer

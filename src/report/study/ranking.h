@@ -5,25 +5,13 @@
 
 #include <string>
 
-#include "report/metrics/statistics.h"
-#include "report/study/results.h"
+#include "report/study/comparison.h"
 
 namespace lancer {
 
 // With fewer seeds not even the range from the least to the largest holds the median in 95 of 100 studies:
 // 1 - 2 * 0.5^5 = 0.94, 1 - 2 * 0.5^6 = 0.97.
 inline constexpr size_t fewest_seeds = 6;
-
-enum class Rank { baseline, faster, slower, no_difference, not_ranked };
-
-// The baseline's figure over that of the method: above 1 the method is better.
-struct Comparison {
-    Rank rank = Rank::not_ranked;
-    std::string reason;                                       // why it is not ranked
-    double ratio = std::numeric_limits<double>::quiet_NaN();  // NaN where there is none
-    Interval interval;  // 95 %, by resampling the seeds that both have, in pairs: what disturbed the machine while a
-                        // seed was drawn disturbed both. 0 and infinity: the range goes beyond what was measured.
-};
 
 // Efficiency 1 / (relMSE * time). It is constant over time for plain Monte Carlo, so it is given with its time.
 struct Efficiency {
@@ -44,7 +32,24 @@ Efficiency efficiency_of(const Study& study, const StudyScene& scene, const Stud
 // At equal error: the time of the baseline to this relMSE over that of the method, both measured, not extrapolated.
 Comparison speed_up(const Study& study, const StudyScene& scene, const StudyMethod& method, double target);
 
-// "faster", "not ranked: reason"
-std::string rank_text(const Comparison& comparison);
+// The least relMSE, of 1, 2 and 5 times powers of ten, that every run of both reaches and that is above the noise of
+// their references. NaN: none.
+double equal_error(const Study& study, const StudyScene& scene, const StudyMethod& method);
+
+// FLIP at the longest time at which every run of both was measured.
+struct FlipAtTime {
+    double seconds, baseline, method;  // medians; NaN: not measured
+    Comparison ratio;
+};
+FlipAtTime flip_at_equal_time(const Study& study, const StudyScene& scene, const StudyMethod& method);
+
+// Both of a method, on each scene of the study and over all of them.
+struct Overview {
+    std::vector<double> errors;  // equal_error() of each scene
+    std::vector<Comparison> times;
+    std::vector<FlipAtTime> flips;
+    Comparison mean_time, mean_flip;
+};
+Overview overview_of(const Study& study, const StudyMethod& method);
 
 }  // namespace lancer

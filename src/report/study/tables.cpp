@@ -215,38 +215,61 @@ Table levels_table(const SceneFigures& f)
 
 namespace {
 
-// A row for each scene, a column for each method but the baseline.
-template <class Compare>
-Table overview(const Study& study, const std::string& caption, const Compare& comparison)
+// A refused scene or a missing program is said with its reason.
+std::string why_left_out(const Study& study, const StudyScene& scene, const StudyMethod& method)
 {
-    Table table{caption, {"scene"}, {}};
-    std::vector<const StudyMethod*> methods;
-    for (const StudyMethod& m : study.methods)
-        if (m.name != study.baseline) methods.push_back(&m);
-    for (const StudyMethod* m : methods) table.head.push_back(m->name + (m->biased() ? " (biased)" : ""));
-    for (const StudyScene& scene : study.scenes) {
-        std::vector<Cell> cells{{scene.name}};
-        for (const StudyMethod* m : methods) cells.push_back(comparison_cell(comparison(scene, *m)));
-        table.rows.push_back(std::move(cells));
-    }
-    return table;
+    const std::string& why = study.on_scene(scene.name, method.name).left_out;
+    return why.empty() ? "" : "left out: " + why;
+}
+
+// The ratio, what it is at, and the verdict.
+Cell ratio_cell(const Comparison& c, const std::string& at)
+{
+    if (c.rank == Rank::not_ranked && std::isnan(c.ratio)) return {rank_text(c), false};
+    return {ratio_text(c) + "\n" + at + "\n" + rank_text(c), c.rank != Rank::not_ranked, tone_of(c)};
+}
+
+std::string of_scenes(const std::vector<Comparison>& scenes)
+{
+    const auto counts = [](const Comparison& c) { return c.rank != Rank::not_ranked; };
+    return "of " + std::to_string(std::count_if(scenes.begin(), scenes.end(), counts)) + " of " +
+           std::to_string(scenes.size()) + " scenes";
 }
 
 }  // namespace
 
-Table gains_table(const Study& study)
+Table overview_table(const Study& study)
 {
-    return overview(study, "Efficiency over " + study.baseline + " at equal time [95 %]",
-                    [&](const StudyScene& s, const StudyMethod& m) { return efficiency_of(study, s, m).gain; });
-}
-
-Table time_ratios_table(const Study& study)
-{
-    const double target = study_targets.back();
-    return overview(study,
-                    "Time to error, ratio to baseline: time of " + study.baseline + " to relMSE " +
-                        target_text(target) + " over that of the method [95 %]",
-                    [&](const StudyScene& s, const StudyMethod& m) { return speed_up(study, s, m, target); });
+    Table table{"All scenes: " + study.baseline +
+                    " against each method. Time of the baseline over that of the method to the least error that "
+                    "every run of both reaches, and FLIP at the longest time that both have; above 1 the method is "
+                    "better [95 %]",
+                {"scene"},
+                {}};
+    for (const StudyScene& scene : study.scenes) table.rows.push_back({{scene.name}});
+    table.rows.push_back({{"geometric mean"}});
+    for (const StudyMethod& m : study.methods) {
+        if (m.name == study.baseline) continue;
+        const std::string name = m.name + (m.biased() ? " (biased)" : "");
+        table.head.insert(table.head.end(), {name + ": time to equal error", name + ": FLIP at equal time"});
+        const Overview overview = overview_of(study, m);
+        std::vector<Comparison> flips;
+        for (size_t i = 0; i < study.scenes.size(); ++i) {
+            const FlipAtTime& flip = overview.flips[i];
+            flips.push_back(flip.ratio);
+            if (const std::string why = why_left_out(study, study.scenes[i], m); !why.empty()) {
+                table.rows[i].insert(table.rows[i].end(), {Cell{why, false, Tone::bad}, Cell{"left out"}});
+                continue;
+            }
+            table.rows[i].push_back(ratio_cell(overview.times[i], "at relMSE " + round_text(overview.errors[i])));
+            table.rows[i].push_back(ratio_cell(flip.ratio, significant(flip.baseline) + " against " +
+                                                               significant(flip.method) + " at " +
+                                                               significant(flip.seconds) + " s"));
+        }
+        table.rows.back().push_back(ratio_cell(overview.mean_time, of_scenes(overview.times)));
+        table.rows.back().push_back(ratio_cell(overview.mean_flip, of_scenes(flips)));
+    }
+    return table;
 }
 
 }  // namespace lancer

@@ -34,9 +34,8 @@ Table errors_table(const SceneFigures& f);
 // How bright, and how far from the reference without noise; no rows where no pictures were looked at.
 Table levels_table(const SceneFigures& f);
 
-// Of every method on every scene, for the beginning of the page: the gain at equal time, and the time of the baseline
-// to the least of study_targets over that of the method.
-Table gains_table(const Study& study);
-Table time_ratios_table(const Study& study);
+// Of every method on every scene, for the beginning of the page: the ratios of the times to an equal error and of FLIP
+// at an equal time, and their geometric means over the scenes where a method is ranked.
+Table overview_table(const Study& study);
 
 }  // namespace lancer
