@@ -30,6 +30,10 @@ expect 2 "no PEER and SCENE"
 expect 2 "unknown peer 'yafaray'" yafaray scene.toml -o a.exr --spp 4
 expect 2 "unknown peer 'yafaray'" --about yafaray
 expect 69 "apt-get install blender" --about cycles
+printf '#!/bin/sh\necho "Blender 9.8.7"\n' >"$folder/other"
+chmod +x "$folder/other"
+LANCER_CYCLES="$folder/other -x" expect 0 '{"peer": "cycles", "version": "9.8.7", "seeds": true' --about cycles
+LANCER_CYCLES="$folder/none" expect 69 "no command '$folder/none'" --about cycles
 expect 2 "say -o NAME.exr" cycles scene.toml --spp 4
 expect 2 "say -o NAME.exr" cycles scene.toml -o a.png --spp 4
 expect 2 "either --spp N or --spps" cycles scene.toml -o a.exr
@@ -63,6 +67,28 @@ expect 2 "--error" --error 2
 expect 2 "--scene" --scene room
 expect 69 "apt-get install blender"
 LANCER=$folder/none expect 66 "no program"
+program=materials
+expect 0 "usage: bench/peers/materials" --help
+expect 0 "glass_thin_tinted" --list
+expect 2 "unknown scene 'sand'" sand
+expect 2 "--seeds: at least 2" --seeds 1
+LANCER=$folder/none expect 66 "no program"
+expect 69 "apt-get install blender" --out "$folder/materials" lambert
+# Each of its scenes can be said to a peer.
+for scene in "$folder"/materials/*.toml; do
+    "$LANCER" export "$scene" -o "$folder/exported" || faults=$((faults + 1))
+done
+program=run
+expect 65 "cannot render textures" embree "$folder/materials/plastic_texture.toml" -o a.exr --spp 4
+
+# chroot, as far as it needs no root.
+for words in "" "make" "run /srv" "burn /srv true"; do
+    code=0
+    # shellcheck disable=SC2086
+    "$peers/chroot" $words >/dev/null 2>&1 || code=$?
+    [[ $code == 2 ]] || { echo "peers: chroot $words: ended with $code instead of 2" >&2; faults=$((faults + 1)); }
+done
+
 # An error that falls as 1/spp passes a tenth of that of one sample with ten, between 8 and 16.
 "$python" - "$peers/anchors" <<'END' || faults=$((faults + 1))
 import math, runpy, sys

@@ -4,36 +4,82 @@ Render seconds: what Cycles itself counts from its first sample on, after synchr
 "render_time" that it writes into the header of the picture, in steps of 10 ms. CPU seconds: of the process, over the
 whole render call, which with its data kept from a first picture of one sample adds only what little is synchronised
 again; writing the picture is not in it. Load: everything before that, the first picture included.
+
+LANCER_CYCLES is the command that starts Blender (blender). It may start it in another root, such as the one that
+`chroot` makes: nothing outside of its working folder is read or written.
 """
 import json
 import os
+import re
+import shlex
+import shutil
 
 import scene as scenes
 from job import Failed, Run, version_of
 
-NAME, COMMAND, PACKAGE = "cycles", "blender", "blender"
-SEEDS, SQUARES = True, False
+NAME, PACKAGE = "cycles", "blender"
+CALL = shlex.split(os.environ.get("LANCER_CYCLES", "")) or ["blender"]
+COMMAND = CALL[0]
+SEEDS, SQUARES, LENSES = True, False, True
+SCRIPTS = ("cycles_in_blender.py", "cycles_materials.py", "scene.py")
 
 
 def version():
-    return version_of([COMMAND, "--version"], r"Blender ([0-9.]+)")
+    return version_of([*CALL, "--version"], r"Blender ([0-9.]+)")
 
 
 def problems(scene, folder, job):
     found = []
-    if scene["spheres"]:
-        found.append("spheres that are not meshes")
     if scene["planes"]:
         found.append("infinite planes")
-    if "sphere" in scenes.kinds_of_lights(scene):
-        found.append("spheres of light")
+    for m in scene["materials"]:
+        if m["type"] == "glass" and m["thin"] and is_rough(m):
+            found.append(f"rough sheets of glass ('{m['name']}')")
+        if "eta" in m and len(set(m["base_color"])) > 1:
+            found.append(f"tinted metal with an index of refraction ('{m['name']}')")
+        if "eta" in m and "texture" in m:
+            found.append(f"textured metal with an index of refraction ('{m['name']}')")
+    return found
+
+
+def is_rough(m):
+    return m.get("roughness", 0) > 0
+
+
+def differences(scene, folder, blender, trusts_normals):
+    """What Cycles means otherwise, each with what it was measured to do: README.md, "Materials"."""
+    materials = scene["materials"]
+    number = tuple(int(x) for x in re.findall(r"\d+", blender)[:2])
+    kinds = {m["type"] for m in materials}
+    found = []
+    if scenes.has_normals(folder, scene):
+        found.append("shading normals bent by Cycles' own rule")
+    if not trusts_normals and any("bumps" in m or "normal_texture" in m for m in materials):
+        found.append("light on surfaces whose normals a map turns is dimmed towards the shadow terminator")
+    if "plastic" in kinds:
+        found.append("the base of plastic spreads by Lambert's law what its coat lets through")
+    if any(m["type"] == "plastic" and is_rough(m) and max(m["specular"]) - min(m["specular"]) > 1e-6 for m in materials):
+        found.append("the hue of rough coats has the Fresnel curve of the surface, not of its facets")
+    if number < (4, 0) and any(map(is_rough, materials)):
+        found.append("masking and shadowing of facets are independent")
+    if number < (4, 0) and any(m["type"] == "glass" and is_rough(m) for m in materials):
+        found.append("rough glass reflects by Fresnel's law of the surface, not of its facets")
+    if number < (4, 3) and "metal" in kinds:
+        found.append("metal has the Fresnel curve of the Principled BSDF")
+    if scene["max_depth"] and any(m.get("thin") for m in materials):
+        found.append("thin glass is no vertex of a path")
+    if any(t["type"] == "image" for t in scene["textures"]):
+        found.append("textures are not filtered")
+    if scene["max_depth"] == 0 or scene["max_depth"] > 1025:
+        found.append("max_bounces=1024")
     return found
 
 
 def render(scene, folder, job):
+    names = {spp: f"picture_{spp}.exr" for spp in job.budgets}
     order = {
         "folder": folder,
-        "budgets": [{"spp": spp, "output": os.path.abspath(job.path(spp))} for spp in job.budgets],
+        "budgets": [{"spp": spp, "output": os.path.join(folder, names[spp])} for spp in job.budgets],
         "seed": job.seed,
         "threads": job.threads,
         "size": job.size,
@@ -42,17 +88,16 @@ def render(scene, folder, job):
     path = os.path.join(folder, "order.json")
     with open(path, "w", encoding="utf-8") as file:
         json.dump(order, file)
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "cycles_in_blender.py")
+    for script in SCRIPTS:
+        shutil.copy(os.path.join(os.path.dirname(os.path.abspath(__file__)), script), folder)
     # An error in the script must end Blender, which otherwise goes on.
-    run = Run([COMMAND, "-b", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", path], folder)
+    run = Run([*CALL, "-b", "--factory-startup", "--python-exit-code", "1", "--python",
+               os.path.join(folder, SCRIPTS[0]), "--", path], folder)
     found = [json.loads(line[7:]) for line in run.text.splitlines() if line.startswith("RESULT ")]
     if len(found) != len(job.budgets):
         raise Failed("blender rendered nothing:\n" + "\n".join(run.text.splitlines()[-15:]))
-    biases = []
-    if scenes.has_normals(folder, scene):
-        biases.append("shading normals bent by Cycles' own rule")
-    if scene["max_depth"] == 0 or scene["max_depth"] > 1025:
-        biases.append("max_bounces=1024")
+    biases = differences(scene, folder, found[0]["version"], all([f.pop("trusts_normals") for f in found]))
     for figures in found:
+        shutil.move(os.path.join(folder, names[figures["spp"]]), job.path(figures["spp"]))
         yield job.record("cycles", figures.pop("version"), figures.pop("spp"), **figures, peak_mb=round(run.peak_mb, 1),
                          biases=biases)

@@ -13,7 +13,7 @@ import scene as scenes
 from job import Failed, Run, version_of
 
 NAME, COMMAND, PACKAGE = "Embree's path tracer", "pathtracer", "embree-tools"
-SEEDS, SQUARES = False, False
+SEEDS, SQUARES, LENSES = False, False, False
 
 
 def version():
@@ -21,7 +21,7 @@ def version():
 
 
 def problems(scene, folder, job):
-    found = []
+    found = scenes.beyond_plain(scene)
     if scene["spheres"] or scene["planes"]:
         found.append("spheres and planes")
     others = {m["type"] for m in scene["materials"]} - {"lambert"}

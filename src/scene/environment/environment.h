@@ -37,6 +37,10 @@ public:
     // cell.
     double power() const { return total_; }
     bool is_black() const { return total_ == 0; }
+    // Radiance of a texel, column from the left, row from the top; 0 to width() - 1, 0 to height() - 1.
+    Color texel(uint32_t column, uint32_t row) const;
+    // From the directions of the picture to those of the scene.
+    const Transform& to_world() const { return to_world_; }
     // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
     uint64_t bytes() const { return bytes_of(width_, height_); }
@@ -56,7 +60,6 @@ private:
 
     void take_texels(const Raster& picture, Color factor, Color constant);
     void make_tables();
-    Color texel(uint32_t column, uint32_t row) const;
     double texel_luminance(uint32_t column, uint32_t row) const;
     // Polar angle of the upper border of a row of cells.
     double border(uint32_t row) const;
