@@ -23,6 +23,7 @@ expect() {
     fi
 }
 expect 0 "cycles   not installed: apt-get install blender" --list
+expect 0 "cycles2  not installed: set LANCER_CYCLES2 to" --list
 expect 0 "embree   not installed: apt-get install embree-tools" --list
 expect 0 "povray   not installed: apt-get install povray" --list
 expect 0 "usage: bench/peers/run" --help
@@ -33,6 +34,8 @@ expect 69 "apt-get install blender" --about cycles
 printf '#!/bin/sh\necho "Blender 9.8.7"\n' >"$folder/other"
 chmod +x "$folder/other"
 LANCER_CYCLES="$folder/other -x" expect 0 '{"peer": "cycles", "version": "9.8.7", "seeds": true' --about cycles
+LANCER_CYCLES2="$folder/other -x" expect 0 '{"peer": "cycles2", "version": "9.8.7", "seeds": true' --about cycles2
+expect 69 "set LANCER_CYCLES2 to" --about cycles2
 LANCER_CYCLES="$folder/none" expect 69 "no command '$folder/none'" --about cycles
 expect 2 "say -o NAME.exr" cycles scene.toml --spp 4
 expect 2 "say -o NAME.exr" cycles scene.toml -o a.png --spp 4

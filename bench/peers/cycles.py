@@ -6,7 +6,8 @@ whole render call, which with its data kept from a first picture of one sample a
 again; writing the picture is not in it. Load: everything before that, the first picture included.
 
 LANCER_CYCLES is the command that starts Blender (blender). It may start it in another root, such as the one that
-`chroot` makes: nothing outside of its working folder is read or written.
+`chroot` makes: nothing outside of its working folder is read or written. LANCER_CYCLES2 is that of a second Blender, the
+peer cycles2.
 """
 import json
 import os
@@ -17,15 +18,7 @@ import shutil
 import scene as scenes
 from job import Failed, Run, version_of
 
-NAME, PACKAGE = "cycles", "blender"
-CALL = shlex.split(os.environ.get("LANCER_CYCLES", "")) or ["blender"]
-COMMAND = CALL[0]
-SEEDS, SQUARES, LENSES = True, False, True
 SCRIPTS = ("cycles_in_blender.py", "cycles_materials.py", "scene.py")
-
-
-def version():
-    return version_of([*CALL, "--version"], r"Blender ([0-9.]+)")
 
 
 def problems(scene, folder, job):
@@ -75,29 +68,46 @@ def differences(scene, folder, blender, trusts_normals):
     return found
 
 
-def render(scene, folder, job):
-    names = {spp: f"picture_{spp}.exr" for spp in job.budgets}
-    order = {
-        "folder": folder,
-        "budgets": [{"spp": spp, "output": os.path.join(folder, names[spp])} for spp in job.budgets],
-        "seed": job.seed,
-        "threads": job.threads,
-        "size": job.size,
-        "warm": os.path.join(folder, "warm.exr"),
-    }
-    path = os.path.join(folder, "order.json")
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(order, file)
-    for script in SCRIPTS:
-        shutil.copy(os.path.join(os.path.dirname(os.path.abspath(__file__)), script), folder)
-    # An error in the script must end Blender, which otherwise goes on.
-    run = Run([*CALL, "-b", "--factory-startup", "--python-exit-code", "1", "--python",
-               os.path.join(folder, SCRIPTS[0]), "--", path], folder)
-    found = [json.loads(line[7:]) for line in run.text.splitlines() if line.startswith("RESULT ")]
-    if len(found) != len(job.budgets):
-        raise Failed("blender rendered nothing:\n" + "\n".join(run.text.splitlines()[-15:]))
-    biases = differences(scene, folder, found[0]["version"], all([f.pop("trusts_normals") for f in found]))
-    for figures in found:
-        shutil.move(os.path.join(folder, names[figures["spp"]]), job.path(figures["spp"]))
-        yield job.record("cycles", figures.pop("version"), figures.pop("spp"), **figures, peak_mb=round(run.peak_mb, 1),
-                         biases=biases)
+class Cycles:
+    """One Blender. name: cycles or cycles2."""
+
+    SEEDS, SQUARES, LENSES = True, False, True
+    problems = staticmethod(problems)
+
+    def __init__(self, name):
+        self.NAME, variable = name, "LANCER_" + name.upper()
+        self.call = shlex.split(os.environ.get(variable, "")) or (["blender"] if name == "cycles" else [""])
+        self.COMMAND = self.call[0]
+        if os.sep in self.COMMAND:  # Blender is started in another folder
+            self.call[0] = os.path.abspath(self.COMMAND)
+        self.INSTALL = "apt-get install blender" if self.COMMAND else f"set {variable} to the command of another Blender"
+
+    def version(self):
+        return version_of([*self.call, "--version"], r"Blender ([0-9.]+)")
+
+    def render(self, scene, folder, job):
+        names = {spp: f"picture_{spp}.exr" for spp in job.budgets}
+        order = {
+            "folder": folder,
+            "budgets": [{"spp": spp, "output": os.path.join(folder, names[spp])} for spp in job.budgets],
+            "seed": job.seed,
+            "threads": job.threads,
+            "size": job.size,
+            "warm": os.path.join(folder, "warm.exr"),
+        }
+        path = os.path.join(folder, "order.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(order, file)
+        for script in SCRIPTS:
+            shutil.copy(os.path.join(os.path.dirname(os.path.abspath(__file__)), script), folder)
+        # An error in the script must end Blender, which otherwise goes on.
+        run = Run([*self.call, "-b", "--factory-startup", "--python-exit-code", "1", "--python",
+                   os.path.join(folder, SCRIPTS[0]), "--", path], folder)
+        found = [json.loads(line[7:]) for line in run.text.splitlines() if line.startswith("RESULT ")]
+        if len(found) != len(job.budgets):
+            raise Failed("blender rendered nothing:\n" + "\n".join(run.text.splitlines()[-15:]))
+        biases = differences(scene, folder, found[0]["version"], all([f.pop("trusts_normals") for f in found]))
+        for figures in found:
+            shutil.move(os.path.join(folder, names[figures["spp"]]), job.path(figures["spp"]))
+            yield job.record(self.NAME, figures.pop("version"), figures.pop("spp"), **figures, peak_mb=round(run.peak_mb, 1),
+                             biases=biases)

@@ -11,7 +11,7 @@ import shutil
 import scene as scenes
 from job import Failed, Refused, Run, version_of
 
-NAME, COMMAND, PACKAGE = "POV-Ray", "povray", "povray"
+NAME, COMMAND, INSTALL = "POV-Ray", "povray", "apt-get install povray"
 SEEDS, SQUARES, LENSES = False, True, False
 
 
