@@ -23,11 +23,9 @@ SCRIPTS = ("cycles_in_blender.py", "cycles_materials.py", "scene.py")
 
 def problems(scene, folder, job):
     found = []
-    if scene["planes"]:
-        found.append("infinite planes")
     for m in scene["materials"]:
-        if m["type"] == "glass" and m["thin"] and is_rough(m):
-            found.append(f"rough sheets of glass ('{m['name']}')")
+        if m["type"] == "glass" and m["thin"] and "roughness_texture" in m:
+            found.append(f"sheets of glass with a texture of roughness ('{m['name']}')")
         if "eta" in m and len(set(m["base_color"])) > 1:
             found.append(f"tinted metal with an index of refraction ('{m['name']}')")
         if "eta" in m and "texture" in m:
@@ -59,6 +57,10 @@ def differences(scene, folder, blender, trusts_normals):
         found.append("rough glass reflects by Fresnel's law of the surface, not of its facets")
     if number < (4, 3) and "metal" in kinds:
         found.append("metal has the Fresnel curve of the Principled BSDF")
+    if any(m.get("thin") and is_rough(m) for m in materials):
+        found.append("rough sheets of glass spread what they let through by another lobe")
+    if scene["planes"]:
+        found.append("planes end at 10^4 times the reach of the scene")
     if scene["max_depth"] and any(m.get("thin") for m in materials):
         found.append("thin glass is no vertex of a path")
     if any(t["type"] == "image" for t in scene["textures"]):

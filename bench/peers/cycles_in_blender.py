@@ -134,6 +134,42 @@ def add_spheres(scene, exported, folder, materials):
             add(light["center"], light["radius"], ("light", i), True, cycles_materials.make(m, exported, folder))
 
 
+class Ground:
+    """A plane as a mesh of scene.py: squares around a middle, each four times as wide as the one within, so that
+    triangles are large only far away. They end at 10^4 times the reach."""
+
+    def __init__(self, plane, middle, reach):
+        n, uv = mathutils.Vector(plane["normal"]), plane["uv"]
+        middle = middle - n * n.dot(middle - mathutils.Vector(plane["point"]))
+        right = n.orthogonal().normalized()
+        up = n.cross(right)
+        origin, u, v = (mathutils.Vector(uv[key]) for key in ("origin", "u", "v"))
+        self.positions, self.uvs, self.corners = array("d"), array("d"), array("I", (0, 1, 2, 0, 2, 3))
+        size, squares = reach / 16, 0
+        while size < 4e4 * reach:
+            for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                p = middle + size * (x * right + y * up)
+                self.positions.extend(p)
+                self.uvs.extend(((p - origin).dot(u), (p - origin).dot(v)))
+            if squares:
+                for i in range(4):
+                    a, b = 4 * (squares - 1) + i, 4 * (squares - 1) + (i + 1) % 4
+                    self.corners.extend((a, a + 4, b + 4, a, b + 4, b))
+            size, squares = 4 * size, squares + 1
+        self.normals, self.normal_corners, self.uv_corners = array("d"), array("I"), self.corners
+        self.material = array("I", [plane["material"]]) * (len(self.corners) // 3)
+
+
+def add_planes(scene, exported, materials):
+    """After all else but lamps: they reach beyond it."""
+    middle = mathutils.Vector(exported["camera"]["position"])
+    corners = [thing.matrix_basis @ mathutils.Vector(p) for thing in scene.collection.objects for p in thing.bound_box]
+    corners += [mathutils.Vector(plane["point"]) for plane in exported["planes"]]
+    reach = max((p - middle).length for p in corners) if corners else 1
+    for plane in exported["planes"]:
+        add_object(scene, mesh_data(Ground(plane, middle, reach or 1), materials))
+
+
 def add_environment(scene, light, folder):
     tree = scene.world.node_tree
     color = tree.nodes["Background"].inputs["Color"]
@@ -271,6 +307,7 @@ def main():
     materials = [cycles_materials.make(m, exported, order["folder"]) for m in exported["materials"]]
     add_meshes(scene, exported, order["folder"], materials)
     add_spheres(scene, exported, order["folder"], materials)
+    add_planes(scene, exported, materials)
     for light in exported["lights"]:
         add_light(scene, light, order["folder"])
     add_camera(scene, exported["camera"])

@@ -1,12 +1,13 @@
 """Runs inside of Blender: the nodes of the exported materials. Each follows the formulas of src/materials; what differs is
 named by cycles.py."""
+import math
 import os
 
 import bpy
 
 # The Metallic BSDF came with 4.3. With 4.0 smooth surfaces lost their name, and the Principled BSDF changed its inputs.
 HAS_METALLIC, IS_4 = bpy.app.version >= (4, 3, 0), bpy.app.version >= (4, 0, 0)
-COAT_COSINES, COAT_ROUGHNESSES = 256, 65  # of the pictures of coats
+COSINES, ROUGHNESSES = 256, 65  # of the pictures of coats and sheets
 
 
 class Nodes:
@@ -113,6 +114,13 @@ class Nodes:
         n = normal or self.once("NewGeometry", "Normal")
         return self.math("ABSOLUTE", self.vector("DOT_PRODUCT", self.once("NewGeometry", "Incoming"), n))
 
+    def by_cosine(self, file, normal, roughness=None):
+        """Of a table whose columns are cosines of the direction of view, and whose rows are roughnesses, or one row."""
+        between = lambda x, count: self.math("MULTIPLY_ADD", x, 1 - 1 / count, 0.5 / count)
+        up = 0.5 if roughness is None else between(roughness, ROUGHNESSES)
+        place = self.add("CombineXYZ", {"X": between(self.cosine(normal), COSINES), "Y": up}).outputs[0]
+        return self.picture(file, place, "clamp")
+
     def index(self, ior):
         """So that nodes which look from the back into the body find the same surface from both sides."""
         back = self.once("NewGeometry", "Backfacing")
@@ -167,11 +175,26 @@ def glass(nodes, m, normal):
                      distribution="SHARP" if is_smooth else "GGX").outputs[0]
 
 
+def forward(nodes, m, color, normal):
+    """What a sheet lets through, in a lobe around the direction that goes straight on if it is rough. Cycles has none: a
+    narrow one is that of a boundary of an index near 1, a wide one that of a diffuse sheet."""
+    if "sheet" not in m:
+        return nodes.add("BsdfTransparent", {"Color": color}).outputs[0]
+    color = nodes.vector("MULTIPLY", color, nodes.by_cosine(m["sheet"], normal))
+    alpha = m["roughness"] ** 2 * min(1, 0.83 * abs(m["ior"] - 1))  # of a mirrored lobe: spread_of_sheet()
+    if alpha > 0.15:
+        return nodes.add("BsdfTranslucent", {"Color": color, "Normal": normal}).outputs[0]
+    facets = 0.4  # their alpha; a slope m turns light by 2 m in a mirror, by (index - 1) m here
+    return nodes.add("BsdfRefraction", {"Color": color, "Roughness": math.sqrt(facets), "Normal": normal,
+                                        "IOR": nodes.index(1 + 2 * alpha / facets)}, distribution="GGX").outputs[0]
+
+
 def sheet(nodes, m, normal):
     """Both faces of a pane, with all reflections between them: thin_sheet.h."""
     r = nodes.fresnel(m["ior"], normal)
     tint = nodes.color(m, "base_color", "texture")
-    if tint == (1, 1, 1):
+    roughness = m["roughness"]
+    if tint == (1, 1, 1) and roughness == 0:
         reflected = nodes.math("DIVIDE", nodes.math("MULTIPLY", r, 2.0), nodes.math("ADD", r, 1.0))
         return nodes.mixed(reflected, nodes.add("BsdfTransparent").outputs[0], glossy(nodes, (1, 1, 1), 0, normal))
     through = nodes.math("SUBTRACT", 1.0, r)
@@ -180,18 +203,13 @@ def sheet(nodes, m, normal):
     rest = nodes.vector("SUBTRACT", (1, 1, 1), nodes.vector("MULTIPLY", again, again))
     transmitted = nodes.vector("DIVIDE", nodes.vector("MULTIPLY", once, once), rest)
     reflected = nodes.vector("MULTIPLY", again, nodes.vector("ADD", (1, 1, 1), transmitted))
-    return nodes.sum(nodes.add("BsdfTransparent", {"Color": transmitted}).outputs[0],
-                     glossy(nodes, reflected, 0, normal))
+    return nodes.sum(forward(nodes, m, transmitted, normal), glossy(nodes, reflected, roughness, normal))
 
 
 def plastic(nodes, m, normal):
     """A base that gets what its coat lets through, below the coat."""
     roughness = nodes.number(m, "roughness", "roughness_texture")
-    across = nodes.math("MULTIPLY_ADD", nodes.cosine(normal), 1 - 1 / COAT_COSINES, 0.5 / COAT_COSINES)
-    up = 0.5 if "roughness_texture" not in m else nodes.math(
-        "MULTIPLY_ADD", roughness, 1 - 1 / COAT_ROUGHNESSES, 0.5 / COAT_ROUGHNESSES)
-    place = nodes.add("CombineXYZ", {"X": across, "Y": up}).outputs[0]
-    through = nodes.picture(m["coat"], place, "clamp")
+    through = nodes.by_cosine(m["coat"], normal, roughness if "roughness_texture" in m else None)
     base = nodes.add("BsdfDiffuse", {"Color": nodes.vector("MULTIPLY", nodes.color(m, "base_color", "texture"), through),
                                      "Normal": normal}).outputs[0]
     # What all channels of the tint have in common is reflected as by the boundary itself.

@@ -65,6 +65,8 @@ MATERIALS = {
     "glass_rough": of("glass", roughness=0.4),
     "glass_thin": of("glass", thin=True),
     "glass_thin_tinted": of("glass", thin=True, base_color=[0.9, 0.7, 0.5], ior=1.7),
+    "glass_thin_frosted": of("glass", thin=True, roughness=0.4),
+    "glass_thin_gauze": of("glass", thin=True, roughness=0.9, ior=1.8, base_color=[0.99, 0.96, 0.9]),
     "plastic_smooth": of("plastic", base_color=[0.7, 0.4, 0.2]),
     "plastic_rough": of("plastic", base_color=[0.7, 0.4, 0.2], roughness=0.5),
     "plastic_dim_coat": of("plastic", base_color=[0.7, 0.4, 0.2], roughness=0.3, ior=1.8, specular=0.5),
@@ -92,6 +94,8 @@ def scenes():
     texture = MATERIALS["lambert_texture"]
     found = {name: in_room(material) for name, material in MATERIALS.items()}
     found["room"] = VIEW.format(depth=0) + ROOM + LAMP
+    for name in ("plastic_rough", "metal_rough", "glass_thin_tinted", "glass_thin_frosted"):
+        found[name + "_back"] = in_room(MATERIALS[name], BALL.replace("ball.obj", "back.obj"))
     found["ball_flat"] = in_room(grey, BALL.replace("ball.obj", "flat.obj"))
     found["ball_coarse"] = in_room(grey, BALL.replace("ball.obj", "coarse.obj"))
     found["glass_coarse"] = in_room(MATERIALS["glass"], BALL.replace("ball.obj", "coarse.obj"))
@@ -107,6 +111,8 @@ def scenes():
                                  'translate = [-0.6, 1.2, 0]\n[[instance]]\nmesh = "b"\nscale = [1, 2, 1]\n'
                                  'translate = [0.6, 1.3, 0]\n[[instance]]\nmesh = "b"\nrotate = [30, 60, 0]\n'
                                  'translate = [0, 2.2, -0.5]\n')
+    found["plane"] = (VIEW.format(depth=0) + SKY + BALL + "[material.x]\n" + grey + '[[plane]]\npoint = [0, 0.1, 0]\n'
+                      'material = "tiles"\n[material.tiles]\ntexture = "squares"\n' + PIECES)
     found["lens"] = in_room(texture, view=VIEW + 'type = "thin_lens"\naperture = 0.2\nfocus = 1.0\n')
     found["sky_alone"] = VIEW.format(depth=0) + SKY + '[[sphere]]\ncenter = [0, -50, 0]\nradius = 0.01\n'
     found["sky"] = VIEW.format(depth=0) + SKY + GROUND + BALL + "[material.x]\n" + grey
@@ -124,7 +130,7 @@ def write_obj(path, points, faces, uvs=(), normals=()):
             file.write("f " + " ".join(corners) + "\n")
 
 
-def write_ball(path, around, smooth):
+def write_ball(path, around, smooth, inside_out=False):
     rows, points, uvs, faces = around // 2, [], [], []
     for j in range(rows + 1):
         polar = math.pi * j / rows
@@ -139,7 +145,10 @@ def write_ball(path, around, smooth):
                 faces.append((a, a + 1, b + 1))
             if j + 1 < rows:
                 faces.append((a, b + 1, b))
-    write_obj(path, points, faces, uvs, points if smooth else ())
+    if inside_out:
+        faces = [face[::-1] for face in faces]
+    normals = [[-x for x in p] for p in points] if inside_out else points
+    write_obj(path, points, faces, uvs, normals if smooth else ())
 
 
 def write_png(path, side, texel):
@@ -182,6 +191,7 @@ def write_files(folder):
     write_obj(path("lamp.obj"), [(-1, 3.9, -1), (1, 3.9, -1), (1, 3.9, 1), (-1, 3.9, 1)], [(0, 1, 2, 3)])
     write_obj(path("ground.obj"), [(-9, 0, -9), (-9, 0, 9), (9, 0, 9), (9, 0, -9)], [(0, 1, 2, 3)])
     write_ball(path("ball.obj"), 128, True)
+    write_ball(path("back.obj"), 128, True, True)
     write_ball(path("coarse.obj"), 20, True)
     write_ball(path("flat.obj"), 20, False)
     dice = random.Random(1)

@@ -5,6 +5,11 @@ import math
 import os
 from array import array
 
+# Of materials; what else there may be is not understood, and no peer may go past it.
+MATERIAL_KEYS = {
+    "name", "type", "base_color", "texture", "roughness", "roughness_texture", "ior", "thin", "eta", "k", "specular", "coat",
+    "sheet", "first", "second", "weight", "weight_texture", "emission", "emission_texture", "emission_both_sides", "opacity",
+    "opacity_texture", "normal_texture", "bumps"}
 NO_NORMAL = NO_UV = 0xFFFFFFFF
 
 
@@ -103,13 +108,10 @@ def emits(material):
     return "emission" in material
 
 
-def materials_of(scene, file_material):
-    """The material and, of a mix, all that it is made of."""
-    material = scene["materials"][file_material]
-    yield material
-    for part in ("first", "second"):
-        if part in material:
-            yield from materials_of(scene, material[part])
+def unknown(scene):
+    """What this reader does not know, each as the end of a sentence."""
+    keys = {key for m in scene["materials"] for key in m} - MATERIAL_KEYS
+    return [f"'{key}' of materials" for key in sorted(keys)]
 
 
 def beyond_plain(scene):

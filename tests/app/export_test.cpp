@@ -92,6 +92,7 @@ TEST_F(Export, ShapesNameTheirMaterialsByPlace)
     EXPECT_EQ(glass["ior"], 1.25);
     EXPECT_FALSE(glass.contains("emission"));
     EXPECT_EQ(j["planes"][0]["normal"], (Json{0, 1, 0}));
+    EXPECT_EQ(j["planes"][0]["uv"], (Json{{"origin", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {0, 0, -1}}}));
     const Json mirror = j["materials"][j["planes"][0]["material"].get<size_t>()];
     EXPECT_EQ(mirror["type"], "mirror");
     EXPECT_EQ(mirror["base_color"], (Json{0.5, 0.5, 0.5}));
@@ -260,6 +261,21 @@ TEST_F(Export, TheCoatOfPlasticIsATable)
     EXPECT_EQ(coat.data.height(), 1);
     EXPECT_FLOAT_EQ(coat.at(coat.data.width() - 1, 0).r, 0.96f);
     EXPECT_FLOAT_EQ(coat.at(0, 0).r, 0);
+}
+
+// The facets of a sheet that is hardly rough lose hardly anything, those of a rough one much.
+TEST_F(Export, ARoughSheetIsATableToo)
+{
+    const auto left = [this](const std::string& roughness) {
+        const Json j = exported(std::string(lit) +
+                                "[[sphere]]\nmaterial = \"x\"\n[material.x]\ntype = \"glass\"\nthin = "
+                                "true\nbase_color = 0.5\nroughness = " +
+                                roughness + "\n");
+        const Image sheet = image("out/" + j["materials"][0]["sheet"].get<std::string>());
+        return sheet.at(sheet.data.width() - 1, 0).r;
+    };
+    EXPECT_NEAR(left("0.02"), 1, 1e-3f);
+    EXPECT_LT(left("1"), 0.97f);
 }
 
 TEST_F(Export, TheEnvironmentIsAPictureOfRadiance)

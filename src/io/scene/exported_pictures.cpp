@@ -1,5 +1,7 @@
 #include "io/scene/exported_pictures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "scene/environment/environment.h"
@@ -8,7 +10,9 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t coat_cosines = 256, coat_roughnesses = 65;
+constexpr uint32_t cosines = 256, coat_roughnesses = 65;
+
+float cosine_of(uint32_t column) { return static_cast<float>(column) / static_cast<float>(cosines - 1); }
 
 // f(texture) for each that multiplies a parameter, and for maps of normals.
 template <class F>
@@ -60,10 +64,31 @@ ExportedPicture coat_of(const std::string& name, const Plastic& plastic)
         Plastic here = plastic;
         here.base = {}, here.roughness.texture = no_texture;
         if (!is_even) here.roughness.value = static_cast<float>(rows - 1 - y) / static_cast<float>(rows - 1);
-        const float through = here.at({}).coat().through(static_cast<float>(x) / static_cast<float>(coat_cosines - 1));
+        const float through = here.at({}).coat().through(cosine_of(x));
         return Color{through, through, through};
     };
-    return {name, coat_cosines, rows, false, texel};
+    return {name, cosines, rows, false, texel};
+}
+
+// Columns as of a coat. What is sampled of a clear sheet has the weight that its facets leave.
+ExportedPicture sheet_of(const std::string& name, const Glass& glass)
+{
+    const auto texel = [&glass](uint32_t x, uint32_t) {
+        constexpr uint32_t side = 32;  // samples are stratified
+        Glass clear = glass;
+        clear.tint = Color{1, 1, 1};
+        const GlassBsdf bsdf = clear.at({});
+        const float cos = std::max(cosine_of(x), 0.25f * cosine_of(1));
+        const Vec3 wo{std::sqrt((1 - cos) * (1 + cos)), 0, cos};
+        double sum = 0;
+        for (uint32_t i = 0; i < side * side; ++i) {
+            const Vec2 v{(static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side};
+            if (const auto through = bsdf.sample(wo, 0x1.fffffep-1f, v)) sum += static_cast<double>(through->weight.g);
+        }
+        const auto left = static_cast<float>(sum / (side * side));
+        return Color{left, left, left};
+    };
+    return {name, cosines, 1, false, texel};
 }
 
 }  // namespace
@@ -77,7 +102,7 @@ ExportedPictures exported_pictures(const Scene& scene)
 {
     ExportedPictures all;
     const size_t count = scene.materials.size();
-    all.bumps.resize(count), all.coats.resize(count);
+    all.bumps.resize(count), all.coats.resize(count), all.sheets.resize(count);
     std::map<std::pair<uint32_t, float>, std::string> bumps;
     std::map<std::tuple<float, float, bool>, std::string> coats;
     for (uint32_t id = 0; id < count; ++id) {
@@ -99,6 +124,11 @@ ExportedPictures exported_pictures(const Scene& scene)
                 {plastic->ior, is_even ? plastic->roughness.value : 0, is_even}, "coat_" + std::to_string(id) + ".exr");
             all.coats[id] = entry->second;
             if (is_new) all.files.push_back(coat_of(entry->second, *plastic));
+        }
+        const auto* glass = std::get_if<Glass>(&scene.materials[id]);
+        if (glass && glass->thin && glass->roughness.texture == no_texture && !glass->at({}).only_delta()) {
+            all.sheets[id] = "sheet_" + std::to_string(id) + ".exr";
+            all.files.push_back(sheet_of(all.sheets[id], *glass));
         }
     }
     if (scene.environment_map) {

@@ -23,9 +23,10 @@ struct ExportedPictures {
     std::vector<ExportedPicture> files;
     // Textures that a parameter of a material has, with their place in "textures" of scene.json.
     std::map<uint32_t, size_t> textures;
-    // By material, else empty: normals in tangent space of its bumps, and the light that the coat of a plastic lets
-    // through. Of the first the texture transform is that of the bump texture.
-    std::vector<std::string> bumps, coats;
+    // By material, else empty: normals in tangent space of its bumps, with the texture transform of the bump texture;
+    // the light that the coat of a plastic lets through; that which a rough sheet of glass lets through over that of a
+    // smooth one.
+    std::vector<std::string> bumps, coats, sheets;
     std::string environment;  // empty: it is no picture
 
     // The file of an image texture.

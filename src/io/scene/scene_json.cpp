@@ -142,6 +142,7 @@ Json json_of_material(const Scene& scene, uint32_t id, const ExportedPictures& p
             scene.materials[id]);
     }
     if (!pictures.coats[id].empty()) json["coat"] = pictures.coats[id];
+    if (!pictures.sheets[id].empty()) json["sheet"] = pictures.sheets[id];
     if (const Emission& e = scene.emission[id]; !e.is_dark()) {
         json["emission"] = json_of(e.radiance.value);
         writer.write_texture("emission_texture", e.radiance.texture);
@@ -256,10 +257,13 @@ std::string scene_json(const SceneDescription& d, const Scene& scene, const Rend
         spheres.push_back({{"center", json_of(d.spheres[i].center)},
                            {"radius", d.spheres[i].radius},
                            {"material", scene.sphere_material[i]}});
-    for (size_t i = 0; i < d.planes.size(); ++i)
+    for (size_t i = 0; i < d.planes.size(); ++i) {
+        const PlaneMap& map = scene.plane_maps[i];
         planes.push_back({{"point", json_of(d.planes[i].point)},
                           {"normal", json_of(normalize(d.planes[i].normal))},
-                          {"material", scene.plane_material[i]}});
+                          {"material", scene.plane_material[i]},
+                          {"uv", {{"origin", json_of(map.origin)}, {"u", json_of(map.u)}, {"v", json_of(map.v)}}}});
+    }
     const Json all{{"schema", "lancer.scene/2"},
                    {"source", d.file},
                    {"size", {settings.size.width, settings.size.height}},
