@@ -92,6 +92,21 @@ for words in "" "make" "run /srv" "burn /srv true"; do
     [[ $code == 2 ]] || { echo "peers: chroot $words: ended with $code instead of 2" >&2; faults=$((faults + 1)); }
 done
 
+# Corners of every form, also side by side.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0.5\nvn 0 0 1\nvn 0 1 0\nusemtl m2\nf 1/1/2 2/1/1 3/1/2\nusemtl m0\nf 1//1 2//1 3//2\nf 1 2 3\nusemtl m1\nf 3 2 1\nusemtl m3\nf 1/1 2//2 3\n' >"$folder/forms.obj"
+"$python" - "$peers" "$folder/forms.obj" <<'END' || faults=$((faults + 1))
+import sys
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+import scene
+mesh, none = scene.Mesh(sys.argv[2]), scene.NO_NORMAL
+assert list(mesh.positions) == [0, 0, 0, 1, 0, 0, 0, 1, 0] and list(mesh.uvs) == [0, 0.5]
+assert list(mesh.normals) == [0, 0, 1, 0, 1, 0] and list(mesh.material) == [2, 0, 0, 1, 3]
+assert list(mesh.corners) == [0, 1, 2, 0, 1, 2, 0, 1, 2, 2, 1, 0, 0, 1, 2], mesh.corners
+assert list(mesh.normal_corners) == [1, 0, 1, 0, 0, 1] + 6 * [none] + [none, 1, none], mesh.normal_corners
+assert list(mesh.uv_corners) == [0, 0, 0] + 9 * [none] + [0, none, none], mesh.uv_corners
+END
+
 # An error that falls as 1/spp passes a tenth of that of one sample with ten, between 8 and 16.
 "$python" - "$peers/anchors" <<'END' || faults=$((faults + 1))
 import math, runpy, sys

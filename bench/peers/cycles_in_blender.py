@@ -40,20 +40,23 @@ def mesh_data(mesh, materials):
         data.materials.append(materials[m])
     data.polygons.foreach_set("material_index", array("i", (place[m] for m in mesh.material)))
     corners = mesh.normal_corners
-    smooth = [bool(mesh.normals) and scenes.NO_NORMAL not in corners[3 * t : 3 * t + 3] for t in range(count)]
+    smooth = [bool(mesh.normals)] * count
+    if scenes.NO_NORMAL in corners:
+        smooth = [scenes.NO_NORMAL not in corners[3 * t : 3 * t + 3] for t in range(count)]
     data.polygons.foreach_set("use_smooth", smooth)
     if mesh.uvs:
-        uv = mesh.uvs
-        flat = (x for i in mesh.uv_corners for x in ((0, 0) if i == scenes.NO_UV else uv[2 * i : 2 * i + 2]))
-        data.uv_layers.new().data.foreach_set("uv", array("f", flat))
+        flat = array("f", bytes(8 * len(mesh.uv_corners)))
+        for k in range(2):
+            axis = mesh.uvs[k::2]
+            flat[k::2] = array("f", (0 if i == scenes.NO_UV else axis[i] for i in mesh.uv_corners))
+        data.uv_layers.new().data.foreach_set("uv", flat)
     data.update(calc_edges=True)
     if any(smooth):
-        n = mesh.normals
         if hasattr(data, "use_auto_smooth"):  # before 4.1
             data.use_auto_smooth = True
         # A normal of 0 asks for the face's own.
-        data.normals_split_custom_set(
-            [(0, 0, 0) if i == scenes.NO_NORMAL else tuple(n[3 * i : 3 * i + 3]) for i in corners])
+        normals = list(zip(*(mesh.normals[k::3] for k in range(3))))
+        data.normals_split_custom_set([(0, 0, 0) if i == scenes.NO_NORMAL else normals[i] for i in corners])
     return data
 
 
