@@ -114,10 +114,11 @@ class Nodes:
         n = normal or self.once("NewGeometry", "Normal")
         return self.math("ABSOLUTE", self.vector("DOT_PRODUCT", self.once("NewGeometry", "Incoming"), n))
 
-    def by_cosine(self, file, normal, roughness=None):
-        """Of a table whose columns are cosines of the direction of view, and whose rows are roughnesses, or one row."""
+    def by_cosine(self, file, normal, roughness=None, row=0.5):
+        """Of a table whose columns are cosines of the direction of view, and whose rows are roughnesses. Without one the
+        row at this height."""
         between = lambda x, count: self.math("MULTIPLY_ADD", x, 1 - 1 / count, 0.5 / count)
-        up = 0.5 if roughness is None else between(roughness, ROUGHNESSES)
+        up = row if roughness is None else between(roughness, ROUGHNESSES)
         place = self.add("CombineXYZ", {"X": between(self.cosine(normal), COSINES), "Y": up}).outputs[0]
         return self.picture(file, place, "clamp")
 
@@ -180,11 +181,11 @@ def forward(nodes, m, color, normal):
     narrow one is that of a boundary of an index near 1, a wide one that of a diffuse sheet."""
     if "sheet" not in m:
         return nodes.add("BsdfTransparent", {"Color": color}).outputs[0]
-    color = nodes.vector("MULTIPLY", color, nodes.by_cosine(m["sheet"], normal))
+    color = nodes.vector("MULTIPLY", color, nodes.by_cosine(m["sheet"], normal, row=0.75))
     alpha = m["roughness"] ** 2 * min(1, 0.83 * abs(m["ior"] - 1))  # of a mirrored lobe: spread_of_sheet()
     if alpha > 0.15:
         return nodes.add("BsdfTranslucent", {"Color": color, "Normal": normal}).outputs[0]
-    facets = 0.4  # their alpha; a slope m turns light by 2 m in a mirror, by (index - 1) m here
+    facets = 0.3  # their alpha; a slope m turns light by 2 m in a mirror, by (index - 1) m here
     return nodes.add("BsdfRefraction", {"Color": color, "Roughness": math.sqrt(facets), "Normal": normal,
                                         "IOR": nodes.index(1 + 2 * alpha / facets)}, distribution="GGX").outputs[0]
 
@@ -203,6 +204,8 @@ def sheet(nodes, m, normal):
     rest = nodes.vector("SUBTRACT", (1, 1, 1), nodes.vector("MULTIPLY", again, again))
     transmitted = nodes.vector("DIVIDE", nodes.vector("MULTIPLY", once, once), rest)
     reflected = nodes.vector("MULTIPLY", again, nodes.vector("ADD", (1, 1, 1), transmitted))
+    if "sheet" in m:
+        reflected = nodes.vector("MULTIPLY", reflected, nodes.by_cosine(m["sheet"], normal, row=0.25))
     return nodes.sum(forward(nodes, m, transmitted, normal), glossy(nodes, reflected, roughness, normal))
 
 

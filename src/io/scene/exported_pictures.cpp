@@ -70,25 +70,38 @@ ExportedPicture coat_of(const std::string& name, const Plastic& plastic)
     return {name, cosines, rows, false, texel};
 }
 
-// Columns as of a coat. What is sampled of a clear sheet has the weight that its facets leave.
+// What the facets of a clear rough sheet leave of the light that a smooth one lets through or reflects: the mean weight
+// of their samples. Of reflection over that of facets which reflect all, as these lose light by themselves.
+double part_left(const Glass& glass, float cos, bool through)
+{
+    constexpr uint32_t side = 32;  // samples are stratified
+    Glass clear = glass;
+    clear.tint = Color{1, 1, 1};
+    const GlassBsdf bsdf = clear.at({});
+    const Ggx facets{static_cast<double>(alpha_of_roughness(glass.roughness.value))};
+    const Vec3 wo{std::sqrt((1 - cos) * (1 + cos)), 0, cos};
+    double sum = 0, all = 0;
+    for (uint32_t i = 0; i < side * side; ++i) {
+        const Vec2 v{(static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side};
+        const auto s = bsdf.sample(wo, through ? 0x1.fffffep-1f : 0, v);
+        if (!s) continue;
+        sum += static_cast<double>(s->weight.g);
+        if (through) continue;
+        const FacetReflection f = eval_facets(facets, unit_in_double(wo), unit_in_double(s->wi));
+        all += f.f_cos / f.pdf;
+    }
+    return through ? sum / (side * side) : all > 0 ? sum / all : 1;
+}
+
+// Columns as of a coat. The upper row is what is let through, the lower one what is reflected.
 ExportedPicture sheet_of(const std::string& name, const Glass& glass)
 {
-    const auto texel = [&glass](uint32_t x, uint32_t) {
-        constexpr uint32_t side = 32;  // samples are stratified
-        Glass clear = glass;
-        clear.tint = Color{1, 1, 1};
-        const GlassBsdf bsdf = clear.at({});
+    const auto texel = [&glass](uint32_t x, uint32_t y) {
         const float cos = std::max(cosine_of(x), 0.25f * cosine_of(1));
-        const Vec3 wo{std::sqrt((1 - cos) * (1 + cos)), 0, cos};
-        double sum = 0;
-        for (uint32_t i = 0; i < side * side; ++i) {
-            const Vec2 v{(static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side};
-            if (const auto through = bsdf.sample(wo, 0x1.fffffep-1f, v)) sum += static_cast<double>(through->weight.g);
-        }
-        const auto left = static_cast<float>(sum / (side * side));
+        const auto left = static_cast<float>(part_left(glass, cos, y == 0));
         return Color{left, left, left};
     };
-    return {name, cosines, 1, false, texel};
+    return {name, cosines, 2, false, texel};
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ struct ExportedPictures {
     // Textures that a parameter of a material has, with their place in "textures" of scene.json.
     std::map<uint32_t, size_t> textures;
     // By material, else empty: normals in tangent space of its bumps, with the texture transform of the bump texture;
-    // the light that the coat of a plastic lets through; that which a rough sheet of glass lets through over that of a
-    // smooth one.
+    // the light that the coat of a plastic lets through; what a rough sheet of glass reflects and lets through over
+    // what a smooth one does.
     std::vector<std::string> bumps, coats, sheets;
     std::string environment;  // empty: it is no picture
 
