@@ -12,16 +12,16 @@ import exr
 import scene as scenes
 from job import Failed, Run, version_of
 
-NAME, COMMAND, PACKAGE = "Embree's path tracer", "pathtracer", "embree-tools"
-SEEDS, SQUARES = False, False
+NAME, COMMAND, INSTALL = "Embree's path tracer", "pathtracer", "apt-get install embree-tools"
+SEEDS, SQUARES, LENSES = False, False, False
 
 
 def version():
-    return version_of(["dpkg-query", "-W", "-f", "${Version}", PACKAGE], r"([0-9]\S*)")
+    return version_of(["dpkg-query", "-W", "-f", "${Version}", "embree-tools"], r"([0-9]\S*)")
 
 
 def problems(scene, folder, job):
-    found = []
+    found = scenes.beyond_plain(scene)
     if scene["spheres"] or scene["planes"]:
         found.append("spheres and planes")
     others = {m["type"] for m in scene["materials"]} - {"lambert"}

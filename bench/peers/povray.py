@@ -11,8 +11,8 @@ import shutil
 import scene as scenes
 from job import Failed, Refused, Run, version_of
 
-NAME, COMMAND, PACKAGE = "POV-Ray", "povray", "povray"
-SEEDS, SQUARES = False, True
+NAME, COMMAND, INSTALL = "POV-Ray", "povray", "apt-get install povray"
+SEEDS, SQUARES, LENSES = False, True, False
 
 
 def version():
@@ -20,8 +20,13 @@ def version():
 
 
 def problems(scene, folder, job):
-    found = []
+    found = scenes.beyond_plain(scene)
     materials = scene["materials"]
+    others = {m["type"] for m in materials} - {"lambert", "mirror", "glass"}
+    if others:
+        found.append("materials of type " + ", ".join(sorted(others)))
+    if any(m["type"] == "glass" and (m["thin"] or m["roughness"] > 0) for m in materials):
+        found.append("glass that is thin or rough")
     if scene["integrator"] != "whitted":
         found.append(f"what '{scene['integrator']}' renders: it follows no diffuse light; say integrator = \"whitted\"")
     if any(map(scenes.emits, materials)) or scenes.kinds_of_lights(scene) & {"sphere", "environment"}:

@@ -1,33 +1,42 @@
-"""What `lancer export` writes, read: scene.json and plain OBJ files of triangles. Standard library alone."""
+"""What `lancer export` writes, read: scene.json and plain OBJ files of triangles. README.md has the words of scene.json.
+Standard library alone."""
 import json
 import math
 import os
 from array import array
 
-NO_NORMAL = 0xFFFFFFFF
+# Of materials; what else there may be is not understood, and no peer may go past it.
+MATERIAL_KEYS = {
+    "name", "type", "base_color", "texture", "roughness", "roughness_texture", "ior", "thin", "eta", "k", "specular", "coat",
+    "sheet", "first", "second", "weight", "weight_texture", "emission", "emission_texture", "emission_both_sides", "opacity",
+    "opacity_texture", "normal_texture", "bumps"}
+NO_NORMAL = NO_UV = 0xFFFFFFFF
 
 
 def load(folder):
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
         scene = json.load(file)
-    if scene["schema"] != "lancer.scene/1":
+    if scene["schema"] != "lancer.scene/2":
         raise SystemExit("peers: error: scene.json has the schema " + scene["schema"])
     return scene
 
 
 class Mesh:
-    """positions, normals: x y z, one after the other; corners: three indices a triangle; normal_corners likewise,
-    empty if the mesh has no normals; material: one index a triangle."""
+    """positions, normals: x y z, one after the other; uvs: u v; corners: three indices a triangle; normal_corners and
+    uv_corners likewise, empty if the mesh has none; material: one index a triangle."""
 
     def __init__(self, path):
-        self.positions, self.normals = array("d"), array("d")
-        self.corners, self.normal_corners, self.material = array("I"), array("I"), array("I")
+        self.positions, self.normals, self.uvs = array("d"), array("d"), array("d")
+        self.corners, self.normal_corners, self.uv_corners = array("I"), array("I"), array("I")
+        self.material = array("I")
         current = 0
         with open(path, encoding="ascii") as file:
             for line in file:
                 words = line.split()
                 if words[0] == "v":
                     self.positions.extend(map(float, words[1:4]))
+                elif words[0] == "vt":
+                    self.uvs.extend(map(float, words[1:3]))
                 elif words[0] == "vn":
                     self.normals.extend(map(float, words[1:4]))
                 elif words[0] == "usemtl":
@@ -35,10 +44,27 @@ class Mesh:
                 elif words[0] == "f":
                     self.material.append(current)
                     for word in words[1:4]:
-                        index, _, normal = word.partition("//")
+                        index, uv, normal = (word.split("/") + ["", ""])[:3]
                         self.corners.append(int(index) - 1)
                         if self.normals:
                             self.normal_corners.append(int(normal) - 1 if normal else NO_NORMAL)
+                        if self.uvs:
+                            self.uv_corners.append(int(uv) - 1 if uv else NO_UV)
+
+    def placed(self, t):
+        """At a place, which is rows of 3x4 numbers. One that mirrors turns the winding round, so that each triangle
+        keeps its sides."""
+        mesh = Mesh.__new__(Mesh)
+        p, n = self.positions, self.normals
+        mesh.positions = array("d", (x for i in range(0, len(p), 3) for x in place(t, *p[i : i + 3])))
+        mesh.normals = array("d", (x for i in range(0, len(n), 3) for x in place_normal(t, n[i : i + 3])))
+        mesh.corners, mesh.normal_corners, mesh.uv_corners = (
+            self.corners[:], self.normal_corners[:], self.uv_corners[:])
+        mesh.uvs, mesh.material = self.uvs, self.material
+        if determinant(t) < 0:
+            for corners in (mesh.corners, mesh.normal_corners, mesh.uv_corners):
+                corners[1::3], corners[2::3] = corners[2::3], corners[1::3]
+        return mesh
 
 
 def determinant(t):
@@ -58,24 +84,11 @@ def place_normal(t, n):
 
 
 def placed(scene, folder):
-    """Each mesh at each of its places: a Mesh in the units of the scene. A mirroring place turns the winding round, so
-    that each triangle keeps its sides."""
+    """Each mesh at each of its places: a Mesh in the units of the scene."""
     for entry in scene["meshes"]:
         original = Mesh(os.path.join(folder, entry["file"]))
         for t in entry["transforms"]:
-            if t == [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]:
-                yield original
-                continue
-            mesh = Mesh.__new__(Mesh)
-            p, n = original.positions, original.normals
-            mesh.positions = array("d", (x for i in range(0, len(p), 3) for x in place(t, *p[i : i + 3])))
-            mesh.normals = array("d", (x for i in range(0, len(n), 3) for x in place_normal(t, n[i : i + 3])))
-            mesh.corners, mesh.normal_corners = original.corners[:], original.normal_corners[:]
-            mesh.material = original.material
-            if determinant(t) < 0:
-                for corners in (mesh.corners, mesh.normal_corners):
-                    corners[1::3], corners[2::3] = corners[2::3], corners[1::3]
-            yield mesh
+            yield original if t == [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]] else original.placed(t)
 
 
 def dot(a, b):
@@ -93,6 +106,26 @@ def normalize(v):
 
 def emits(material):
     return "emission" in material
+
+
+def unknown(scene):
+    """What this reader does not know, each as the end of a sentence."""
+    keys = {key for m in scene["materials"] for key in m} - MATERIAL_KEYS
+    return [f"'{key}' of materials" for key in sorted(keys)]
+
+
+def beyond_plain(scene):
+    """What few renderers have, each as the end of a sentence: textures, holes, bumps, pictures of environments."""
+    found = []
+    if scene["textures"]:
+        found.append("textures")
+    if any("bumps" in m or "normal_texture" in m for m in scene["materials"]):
+        found.append("bumps and maps of normals")
+    if any("opacity" in m for m in scene["materials"]):
+        found.append("materials that let rays through")
+    if any("file" in light for light in scene["lights"]):
+        found.append("environments that are pictures")
+    return found
 
 
 def kinds_of_lights(scene):

@@ -155,8 +155,9 @@ std::optional<ExportOptions> parse_export(int argc, char** argv)
     ExportOptions o;
     OptionParser p(
         "lancer export",
-        "Write a scene as other renderers can read it: scene.json, with every name resolved, and a plain OBJ "
-        "file of triangles for each mesh. A scene with anything that these cannot say is refused.",
+        "Write a scene as other renderers can read it: scene.json, with every name resolved, a plain OBJ file of "
+        "triangles for each mesh, and EXR files of linear numbers for textures and the environment. A scene with "
+        "anything that these cannot say is refused.",
         "Exit codes: 0 done; 1 cannot write; 2 wrong usage; 65 scene or asset invalid, or more than can be "
         "exported; 66 input missing.\n\nExample:\n  lancer export scene.toml -o exported --size 512x512\n");
     add_picture_options(p, o.picture);

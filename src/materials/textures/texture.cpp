@@ -65,6 +65,14 @@ struct Texels {
     {
         return mix(decode(row[x.first * channels + c]), decode(row[x.second * channels + c]), x.t);
     }
+    Color texel(uint32_t level, uint32_t x, uint32_t y) const
+    {
+        const MipLevel& l = pyramid.levels[level];
+        const auto* const first = values + l.first + (size_t{y} * l.width + x) * channels;
+        const float r = decode(first[0]);
+        if constexpr (channels == 1) return {r, r, r};
+        return {r, decode(first[1]), decode(first[2])};
+    }
     // u to the right and v upwards, in [0, 1].
     Color bilinear(uint32_t level, double u, double v) const
     {
@@ -111,6 +119,11 @@ bool ImageTexture::share(const ImageTexture& other)
     if (pyramid_ == other.pyramid_ || !(*pyramid_ == *other.pyramid_)) return false;
     pyramid_ = other.pyramid_;
     return true;
+}
+
+Color ImageTexture::texel(uint32_t x, uint32_t y) const
+{
+    return adjusted(with_texels(*pyramid_, use_.wrap, [&](const auto& texels) { return texels.texel(0, x, y); }));
 }
 
 // The blend between levels is linear in the footprint, not in its logarithm: the quality is the same, without a call of

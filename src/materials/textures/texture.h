@@ -45,6 +45,10 @@ public:
     // Slope of the first channel, per texel of the finest level, along +u and +v: the difference over one texel of the
     // footprint's mip level.
     Vec2 slope(Vec2d uv, float width) const;
+    // A texel of the finest level, gain and bias included; x from the left, y from the top, within the picture.
+    Color texel(uint32_t x, uint32_t y) const;
+    // Whether some texel needs more than the 16 bits of half floats, or 8 bits and their decoding.
+    bool has_floats() const { return std::holds_alternative<std::vector<float>>(pyramid_->values); }
     // Mean of the finest level.
     Color mean() const { return adjusted(pyramid_->mean); }
     // Size of the finest level.

@@ -45,6 +45,10 @@ public:
     bool is_black() const { return is_black_; }
     // Whether any direction has a density.
     bool is_sampled() const { return total_ > 0; }
+    // Radiance of a texel, column from the left, row from the top; 0 to width() - 1, 0 to height() - 1.
+    Color texel(uint32_t column, uint32_t row) const;
+    // From the directions of the picture to those of the scene.
+    const Transform& to_world() const { return to_world_; }
     // Number of texels that were negative or not finite; they count as black.
     uint64_t bad_texels() const { return bad_; }
     uint64_t bytes() const { return bytes_of(width_, height_); }
@@ -65,7 +69,6 @@ private:
     void take_texels(const Raster& picture, Color factor, Color constant);
     void make_tables(double compensation);
     void sum_weights();
-    Color texel(uint32_t column, uint32_t row) const;
     double weight(uint32_t column, uint32_t row) const;  // of a texel when sampling
     // Polar angle of the upper border of a row of cells.
     double border(uint32_t row) const;
