@@ -20,8 +20,8 @@ std::string to_text(Color c) { return to_text(Vec3d{double(c.r), double(c.g), do
 // Prints what the kernel reports, in the units of the scene file.
 class Report {
 public:
-    Report(const Renderer& renderer, const SceneDescription& description)
-        : scene_(renderer.scene()), description_(description)
+    Report(const Renderer& renderer, const SceneDescription& description, std::shared_ptr<const SamplingPlan> plan)
+        : scene_(renderer.scene()), description_(description), plan_(std::move(plan))
     {
     }
     PathListener listener()
@@ -64,7 +64,10 @@ private:
         print_result("  origin         " + place(s.ray.org));
         print_result("  direction      " + to_text(s.ray.dir));
         print_result("  throughput     " + to_text(s.throughput));
-        if (s.pdf > 0) print_result(format_text("  pdf            %.9g", double(s.pdf)));
+        const View view{scene_, *plan_};
+        const float rate = s.light_sampled ? view.light_rate(s.cell) : 1;
+        if (s.pdf > 0) print_result(format_text("  pdf            %.9g", double(s.pdf * rate)));
+        if (rate < 1) print_result(format_text("  light sampled  with probability %g at its origin", double(rate)));
         if (!h) {
             print_result("  left the scene");
             return;
@@ -90,6 +93,7 @@ private:
 
     const Scene& scene_;
     const SceneDescription& description_;
+    std::shared_ptr<const SamplingPlan> plan_;
 };
 
 }  // namespace
@@ -111,7 +115,7 @@ int run_pixel(int argc, char** argv)
         const Renderer& renderer = *made;
         const Camera camera(*p.description.camera, renderer.scene().normalisation, width, height,
                             pixel_grid(p.settings));
-        Report report(renderer, p.description);
+        Report report(renderer, p.description, renderer.plan(camera, width, height));
         const Color radiance =
             renderer.replay(camera, width, height, {options->x, options->y, options->sample}, report.listener());
         print_result("radiance " + to_text(radiance) +
