@@ -57,9 +57,6 @@ def differences(scene, folder, blender, trusts_normals):
         found.append("rough glass reflects by Fresnel's law of the surface, not of its facets")
     if number < (4, 3) and "metal" in kinds:
         found.append("metal has the Fresnel curve of the Principled BSDF")
-    if any(m.get("thin") and not is_rough(m) for m in materials) and scenes.kinds_of_lights(scene) & {
-            "point", "directional"}:
-        found.append("point and directional lights shine through thin glass")
     if any(m.get("thin") and is_rough(m) for m in materials):
         found.append("rough sheets of glass spread what they let through by another lobe")
     if scene["planes"]:

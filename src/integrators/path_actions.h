@@ -76,6 +76,7 @@ struct Queue {
         Color radiance;  // if nothing more is in between
         Color light;     // what is left of the light's own colour, likewise
         uint32_t slot;
+        uint32_t to;          // id of the light, if known
         MediumStack media{};  // that it is in
     };
     std::vector<Ray> shadow_rays;
@@ -110,11 +111,11 @@ public:
     }
     // As shadow(), but surfaces in between attenuate the light by the integrator's through() instead of blocking it.
     // light: the light's own radiance, for is_spent().
-    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light)
+    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light, uint32_t to = Scene::none)
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return invalidate();
-        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_});
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_, to});
     }
     void next(const PathState& state)
     {

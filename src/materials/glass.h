@@ -46,6 +46,14 @@ struct GlassBsdf {
         return only_delta() ? sample_smooth(wo, u) : sample_rough(wo, u, v);
     }
 
+    // Part of the light from -wo that a smooth sheet lets through.
+    Color straight_on(Vec3 wo) const
+    {
+        if (wo.z <= 0) return {};
+        const double r = face(to_double(wo));
+        return colors_of_sheet(r, tint).transmitted * (1 - static_cast<float>(reflectance_of_sheet(r)));
+    }
+
 private:
     std::optional<BsdfSample> sample_smooth(Vec3 wo, float u) const
     {

@@ -5,6 +5,7 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
+#include "scene/through_sheet.h"
 
 namespace lancer {
 namespace {
@@ -122,6 +123,10 @@ private:
             const Hit hit = accel_.closest(ray);
             if (!hit) return way;
             const Surface met = surface_at(scene_, ray, hit);
+            if (!is_black(through_sheet(scene_, ray, met))) {
+                ray.org = ray_origin(met, ray.dir);
+                continue;
+            }
             if (!is_sharp(scene_, met.material, scene_.shading_point(met), 0.5f)) return Way::closed;
             way = Way::through_sharp;
             ray.org = ray_origin(met, ray.dir);

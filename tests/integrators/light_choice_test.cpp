@@ -36,7 +36,6 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
 {
     const LightChoice rates = rates_of(d);
     ASSERT_FALSE(rates.empty()) << name;
-    EXPECT_GT(std::count(rates.exponents.begin(), rates.exponents.end(), LightChoice::lowest), 0) << name;
     std::vector<TilesOverSeeds> two;
     uint64_t seed = 500;
     for (const bool learned : {false, true})
@@ -49,11 +48,12 @@ TEST(LightChoice, LeaveTheMeanOfARoomBehindAWindow) { expect_same_light(room_wit
 TEST(LightChoice, LeaveTheMeanOfARoomBehindAKeyhole) { expect_same_light(room_with_hole(0.06), 0.1, "keyhole"); }
 TEST(LightChoice, LeaveTheMeanOfALampThatOnePlaceSees) { expect_same_light(room_with_niche(), 0.1, "niche"); }
 
-// A box that the lamp illuminates everywhere needs no rates, and the picture is that without them.
+// Where shadow rays arrive there is nothing to learn, and the picture is that without.
 TEST(LightChoice, AreNotLearnedWhereShadowRaysArrive)
 {
     EXPECT_TRUE(rates_of(cornell_scene()).empty());
-    const auto drawn = [](bool learned) { return shoot(cornell_scene(), {.integrator = path_with(learned)}); };
+    EXPECT_TRUE(rates_of(spheres_scene()).empty());
+    const auto drawn = [](bool learned) { return shoot(spheres_scene(), {.integrator = path_with(learned)}); };
     EXPECT_TRUE(same_bits(drawn(false), drawn(true)));
 }
 
@@ -90,12 +90,14 @@ std::vector<Arrival> half_lit(uint32_t lights, uint32_t light)
     return arrivals;
 }
 
+constexpr PilotCost cost{80000, 40000};  // of these vertices and what else there is
+
 // Where nothing arrives lights are sampled as seldom as allowed, where much does always. What is far away belongs to
 // the border, whatever its coordinates.
 TEST(LightChoice, RatesFollowWhatArrived)
 {
     const LightTable one = table_of({1});
-    const LightChoice choice = learn_light_choice(half_lit(1, 0), one, choice_of_pilot(one), 1);
+    const LightChoice choice = learn_light_choice(half_lit(1, 0), one, choice_of_pilot(one), cost);
     ASSERT_FALSE(choice.empty());
     EXPECT_FALSE(choice.chooses());
     const auto rate = [&](Vec3 p) { return choice.rate(choice.cell_of(p, {0, 0, 1})); };
@@ -105,9 +107,9 @@ TEST(LightChoice, RatesFollowWhatArrived)
     EXPECT_EQ(rate({1e30f, 0.5f, 0}), 1);
     EXPECT_EQ(rate({-1e30f, 0.5f, 0}), least);
     EXPECT_EQ(rate({NAN, NAN, NAN}), rate({-1e30f, -1e30f, -1e30f}));
-    EXPECT_TRUE(learn_light_choice({}, one, choice_of_pilot(one), 1).empty());
+    EXPECT_TRUE(learn_light_choice({}, one, choice_of_pilot(one), cost).empty());
     const std::vector<Arrival> one_place(100, Arrival{{0, 0, 0}, {0, 0, 1}, 0, 0, 0});
-    EXPECT_TRUE(learn_light_choice(one_place, one, choice_of_pilot(one), 1).empty());
+    EXPECT_TRUE(learn_light_choice(one_place, one, choice_of_pilot(one), cost).empty());
 }
 
 // The light that arrives is chosen, even if it is the weaker one; the others keep a chance, and what does not shine has
@@ -119,7 +121,7 @@ TEST(LightChoice, ChoosesWhatArrives)
     ASSERT_TRUE(pilot.chooses());
     EXPECT_GT(pilot.probability(0, 1), 0.25f);
     EXPECT_EQ(pilot.probability(0, 2), 0);
-    const LightChoice choice = learn_light_choice(half_lit(3, 1), three, pilot, 1);
+    const LightChoice choice = learn_light_choice(half_lit(2, 1), three, pilot, cost);
     ASSERT_TRUE(choice.chooses());
     const uint32_t cell = choice.cell_of({0.9f, 0.5f, 0}, {0, 0, 1});
     EXPECT_GT(choice.probability(cell, 1), 0.9f);

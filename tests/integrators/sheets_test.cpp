@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
+#include "materials/thin_sheet.h"
 #include "support/ways.h"
 
 namespace lancer {
@@ -169,6 +170,55 @@ TEST(Sheets, AreTheSameToAllIntegrators)
         names.push_back(name);
     }
     expect_one_mean(std::move(found), {.pictures = 8, .detectable = 0.03, .names = names}, "a lamp behind a pane");
+}
+
+// A floor under so many tilted sheets of tinted glass, and the camera between them and the floor.
+SceneDescription floor_under(uint32_t sheets, const LightDescription& light, bool rough)
+{
+    SceneDescription d;
+    d.meshes.push_back(
+        make_mesh(make_quad({-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}, make_lambert("floor", {1, 1, 1}))));
+    MaterialDescription pane = make_glossy("pane", MaterialType::glass, {0.9f, 0.8f, 1}, rough ? 0.5f : 0.0f);
+    pane.ior = 1.7f;
+    for (uint32_t i = 0; i < sheets; ++i) {
+        const double y = 2 + i;
+        d.meshes.push_back(make_mesh(make_quad({-9, y, 9}, {9, y + 3, 9}, {9, y + 3, -9}, {-9, y, -9}, pane)));
+    }
+    d.lights = {light};
+    d.camera = make_camera({0, 1, 3}, {0, 0, 0}, 20);
+    return d;
+}
+
+// Light that no ray can hit goes straight through smooth sheets: each lets pass what its series says, whichever
+// integrator and kernel asks. Rough sheets and bodies turn it.
+TEST(Sheets, LetPointsAndSunsThrough)
+{
+    const Vec3d wi = normalize(Vec3d{0.3, 1, 0.2}), n = normalize(Vec3d{-3, 18, 0});
+    const double c = dot(wi, n), r = fresnel_dielectric_double(c, (1 - c) * (1 + c), double{1.7f}).reflectance;
+    const SheetColors colors = colors_of_sheet(r, {0.9f, 0.8f, 1});
+    const Color once = colors.transmitted * static_cast<float>(1 - reflectance_of_sheet(r));
+    const LightDescription sun = directional_of({3, 3, 3}, -wi);
+    for (const bool by_one : {false, true})
+        for (const bool direct : {false, true}) {
+            const auto seen = [&](const SceneDescription& d) {
+                RenderRequest request;
+                request.settings.integrator = Path{.max_depth = 1};
+                if (direct) request.settings.integrator = Direct{};
+                if (by_one) request.settings.kernel.profile = Profile::all;
+                return render(d, request).film.at(16, 12).mean();
+            };
+            const Color open = seen(floor_under(0, sun, false)), one = seen(floor_under(1, sun, false)),
+                        two = seen(floor_under(2, sun, false));
+            EXPECT_GT(open.g, 0.5f);
+            for (const auto channel : {&Color::r, &Color::g, &Color::b}) {
+                EXPECT_NEAR(one.*channel / (open.*channel), once.*channel, 1e-5f);
+                EXPECT_NEAR(two.*channel / (open.*channel), once.*channel * once.*channel, 1e-5f);
+            }
+            EXPECT_EQ(seen(floor_under(1, sun, true)).g, 0) << "rough";
+            const LightDescription point = light_of(LightType::point, {900, 900, 900}, {6, 20, 4});
+            const float ratio = seen(floor_under(1, point, false)).g / seen(floor_under(0, point, false)).g;
+            EXPECT_NEAR(ratio, once.g, 0.02f) << "a point in about this direction";
+        }
 }
 
 // d 0.3 on both faces stops as much as on one.

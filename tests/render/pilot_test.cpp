@@ -133,6 +133,8 @@ TEST(Pilot, PlansTheSameByAnyAccelerator)
         const SamplingPlan bvh8 = planned(d, settings).plan;
         EXPECT_EQ(embree.split, bvh8.split) << name;
         EXPECT_TRUE(embree.importance == bvh8.importance) << name;
+        EXPECT_TRUE(embree.light_choice.exponents == bvh8.light_choice.exponents) << name;
+        EXPECT_TRUE(embree.light_choice.cumulative == bvh8.light_choice.cumulative) << name;
     }
 }
 

@@ -32,6 +32,13 @@ struct Direct {
     {
         add_environment(view, s, direct, parts, actions);
     }
+    // Of shadow rays to lights that BSDF sampling cannot hit; see TintsShadows. No other technique finds this light.
+    template <class V>
+    Color through(const V& view, const Ray& ray, const Surface& surface) const
+    {
+        return through_sheet(view.scene, ray, surface);
+    }
+    static bool is_spent(Color) { return false; }
 };
 
 }  // namespace lancer

@@ -9,6 +9,7 @@
 #include "integrators/view.h"
 #include "materials/bsdf.h"
 #include "scene/description/render_settings.h"
+#include "scene/through_sheet.h"
 
 namespace lancer {
 
@@ -168,7 +169,10 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     const float weight = weight_of_light_sample(light->pdf, f.pdf, light->delta, how);
     Ray ray = shadow_ray(surface, *light);
     view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
-    actions.shadow(ray, sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf), light->light);
+    const Color radiance = sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf);
+    if (light->delta && view.scene.passes_sheets) [[unlikely]]
+        return actions.tinted_shadow(ray, radiance, light->radiance, light->light);
+    actions.shadow(ray, radiance, light->light);
 }
 
 // Ray cone after scattering: a delta lobe keeps the spread (curved mirrors are treated as flat, which only makes

@@ -6,11 +6,12 @@
 namespace lancer {
 namespace {
 
-constexpr double prior = 16;         // vertices that a cell's surroundings count for
-constexpr double outside = 0.005;    // part of the places beyond each end of the grid
-constexpr double worthwhile = 0.25;  // part of the shadow rays that must be spared, or of the variance
-constexpr double as_before = 0.1;    // part of the choices that are the pilot's, whatever was learned
-constexpr int least_weight = 10;     // learned weights are 2^-0 to 2^-least_weight of the largest
+constexpr double prior = 16;          // vertices that a cell's surroundings count for
+constexpr double outside = 0.005;     // part of the places beyond each end of the grid
+constexpr double worthwhile = 1.1;    // gain of rates that must be expected: looking up cells takes time
+constexpr double worth_a_choice = 2;  // of a choice by place: that by power is spread better over samples
+constexpr double as_before = 0.1;     // part of the choices that are the pilot's, whatever was learned
+constexpr int least_weight = 10;      // learned weights are 2^-0 to 2^-least_weight of the largest
 
 // The grid that holds all but the outermost places. Cells and corner are powers of two and multiples of these, so that
 // a few more rays seldom move them.
@@ -138,35 +139,40 @@ LightChoice choice_of_pilot(const LightTable& lights)
     return choice;
 }
 
-LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               double work_per_variance)
+namespace {
+
+double probability_by(const LightChoice& choice, const LightTable& lights, uint32_t cell, uint32_t light)
 {
-    if (arrivals.empty()) return {};
+    return double{choice.chooses() ? choice.probability(cell, light) : lights.pick.probability(light)};
+}
+
+// Learns from all arrivals for which takes() is true. chooses: also which light.
+template <class Takes>
+LightChoice learn(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
+                  const PilotCost& cost, bool chooses, const Takes& takes)
+{
     LightChoice learned = make_grid(arrivals);
     if (learned.per_unit == 0) return {};
     const size_t count = by.chooses() ? by.lights : 1;
-    const auto of_pilot = [&](size_t light) {
-        return by.chooses() ? double{by.probability(0, static_cast<uint32_t>(light))} : 1.0;
-    };
-
     std::vector<Level> levels;
     levels.emplace_back(learned.size, count);
-    double sent = 0;
+    double vertices = 0, sent = 0;
     for (const Arrival& a : arrivals) {
+        if (!takes(a)) continue;
         const auto sums = levels[0].of(learned.cell_of(a.p, a.n));
-        sums[count] += 1;
+        sums[count] += 1, vertices += 1;
         if (a.light == Scene::none) continue;
-        const size_t light = by.chooses() ? a.light : 0;
-        // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
-        sums[light] += double{a.brought} * double{a.brought} * of_pilot(light);
         sent += 1;
+        // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
+        const double chosen = by.chooses() ? double{by.probability(0, a.light)} : 1;
+        sums[by.chooses() ? a.light : 0] += double{a.brought} * double{a.brought} * chosen;
     }
     if (sent == 0) return {};
-    const double vertices_per_ray = static_cast<double>(arrivals.size()) / sent;
+    // A light sample at each vertex costs this many shadow rays.
+    const double rays = sent / vertices;
     while (!levels.back().is_coarsest()) levels.push_back(levels.back().coarser());
 
     std::vector<double> squares(count), probability(count);
-    double spared = 0, vertices = 0, variance_by_power = 0, variance = 0;
     learned.exponents.resize(learned.cells());
     levels[0].for_each([&](uint32_t x, uint32_t y, uint32_t z, uint32_t side) {
         std::fill(squares.begin(), squares.end(), 0);
@@ -174,28 +180,71 @@ LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTab
             const auto sums = levels[level].of(levels[level].cell_of(x >> level, y >> level, z >> level, side));
             for (size_t i = 0; i < count; ++i) squares[i] = (sums[i] + prior * squares[i]) / (sums[count] + prior);
         }
-        double mean_square = squares[0], mean_by_power = squares[0];
-        if (by.chooses()) {
+        if (chooses) {
             choose_by(squares, by, probability);
             append_sums(probability, learned.cumulative);
-            mean_square = mean_by_power = 0;
-            for (size_t i = 0; i < count; ++i) {
-                if (!(squares[i] > 0)) continue;
-                mean_square += squares[i] / probability[i];
-                mean_by_power += squares[i] / double{lights.pick.probability(static_cast<uint32_t>(i))};
-            }
+        } else {
+            for (size_t i = 0; i < count; ++i)
+                probability[i] = double{lights.pick.probability(static_cast<uint32_t>(i))};
         }
-        const size_t cell = levels[0].cell_of(x, y, z, side);
-        learned.exponents[cell] = exponent_for(mean_square * vertices_per_ray, work_per_variance);
-        const double here = levels[0].of(cell)[count];
-        vertices += here;
-        spared += here * (1 - double{LightChoice::rate_of(learned.exponents[cell])});
-        variance += here * mean_square, variance_by_power += here * mean_by_power;
+        double mean_square = by.chooses() ? 0 : squares[0];
+        for (size_t i = 0; by.chooses() && i < count; ++i)
+            if (squares[i] > 0) mean_square += squares[i] / probability[i];
+        learned.exponents[levels[0].cell_of(x, y, z, side)] =
+            exponent_for(mean_square / rays, cost.work / cost.variance);
     });
-    if (by.chooses()) learned.lights = by.lights;
-    const bool chooses_better = variance < (1 - worthwhile) * variance_by_power;
-    if (spared < worthwhile * vertices && !chooses_better) return {};
+    if (chooses) learned.lights = by.lights;
     return learned;
+}
+
+// What light sampling costs by a choice, of those arrivals for which takes() is true: mean squares and shadow rays.
+template <class Takes>
+PilotCost cost_of(const LightChoice& choice, std::span<const Arrival> arrivals, const LightTable& lights,
+                  const LightChoice& by, const Takes& takes)
+{
+    PilotCost sum{0, 0};
+    for (const Arrival& a : arrivals) {
+        if (a.light == Scene::none || !takes(a)) continue;
+        const uint32_t cell = choice.empty() ? 0 : choice.cell_of(a.p, a.n);
+        const double rate = choice.empty() ? 1 : double{choice.rate(cell)};
+        const double more =
+            by.chooses() ? probability_by(by, lights, 0, a.light) / probability_by(choice, lights, cell, a.light) : 1;
+        sum.variance += double{a.brought} * double{a.brought} * more / rate;
+        sum.work += rate;
+    }
+    return sum;
+}
+
+}  // namespace
+
+LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
+                               const PilotCost& cost)
+{
+    if (arrivals.empty() || !(cost.variance > 0)) return {};
+    const auto all = [](const Arrival&) { return true; };
+    const auto is_in = [](uint32_t half) { return [half](const Arrival& a) { return (a.slot & 1) == half; }; };
+    const PilotCost pilot = cost_of(by, arrivals, lights, by, all);
+    // The pilot's cost with other light sampling; no choice of lights takes all variance away.
+    const auto with = [&](const PilotCost& sampling) {
+        return PilotCost{std::max(cost.variance + sampling.variance - pilot.variance, 0.1 * cost.variance),
+                         cost.work + sampling.work - pilot.work};
+    };
+    // What one half of the pixels teaches is judged by the other.
+    const auto judged = [&](bool chooses) {
+        PilotCost sum{0, 0};
+        for (const uint32_t half : {0u, 1u}) {
+            const LightChoice learned = learn(arrivals, lights, by, cost, chooses, is_in(half));
+            const PilotCost other = cost_of(learned, arrivals, lights, by, is_in(1 - half));
+            sum.variance += other.variance, sum.work += other.work;
+        }
+        return with(sum);
+    };
+    const PilotCost by_power = with(cost_of({}, arrivals, lights, by, all));
+    if (by.chooses() && by_power.variance > worth_a_choice * judged(true).variance)
+        return learn(arrivals, lights, by, cost, true, all);
+    const PilotCost rates = judged(false);
+    if (!(by_power.variance * by_power.work > worthwhile * rates.variance * rates.work)) return {};
+    return learn(arrivals, lights, by, cost, false, all);
 }
 
 }  // namespace lancer

@@ -44,9 +44,13 @@ private:
 // where lights are not chosen by place: there is one, or there are very many.
 LightChoice choice_of_pilot(const LightTable& lights);
 
-// What the arrivals teach; empty if it would spare few shadow rays and improve little. by: choice of the pilot.
-// brought: relative to the pixel. work_per_variance: of a sample, in shadow rays and relative to the pixel.
+// What the samples of a pilot cost in all: their variance relative to the pixel, and their work in shadow rays.
+struct PilotCost {
+    double variance, work;
+};
+
+// What the arrivals teach; empty unless it would pay. by: choice of the pilot. brought: relative to the pixel.
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               double work_per_variance);
+                               const PilotCost& cost);
 
 }  // namespace lancer

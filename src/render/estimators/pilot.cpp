@@ -167,8 +167,8 @@ LightChoice best_light_choice(PilotGrid& s, const LightTable& lights)
     const double work = (packed * count(s.counters.camera_rays) + count(s.counters.bounce_rays)) / occlusion +
                         count(s.counters.shadow_rays);
     for (Arrival& a : s.arrivals) a.brought /= static_cast<float>(std::sqrt(square_of(s.pixels[a.slot], floor)));
-    return learn_light_choice(s.arrivals, lights, choice_of_pilot(lights),
-                              work / count(s.counters.camera_rays) / variance);
+    const PilotCost cost{variance * count(s.counters.camera_rays), work};
+    return learn_light_choice(s.arrivals, lights, choice_of_pilot(lights), cost);
 }
 
 // Mean of the cell and its neighbours: a single cell is noisy.

@@ -8,6 +8,7 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path/path.h"
+#include "render/kernel/tinted_shadows.h"
 #include "render/wide/vertices.h"
 #include "render/workspace.h"
 #include "scene/lights/choice.h"
@@ -79,6 +80,8 @@ public:
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
             if (are_last() && !shines_) return;
             add_unoccluded();
+            if constexpr (any)
+                if (view_.scene.passes_sheets) trace_tinted_shadows(view_, accel_, path_, w_, counters_, NoListener{});
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
             std::swap(w_.wide.cells_now, w_.wide.cells_next);
@@ -141,6 +144,8 @@ private:
     uint32_t lanes_by_rate(uint32_t lanes, Vertices& v) const;
     void query_light(Vertices& v, LightQuery& query);
     void eval_non_lambert(const Vertices& v, const LightQuery& query, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
+    void send_through_sheets(const Vertices& v, uint32_t lanes, const LightQuery& query, const Vec3x8& origin,
+                             const Vec3x8& dir, const Float8& distance, const Vec3x8& radiance);
     void send_shadows(const Vertices& v, const LightQuery& query);
     void scatter(Vertices& v);
     void scatter_any(std::span<Vertices> vertices);

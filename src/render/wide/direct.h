@@ -347,8 +347,31 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery
     }
     const uint32_t traceable = movemask(is_traceable(origin, dir, broadcast(Ray{}.t_min), distance));
     invalidate(wanted & ~traceable, v.path.slot);
-    shadows_.push(wanted & traceable, origin, dir, distance, {radiance, v.path.slot});
-    set_alpha_keys(shadows_, wanted & traceable, v.path, depth_, Dim::shadow_alpha);
+    uint32_t sent = wanted & traceable;
+    if constexpr (any)
+        if (view_.scene.passes_sheets) {
+            const uint32_t through = sent & movemask(light.delta);
+            send_through_sheets(v, through, to, origin, dir, distance, radiance);
+            sent &= ~through;
+        }
+    shadows_.push(sent, origin, dir, distance, {radiance, v.path.slot});
+    set_alpha_keys(shadows_, sent, v.path, depth_, Dim::shadow_alpha);
+}
+
+// Requests shadow rays that thin sheets of smooth glass do not stop.
+template <Shading shading>
+inline void WideBatch<shading>::send_through_sheets(const Vertices& v, uint32_t lanes, const LightQuery& query,
+                                                    const Vec3x8& origin, const Vec3x8& dir, const Float8& distance,
+                                                    const Vec3x8& radiance)
+{
+    const AddressLanes address = numbers(v.path.key, depth_, Dim::shadow_alpha);
+    const auto color = [](Vec3 c) { return Color{c.x, c.y, c.z}; };
+    for_each_lane(lanes, [&](uint32_t i) {
+        Ray ray{.org = lane(origin, i), .dir = lane(dir, i), .t_max = distance[i]};
+        if (view_.scene.geometry.alpha_test.passes_through) ray.key = address.key(i, v.path.sample[i]);
+        PathActions(w_.queue, v.path.slot[i])
+            .tinted_shadow(ray, color(lane(radiance, i)), color(lane(query.light.radiance, i)));
+    });
 }
 
 template <Shading shading>

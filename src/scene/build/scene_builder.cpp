@@ -15,6 +15,7 @@
 #include "scene/build/texture_table.h"
 #include "scene/build/thin_glass.h"
 #include "scene/environment/environment.h"
+#include "scene/through_sheet.h"
 
 namespace lancer {
 namespace {
@@ -280,6 +281,7 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
         receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);
     diagnostics.throw_if_errors();
     build_light_table(s);
+    s.passes_sheets = lights_pass_sheets(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
     // Light sampling may leave all of an environment to BSDF sampling.

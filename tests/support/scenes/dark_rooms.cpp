@@ -46,7 +46,9 @@ SceneDescription room_with_niche()
 
 SceneDescription room_under_a_sun()
 {
-    SceneDescription d = room_with_niche();
+    SceneDescription d = room_with_hole(0.1);
+    d.meshes.push_back(make_mesh(make_quad({-0.6, 0.98, -0.2}, {-0.2, 0.98, -0.2}, {-0.2, 0.98, 0.2}, {-0.6, 0.98, 0.2},
+                                           make_emitter("lamp", {5, 5, 5}))));
     d.lights = {directional_of({1000, 1000, 1000}, {0, -1, 0})};
     return d;
 }

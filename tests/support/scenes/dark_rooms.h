@@ -13,7 +13,7 @@ SceneDescription room_with_hole(double hole);
 // sees.
 SceneDescription room_with_niche();
 
-// The same under a sun that no ray from the room reaches.
+// The camera's room with a lamp of its own, under a sun that no ray from it reaches.
 SceneDescription room_under_a_sun();
 
 // Behind a window to a bright sky with a sun, with a glossy floor.
