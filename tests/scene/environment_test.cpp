@@ -180,18 +180,18 @@ TEST(EnvironmentMap, SamplesHaveTheDensityAndRadianceOfTheirDirection)
 {
     for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d rotate_deg) {
         Random random(6);
-        uint32_t lost = 0;  // rounded to where nothing is sampled
         for (int i = 0; i < 20000; ++i) {
             Vec2 u = random.unit2();
             if (i % 7 == 0) u.x = i % 2 ? 0 : 1 - 0x1p-24f;
             if (i % 11 == 0) u.y = i % 2 ? 0 : 1 - 0x1p-24f;
             const EnvironmentSample s = m.sample(u);
             ASSERT_NEAR(length(s.wi), 1, gamma(8)) << name;
-            if (!(s.pdf > 0)) ++lost;
+            // At the ends of the tables rounding may turn a direction to where nothing is sampled.
+            const bool at_an_end = i % 7 == 0 || i % 11 == 0;
+            ASSERT_TRUE(s.pdf > 0 || is_black(s.radiance) || at_an_end) << name;
             ASSERT_EQ(s.pdf, m.pdf(s.wi)) << name << u.x << " " << u.y;
             ASSERT_EQ(s.radiance, m.eval(s.wi)) << name;
         }
-        EXPECT_LT(lost, 100u) << name;
     });
 }
 

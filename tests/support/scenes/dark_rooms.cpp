@@ -44,23 +44,27 @@ SceneDescription room_with_niche()
     return d;
 }
 
-SceneDescription room_under_a_sun()
+SceneDescription room_beside_a_brighter_one()
 {
     SceneDescription d = room_with_hole(0.1);
     d.meshes.push_back(make_mesh(make_quad({-0.6, 0.98, -0.2}, {-0.2, 0.98, -0.2}, {-0.2, 0.98, 0.2}, {-0.6, 0.98, 0.2},
-                                           make_emitter("lamp", {5, 5, 5}))));
+                                           make_emitter("dim lamp", {2, 2, 2}))));
+    return d;
+}
+
+SceneDescription room_under_a_sun()
+{
+    SceneDescription d = room_beside_a_brighter_one();
     d.lights = {directional_of({1000, 1000, 1000}, {0, -1, 0})};
     return d;
 }
 
-SceneDescription room_under_a_pictured_sky()
+SceneDescription glossy_room_under_a_sky()
 {
-    SceneDescription d = room_with_hole(0.3);
-    d.meshes.erase(d.meshes.begin() + 1);  // the wall behind the hole
-    d.meshes.pop_back();                   // the lamp
+    SceneDescription d = room_under_a_sun();
     d.meshes.push_back(make_mesh(make_quad({-1, -0.99, 1}, {1, -0.99, 1}, {1, -0.99, -1}, {-1, -0.99, -1},
                                            make_glossy("floor", MaterialType::plastic, {0.5f, 0.4f, 0.3f}, 0.2f))));
-    d.lights = {sky_map_of({3, 3, 3}), directional_of({20, 20, 15}, {-1, -0.5, 0.1})};
+    d.lights.push_back(sky_map_of({3, 3, 3}));
     return d;
 }
 

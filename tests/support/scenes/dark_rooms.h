@@ -13,10 +13,11 @@ SceneDescription room_with_hole(double hole);
 // sees.
 SceneDescription room_with_niche();
 
-// The camera's room with a lamp of its own, under a sun that no ray from it reaches.
-SceneDescription room_under_a_sun();
+// The camera's room with a dim lamp of its own.
+SceneDescription room_beside_a_brighter_one();
 
-// Behind a window to a bright sky with a sun, with a glossy floor.
-SceneDescription room_under_a_pictured_sky();
+// The same under a sun that no ray from the room reaches; and with a glossy floor, under a pictured sky besides.
+SceneDescription room_under_a_sun();
+SceneDescription glossy_room_under_a_sky();
 
 }  // namespace lancer
