@@ -178,7 +178,7 @@ TEST(EnvironmentMap, DensityIntegratesToOne)
 
 TEST(EnvironmentMap, SamplesHaveTheDensityAndRadianceOfTheirDirection)
 {
-    for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d rotate_deg) {
+    for_each_map([&](const std::string& name, const EnvironmentMap& m, Vec3d) {
         Random random(6);
         for (int i = 0; i < 20000; ++i) {
             Vec2 u = random.unit2();
