@@ -24,24 +24,32 @@ struct LightChoice {
     Vec3 low{};                             // corner of the grid, scene units
     float per_unit = 0;                     // cells; a power of two, or 0 for one cell
     std::array<uint32_t, 3> size{1, 1, 1};  // number of cells along each axis
-    std::vector<uint8_t> exponents;         // q = 2^-exponent, of each cell; empty: nothing was learned
+    std::vector<uint32_t> cell_at;          // of index_in(); empty: nothing was learned
+    std::vector<uint8_t> exponents;         // q = 2^-exponent, of each cell
     uint32_t lights = 0;                    // that are chosen by place; 0: the choice is that of LightTable
     std::vector<float> cumulative;          // probabilities of the lights of each cell, summed; the last is 1
 
-    bool empty() const { return exponents.empty(); }
+    bool empty() const { return cell_at.empty(); }
     bool chooses() const { return lights > 0; }
-    uint32_t cells() const { return 6 * size[0] * size[1] * size[2]; }
 
+    // Index in a grid of this size. side: direction of the normal, 0 to 5.
+    static size_t index_in(const std::array<uint32_t, 3>& size, uint32_t x, uint32_t y, uint32_t z, uint32_t side)
+    {
+        return ((size_t{z} * size[1] + y) * size[0] + x) * 6 + side;
+    }
+    static size_t indices_in(const std::array<uint32_t, 3>& size) { return size_t{6} * size[0] * size[1] * size[2]; }
     // Index of a place and a normal. Places outside of the grid belong to its border.
-    uint32_t cell_of(Vec3 p, Vec3 n) const
+    size_t index_of(Vec3 p, Vec3 n) const
     {
         const auto along = [&](float x, float from, uint32_t count) {
             const float place = (x - from) * per_unit, last = static_cast<float>(count - 1);
             return static_cast<uint32_t>(place > 0 ? (place < last ? place : last) : 0.0f);
         };
-        const uint32_t x = along(p.x, low.x, size[0]), y = along(p.y, low.y, size[1]), z = along(p.z, low.z, size[2]);
-        return ((z * size[1] + y) * size[0] + x) * 6 + side_of(n);
+        return index_in(size, along(p.x, low.x, size[0]), along(p.y, low.y, size[1]), along(p.z, low.z, size[2]),
+                        side_of(n));
     }
+    // The cell there. Places of which nothing is known share those of larger surroundings.
+    uint32_t cell_of(Vec3 p, Vec3 n) const { return cell_at[index_of(p, n)]; }
     float rate(uint32_t cell) const { return rate_of(exponents[cell]); }
     static float rate_of(uint8_t exponent) { return 1.0f / static_cast<float>(1u << exponent); }
 

@@ -44,42 +44,87 @@ LightChoice make_grid(std::span<const Arrival> arrivals)
     return grid;
 }
 
-// Sums of a cell: its vertices, and for each light the squares of what shadow rays brought.
+// Sums over the vertices of cells 2^level times as long as those of the grid, with the same normals.
 class Level {
 public:
     Level(std::array<uint32_t, 3> size, size_t lights)
-        : size_(size), lights_(lights), sums_(size_t{6} * size[0] * size[1] * size[2] * (lights + 1))
+        : size_(size), width_(lights + 1), row_(LightChoice::indices_in(size), none)
     {
-    }
-    std::span<double> of(size_t cell) { return std::span(sums_).subspan(cell * (lights_ + 1), lights_ + 1); }
-    size_t cell_of(uint32_t x, uint32_t y, uint32_t z, uint32_t side) const
-    {
-        return ((size_t{z} * size_[1] + y) * size_[0] + x) * 6 + side;
     }
     bool is_coarsest() const { return size_[0] == 1 && size_[1] == 1 && size_[2] == 1; }
-    // Cells twice as long, with the same normals.
+    // The cell of the next level to which a cell belongs.
+    size_t above(size_t index) const
+    {
+        const auto place = static_cast<uint32_t>(index / 6), side = static_cast<uint32_t>(index % 6);
+        const uint32_t x = place % size_[0], y = place / size_[0] % size_[1], z = place / size_[0] / size_[1];
+        return LightChoice::index_in(size_above(), x / 2, y / 2, z / 2, side);
+    }
+    // Of a cell, which then has a row: for each light the squares of what shadow rays brought; behind these the number
+    // of vertices.
+    std::span<double> sums(size_t index)
+    {
+        if (row_[index] == none) {
+            row_[index] = static_cast<uint32_t>(indices_.size());
+            indices_.push_back(index);
+            sums_.resize(sums_.size() + width_);
+        }
+        return std::span(sums_).subspan(row_[index] * width_, width_);
+    }
+    bool has(size_t index) const { return row_[index] != none; }
+    // Those that have a row, in order.
+    std::vector<size_t> indices() const
+    {
+        std::vector<size_t> sorted = indices_;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
+    }
+    // Cells twice as long.
     Level coarser()
     {
-        Level to({(size_[0] + 1) / 2, (size_[1] + 1) / 2, (size_[2] + 1) / 2}, lights_);
-        for_each([&](uint32_t x, uint32_t y, uint32_t z, uint32_t side) {
-            const auto from = of(cell_of(x, y, z, side)), sum = to.of(to.cell_of(x / 2, y / 2, z / 2, side));
-            for (size_t i = 0; i <= lights_; ++i) sum[i] += from[i];
-        });
+        Level to(size_above(), width_ - 1);
+        for (const size_t index : indices()) {
+            const std::span<double> from = sums(index), sum = to.sums(above(index));
+            for (size_t i = 0; i < width_; ++i) sum[i] += from[i];
+        }
         return to;
     }
-    template <class F>
-    void for_each(const F& f) const
-    {
-        for (uint32_t z = 0; z < size_[2]; ++z)
-            for (uint32_t y = 0; y < size_[1]; ++y)
-                for (uint32_t x = 0; x < size_[0]; ++x)
-                    for (uint32_t side = 0; side < 6; ++side) f(x, y, z, side);
-    }
+    // Cells of LightChoice, by row.
+    std::vector<uint32_t> cells;
+    uint32_t& cell(size_t index) { return cells[row_[index]]; }
+    uint32_t cell(size_t index) const { return cells[row_[index]]; }
 
 private:
+    static constexpr uint32_t none = UINT32_MAX;
+
+    std::array<uint32_t, 3> size_above() const { return {(size_[0] + 1) / 2, (size_[1] + 1) / 2, (size_[2] + 1) / 2}; }
+
     std::array<uint32_t, 3> size_;
-    size_t lights_;
+    size_t width_;
+    std::vector<uint32_t> row_;
+    std::vector<size_t> indices_;  // of the rows
     std::vector<double> sums_;
+};
+
+// A choice that is learned but for LightChoice::cell_at, which only the final one needs.
+struct Learned {
+    LightChoice choice{};
+    std::vector<Level> levels{};
+
+    // The cell of the smallest surroundings with vertices; the first cell if there are none.
+    uint32_t cell_of(size_t index) const
+    {
+        for (const Level& level : levels) {
+            if (level.has(index)) return level.cell(index);
+            index = level.above(index);
+        }
+        return 0;
+    }
+    LightChoice finished() &&
+    {
+        choice.cell_at.resize(LightChoice::indices_in(choice.size));
+        for (size_t i = 0; i < choice.cell_at.size(); ++i) choice.cell_at[i] = cell_of(i);
+        return std::move(choice);
+    }
 };
 
 // The rate q with the least variance for the work. Light sampling of mean square s and a work of 1 adds s / q to the
@@ -119,6 +164,121 @@ bool is_chosen_by_place(const LightTable& lights)
     return !lights.tree && lights.pick.size() > 1 && lights.pick.size() <= LightChoice::most_lights;
 }
 
+// Learns from the arrivals of a pilot, and judges what it learned. Both take all pixels, or every other.
+class Lesson {
+public:
+    enum Pixels : uint32_t { even = 1, odd = 2, all = 3 };
+
+    Lesson(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& pilot, const PilotCost& cost)
+        : arrivals_(arrivals), lights_(lights), pilot_(pilot), cost_(cost), grid_(make_grid(arrivals))
+    {
+        index_.reserve(arrivals.size());
+        for (const Arrival& a : arrivals) index_.push_back(grid_.index_of(a.p, a.n));
+    }
+    bool has_grid() const { return grid_.per_unit > 0; }
+
+    // chooses: also which light.
+    Learned learned(bool chooses, Pixels from) const
+    {
+        const size_t count = pilot_.chooses() ? pilot_.lights : 1;
+        Level level(grid_.size, count);
+        const double rays_per_vertex = add_arrivals(level, from);
+        if (rays_per_vertex == 0) return {};
+        Learned to{.choice = grid_};
+        if (chooses) to.choice.lights = pilot_.lights;
+        to.levels.push_back(std::move(level));
+        while (!to.levels.back().is_coarsest()) to.levels.push_back(to.levels.back().coarser());
+
+        std::vector<double> squares(
+            count);  // means by light, of one cell after the other; nothing is known of the first
+        add_cell(to.choice, squares, rays_per_vertex);
+        for (size_t k = to.levels.size(); k-- > 0;) {
+            Level& here = to.levels[k];
+            const std::vector<size_t> indices = here.indices();
+            here.cells.resize(indices.size());
+            for (const size_t index : indices) {
+                const size_t around = k + 1 < to.levels.size() ? to.levels[k + 1].cell(here.above(index)) : 0;
+                const size_t cell = squares.size() / count;
+                here.cell(index) = static_cast<uint32_t>(cell);
+                squares.resize(squares.size() + count);
+                const std::span<double> means = std::span(squares).subspan(cell * count, count);
+                const std::span<const double> sums = here.sums(index);
+                for (size_t i = 0; i < count; ++i)
+                    means[i] = (sums[i] + prior * squares[around * count + i]) / (sums[count] + prior);
+                add_cell(to.choice, means, rays_per_vertex);
+            }
+        }
+        return to;
+    }
+
+    // What light sampling costs by a choice: mean squares and shadow rays. An empty choice is that by power.
+    PilotCost cost_of(const Learned& by, Pixels on) const
+    {
+        PilotCost sum{0, 0};
+        for (size_t i = 0; i < arrivals_.size(); ++i) {
+            const Arrival& a = arrivals_[i];
+            if (a.light == Scene::none || !takes(a, on)) continue;
+            const uint32_t cell = by.cell_of(index_[i]);
+            const double rate = by.choice.exponents.empty() ? 1 : double{by.choice.rate(cell)};
+            const double more =
+                pilot_.chooses() ? double{pilot_.probability(0, a.light)} / probability(by.choice, cell, a.light) : 1;
+            sum.variance += double{a.brought} * double{a.brought} * more / rate;
+            sum.work += rate;
+        }
+        return sum;
+    }
+
+private:
+    static bool takes(const Arrival& a, Pixels from) { return ((a.slot & 1) == 0 ? even : odd) & from; }
+
+    // Returns the shadow rays per vertex, which is what a light sample at each vertex costs; 0 if there is none.
+    double add_arrivals(Level& level, Pixels from) const
+    {
+        double vertices = 0, sent = 0;
+        for (size_t i = 0; i < arrivals_.size(); ++i) {
+            const Arrival& a = arrivals_[i];
+            if (!takes(a, from)) continue;
+            const std::span<double> sums = level.sums(index_[i]);
+            sums.back() += 1, vertices += 1;
+            if (a.light == Scene::none) continue;
+            sent += 1;
+            // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
+            const double chosen = pilot_.chooses() ? double{pilot_.probability(0, a.light)} : 1;
+            sums[pilot_.chooses() ? a.light : 0] += double{a.brought} * double{a.brought} * chosen;
+        }
+        return sent > 0 ? sent / vertices : 0;
+    }
+    // Appends a cell, by the mean square of what each light brings.
+    void add_cell(LightChoice& choice, std::span<const double> squares, double rays_per_vertex) const
+    {
+        double mean_square = squares[0];
+        if (pilot_.chooses()) {
+            std::vector<double> chosen(squares.size());
+            if (choice.chooses()) {
+                choose_by(squares, pilot_, chosen);
+                append_sums(chosen, choice.cumulative);
+            } else {
+                for (uint32_t i = 0; i < chosen.size(); ++i) chosen[i] = double{lights_.pick.probability(i)};
+            }
+            mean_square = 0;
+            for (size_t i = 0; i < squares.size(); ++i)
+                if (squares[i] > 0) mean_square += squares[i] / chosen[i];
+        }
+        choice.exponents.push_back(exponent_for(mean_square / rays_per_vertex, cost_.work / cost_.variance));
+    }
+    double probability(const LightChoice& choice, uint32_t cell, uint32_t light) const
+    {
+        return double{choice.chooses() ? choice.probability(cell, light) : lights_.pick.probability(light)};
+    }
+
+    std::span<const Arrival> arrivals_;
+    const LightTable& lights_;
+    const LightChoice& pilot_;
+    PilotCost cost_;
+    LightChoice grid_;           // without cells
+    std::vector<size_t> index_;  // of each arrival in it
+};
+
 }  // namespace
 
 LightChoice choice_of_pilot(const LightTable& lights)
@@ -132,98 +292,19 @@ LightChoice choice_of_pilot(const LightTable& lights)
     for (uint32_t i = 0; i < choice.lights; ++i)
         if (const double power = double{lights.pick.probability(i)}; power > 0)
             probability[i] = 0.5 * power + 0.5 / shining;
-    for (uint32_t side = 0; side < choice.cells(); ++side) {
-        choice.exponents.push_back(0);
-        append_sums(probability, choice.cumulative);
-    }
+    choice.cell_at.assign(LightChoice::indices_in(choice.size), 0);
+    choice.exponents.push_back(0);
+    append_sums(probability, choice.cumulative);
     return choice;
 }
-
-namespace {
-
-double probability_by(const LightChoice& choice, const LightTable& lights, uint32_t cell, uint32_t light)
-{
-    return double{choice.chooses() ? choice.probability(cell, light) : lights.pick.probability(light)};
-}
-
-// Learns from all arrivals for which takes() is true. chooses: also which light.
-template <class Takes>
-LightChoice learn(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                  const PilotCost& cost, bool chooses, const Takes& takes)
-{
-    LightChoice learned = make_grid(arrivals);
-    if (learned.per_unit == 0) return {};
-    const size_t count = by.chooses() ? by.lights : 1;
-    std::vector<Level> levels;
-    levels.emplace_back(learned.size, count);
-    double vertices = 0, sent = 0;
-    for (const Arrival& a : arrivals) {
-        if (!takes(a)) continue;
-        const auto sums = levels[0].of(learned.cell_of(a.p, a.n));
-        sums[count] += 1, vertices += 1;
-        if (a.light == Scene::none) continue;
-        sent += 1;
-        // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
-        const double chosen = by.chooses() ? double{by.probability(0, a.light)} : 1;
-        sums[by.chooses() ? a.light : 0] += double{a.brought} * double{a.brought} * chosen;
-    }
-    if (sent == 0) return {};
-    // A light sample at each vertex costs this many shadow rays.
-    const double rays = sent / vertices;
-    while (!levels.back().is_coarsest()) levels.push_back(levels.back().coarser());
-
-    std::vector<double> squares(count), probability(count);
-    learned.exponents.resize(learned.cells());
-    levels[0].for_each([&](uint32_t x, uint32_t y, uint32_t z, uint32_t side) {
-        std::fill(squares.begin(), squares.end(), 0);
-        for (auto level = static_cast<uint32_t>(levels.size()); level-- > 0;) {
-            const auto sums = levels[level].of(levels[level].cell_of(x >> level, y >> level, z >> level, side));
-            for (size_t i = 0; i < count; ++i) squares[i] = (sums[i] + prior * squares[i]) / (sums[count] + prior);
-        }
-        if (chooses) {
-            choose_by(squares, by, probability);
-            append_sums(probability, learned.cumulative);
-        } else {
-            for (size_t i = 0; i < count; ++i)
-                probability[i] = double{lights.pick.probability(static_cast<uint32_t>(i))};
-        }
-        double mean_square = by.chooses() ? 0 : squares[0];
-        for (size_t i = 0; by.chooses() && i < count; ++i)
-            if (squares[i] > 0) mean_square += squares[i] / probability[i];
-        learned.exponents[levels[0].cell_of(x, y, z, side)] =
-            exponent_for(mean_square / rays, cost.work / cost.variance);
-    });
-    if (chooses) learned.lights = by.lights;
-    return learned;
-}
-
-// What light sampling costs by a choice, of those arrivals for which takes() is true: mean squares and shadow rays.
-template <class Takes>
-PilotCost cost_of(const LightChoice& choice, std::span<const Arrival> arrivals, const LightTable& lights,
-                  const LightChoice& by, const Takes& takes)
-{
-    PilotCost sum{0, 0};
-    for (const Arrival& a : arrivals) {
-        if (a.light == Scene::none || !takes(a)) continue;
-        const uint32_t cell = choice.empty() ? 0 : choice.cell_of(a.p, a.n);
-        const double rate = choice.empty() ? 1 : double{choice.rate(cell)};
-        const double more =
-            by.chooses() ? probability_by(by, lights, 0, a.light) / probability_by(choice, lights, cell, a.light) : 1;
-        sum.variance += double{a.brought} * double{a.brought} * more / rate;
-        sum.work += rate;
-    }
-    return sum;
-}
-
-}  // namespace
 
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
                                const PilotCost& cost)
 {
     if (arrivals.empty() || !(cost.variance > 0)) return {};
-    const auto all = [](const Arrival&) { return true; };
-    const auto is_in = [](uint32_t half) { return [half](const Arrival& a) { return (a.slot & 1) == half; }; };
-    const PilotCost pilot = cost_of(by, arrivals, lights, by, all);
+    const Lesson lesson(arrivals, lights, by, cost);
+    if (!lesson.has_grid()) return {};
+    const PilotCost pilot = lesson.cost_of({.choice = by}, Lesson::all);
     // The pilot's cost with other light sampling; no choice of lights takes all variance away.
     const auto with = [&](const PilotCost& sampling) {
         return PilotCost{std::max(cost.variance + sampling.variance - pilot.variance, 0.1 * cost.variance),
@@ -231,20 +312,16 @@ LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTab
     };
     // What one half of the pixels teaches is judged by the other.
     const auto judged = [&](bool chooses) {
-        PilotCost sum{0, 0};
-        for (const uint32_t half : {0u, 1u}) {
-            const LightChoice learned = learn(arrivals, lights, by, cost, chooses, is_in(half));
-            const PilotCost other = cost_of(learned, arrivals, lights, by, is_in(1 - half));
-            sum.variance += other.variance, sum.work += other.work;
-        }
-        return with(sum);
+        const PilotCost a = lesson.cost_of(lesson.learned(chooses, Lesson::even), Lesson::odd);
+        const PilotCost b = lesson.cost_of(lesson.learned(chooses, Lesson::odd), Lesson::even);
+        return with({a.variance + b.variance, a.work + b.work});
     };
-    const PilotCost by_power = with(cost_of({}, arrivals, lights, by, all));
+    const PilotCost by_power = with(lesson.cost_of({}, Lesson::all));
     if (by.chooses() && by_power.variance > worth_a_choice * judged(true).variance)
-        return learn(arrivals, lights, by, cost, true, all);
+        return lesson.learned(true, Lesson::all).finished();
     const PilotCost rates = judged(false);
     if (!(by_power.variance * by_power.work > worthwhile * rates.variance * rates.work)) return {};
-    return learn(arrivals, lights, by, cost, false, all);
+    return lesson.learned(false, Lesson::all).finished();
 }
 
 }  // namespace lancer

@@ -20,23 +20,26 @@ struct Arrival {
 // Listens to the paths of a pilot, which do not split: a slot has one vertex at a time.
 class ArrivalListener : public NoListener {
 public:
-    explicit ArrivalListener(std::vector<Arrival>& arrivals) : arrivals_(arrivals) {}
+    // arrivals: null if nobody wants to know.
+    explicit ArrivalListener(std::vector<Arrival>* arrivals) : arrivals_(arrivals) {}
 
     void vertex(const PathState& s, const Surface& surface) const
     {
+        if (!arrivals_) return;
         if (last_.size() <= s.slot) last_.resize(s.slot + 1);
-        last_[s.slot] = arrivals_.size();
-        arrivals_.push_back({surface.origin, surface.n, s.slot});
+        last_[s.slot] = arrivals_->size();
+        arrivals_->push_back({surface.origin, surface.n, s.slot});
     }
     void shadow(uint32_t slot, uint32_t light, const Ray&, Color radiance, bool occluded) const
     {
-        Arrival& a = arrivals_[last_[slot]];
+        if (!arrivals_) return;
+        Arrival& a = (*arrivals_)[last_[slot]];
         a.light = light;
         if (!occluded) a.brought = luminance(radiance);
     }
 
 private:
-    std::vector<Arrival>& arrivals_;
+    std::vector<Arrival>* arrivals_;
     mutable std::vector<size_t> last_;  // vertex of each slot
 };
 

@@ -62,19 +62,23 @@ struct PilotGrid {
     std::vector<PixelStatistics> pixels;
     std::array<double, 3> mean{};
     Counters counters;
-    std::vector<Arrival> arrivals;  // slot: index of a pixel
+    LightChoice choice;  // of lights
+    std::vector<Arrival>
+        arrivals;  // slot: index of a pixel; empty if no shadow ray was sent or nothing is to be learned
 
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
     double floor() const { return dark * brightness(); }  // as bright as what is darker counts
+    // The square of a pixel's radiance, to which its error is relative.
+    double square_of(const PixelStatistics& pixel) const
+    {
+        const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]), least = floor();
+        return y * y + least * least;
+    }
 };
 
-bool learns_lights(const Scene& scene, const Path& path)
-{
-    return path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
-}
-
+// learns: where light sampling pays.
 PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const Camera& camera, uint32_t width, uint32_t height)
+                       const Camera& camera, uint32_t width, uint32_t height, bool learns)
 {
     // Light of the view segment does not depend on the plan. All other segments count, whether they are part of the
     // picture or not: the parts add up to the whole only with a common plan.
@@ -83,8 +87,9 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
     pilot.parts.emitters = false;
     SamplingPlan shared;
     shared.parts = parts;
-    if (learns_lights(scene, path)) shared.light_choice = choice_of_pilot(scene.lights);
+    if (learns) shared.light_choice = choice_of_pilot(scene.lights);
     PilotGrid s;
+    s.choice = shared.light_choice;
     s.cell = std::max(least_cell, (std::max(width, height) + most_cells - 1) / most_cells);
     s.columns = (width + s.cell - 1) / s.cell, s.rows = (height + s.cell - 1) / s.cell;
     s.pixels.resize(size_t{s.columns} * s.rows);
@@ -104,7 +109,7 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
                 for (uint32_t i = 0; i < paths * parts; ++i)
                     w.slots.push_back({middle(column, width), middle(row, height), i});
             Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row],
-                                 ArrivalListener(arrivals[row]));
+                                 ArrivalListener(learns ? &arrivals[row] : nullptr));
             for (; named < arrivals[row].size(); ++named) {
                 uint32_t& slot = arrivals[row][named].slot;
                 slot = static_cast<uint32_t>(row) * s.columns + first + slot / (paths * parts);
@@ -116,7 +121,8 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
         }
     });
     for (const Counters& c : counters) s.counters += c;
-    for (const auto& row : arrivals) s.arrivals.insert(s.arrivals.end(), row.begin(), row.end());
+    if (s.counters.shadow_rays > 0)
+        for (const auto& row : arrivals) s.arrivals.insert(s.arrivals.end(), row.begin(), row.end());
     for (const PixelStatistics& pixel : s.pixels)
         for (size_t c = 0; c < 3; ++c) s.mean[c] += pixel.mean[c] / static_cast<double>(s.pixels.size());
     return s;
@@ -130,10 +136,9 @@ uint32_t best_split(const PilotGrid& s, const LightTable& lights)
     // Part of the variance before the split that remains with low-discrepancy samples.
     const double by_tree = lights.tree ? lights.tree_share : 0;
     const double left = unsorted * by_tree + stratified * (1 - by_tree);
-    const double floor = s.floor();
     double above = 0, below = 0;
     for (const PixelStatistics& pixel : s.pixels) {
-        const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]), weight = y * y + floor * floor;
+        const double weight = s.square_of(pixel);
         if (!(weight > 0)) continue;
         above += pixel.among_paths / weight;
         below += pixel.among_parts / weight;
@@ -148,27 +153,19 @@ uint32_t best_split(const PilotGrid& s, const LightTable& lights)
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
 }
 
-// The square of a pixel's radiance, below which no error counts as relative to it.
-double square_of(const PixelStatistics& pixel, double floor)
-{
-    const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]);
-    return y * y + floor * floor;
-}
-
 LightChoice best_light_choice(PilotGrid& s, const LightTable& lights)
 {
-    const double floor = s.floor();
-    if (!(floor > 0)) return {};
+    if (s.arrivals.empty() || !(s.floor() > 0)) return {};
     double variance = 0;
     for (const PixelStatistics& pixel : s.pixels)
-        variance += (stratified * pixel.among_paths + pixel.among_parts) / square_of(pixel, floor);
+        variance += (stratified * pixel.among_paths + pixel.among_parts) / s.square_of(pixel);
     variance /= static_cast<double>(s.pixels.size());
     const auto count = [](uint64_t n) { return static_cast<double>(n); };
     const double work = (packed * count(s.counters.camera_rays) + count(s.counters.bounce_rays)) / occlusion +
                         count(s.counters.shadow_rays);
-    for (Arrival& a : s.arrivals) a.brought /= static_cast<float>(std::sqrt(square_of(s.pixels[a.slot], floor)));
+    for (Arrival& a : s.arrivals) a.brought /= static_cast<float>(std::sqrt(s.square_of(s.pixels[a.slot])));
     const PilotCost cost{variance * count(s.counters.camera_rays), work};
-    return learn_light_choice(s.arrivals, lights, choice_of_pilot(lights), cost);
+    return learn_light_choice(s.arrivals, lights, s.choice, cost);
 }
 
 // Mean of the cell and its neighbours: a single cell is noisy.
@@ -205,9 +202,9 @@ SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path&
                        const Camera& camera, uint32_t width, uint32_t height)
 {
     SamplingPlan plan;
-    const bool learns = learns_lights(scene, path);
+    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
     if (!path.split && !path.roulette_by_pixel && !learns) return plan;
-    PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height);
+    PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height, learns);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
     if (learns) plan.light_choice = best_light_choice(s, scene.lights);
