@@ -8,6 +8,7 @@ namespace lancer {
 
 struct Direct {
     static constexpr IntegratorKind kind = IntegratorKind::direct;
+    using TintedShadows = SheetShadows;
 
     uint32_t max_depth = 0;       // surface vertices, specular ones included; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette
@@ -32,13 +33,6 @@ struct Direct {
     {
         add_environment(view, s, direct, parts, actions);
     }
-    // Of shadow rays to lights that BSDF sampling cannot hit; see TintsShadows. No other technique finds this light.
-    template <class V>
-    Color through(const V& view, const Ray& ray, const Surface& surface) const
-    {
-        return through_sheet(view.scene, ray, surface);
-    }
-    static bool is_spent(Color) { return false; }
 };
 
 }  // namespace lancer

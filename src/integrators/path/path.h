@@ -8,6 +8,7 @@ namespace lancer {
 
 struct Path {
     static constexpr IntegratorKind kind = IntegratorKind::path;
+    using TintedShadows = SheetShadows;
 
     uint32_t max_depth = 0;       // scattering surface vertices; 1: direct light only; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette by the throughput
@@ -37,13 +38,6 @@ struct Path {
     {
         add_environment(view, s, direct, parts, actions);
     }
-    // Of shadow rays to lights that BSDF sampling cannot hit; see TintsShadows. No other technique finds this light.
-    template <class V>
-    Color through(const V& view, const Ray& ray, const Surface& surface) const
-    {
-        return through_sheet(view.scene, ray, surface);
-    }
-    static bool is_spent(Color) { return false; }
 };
 
 }  // namespace lancer

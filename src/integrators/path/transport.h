@@ -175,6 +175,17 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     actions.shadow(ray, radiance, light->light);
 }
 
+// What becomes of shadow rays to lights that BSDF sampling cannot hit: see TintsShadows. No other technique finds the
+// light that goes straight through thin sheets.
+struct SheetShadows {
+    template <class V>
+    Color through(const V& view, const Ray& ray, const Surface& surface) const
+    {
+        return through_sheet(view.scene, ray, surface);
+    }
+    static bool is_spent(Color) { return false; }
+};
+
 // Ray cone after scattering: a delta lobe keeps the spread (curved mirrors are treated as flat, which only makes
 // textures sharper); other lobes widen it to a sixteenth of the sample's solid angle.
 template <class T>

@@ -154,7 +154,10 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             listener.shadow(shadow.slot, shadow.light, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
             if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
         }
-        if constexpr (TintsShadows<Integrator>) trace_tinted_shadows(view, accel, integrator, w, counters, listener);
+        if constexpr (TintsShadows<Integrator>)
+            trace_tinted_shadows(view, accel, integrator, w, counters, listener);
+        else if constexpr (requires { typename Integrator::TintedShadows; })
+            trace_tinted_shadows(view, accel, typename Integrator::TintedShadows{}, w, counters, listener);
         std::swap(w.states, w.queue.next);
     }
 }

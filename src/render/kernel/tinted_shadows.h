@@ -9,8 +9,8 @@
 
 namespace lancer {
 
-// An integrator with tinted shadows: through() is the transmittance of a surface; black ends the ray. is_spent() ends a
-// ray whose light is almost used up; that light still arrives.
+// An integrator with tinted shadows, or what one names TintedShadows: through() is the transmittance of a surface;
+// black ends the ray. is_spent() ends a ray whose light is almost used up; that light still arrives.
 template <class Integrator>
 concept TintsShadows = requires(const Integrator i, const View v, const Ray r, const Surface s, const Color light)
 {

@@ -81,7 +81,8 @@ public:
             if (are_last() && !shines_) return;
             add_unoccluded();
             if constexpr (any)
-                if (view_.scene.passes_sheets) trace_tinted_shadows(view_, accel_, path_, w_, counters_, NoListener{});
+                if (view_.scene.passes_sheets)
+                    trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, NoListener{});
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
             std::swap(w_.wide.cells_now, w_.wide.cells_next);
