@@ -5,6 +5,7 @@
 #include "render/wide/batch.h"
 #include "render/wide/bsdf.h"
 #include "render/wide/direct.h"
+#include "render/wide/lights.h"
 #include "render/wide/surfaces.h"
 
 namespace lancer {

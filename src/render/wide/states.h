@@ -65,49 +65,38 @@ private:
     std::vector<uint32_t> numbers_;  // one array per register, each of stride_ numbers
 };
 
-// Additional vectors per ray.
-class PackedVectors {
+// An additional number per ray: float or uint32_t.
+template <class Number>
+class PackedNumbers {
 public:
     void clear() { count_ = 0; }
     // As in PackedStates.
     void reserve(size_t most)
     {
-        for (auto& n : numbers_)
-            if (n.size() < most + float_lanes) n.resize(most + float_lanes);
-    }
-    void push(uint32_t wanted, const Vec3x8& v)
-    {
-        const Packing packing(wanted);
-        packing.store(&numbers_[0][count_], v.x);
-        packing.store(&numbers_[1][count_], v.y);
-        packing.store(&numbers_[2][count_], v.z);
-        count_ += static_cast<size_t>(std::popcount(wanted));
-    }
-    Vec3 operator[](size_t i) const { return {numbers_[0][i], numbers_[1][i], numbers_[2][i]}; }
-
-private:
-    size_t count_ = 0;
-    std::array<std::vector<float>, 3> numbers_;
-};
-
-// An additional number per ray.
-class PackedNumbers {
-public:
-    void clear() { count_ = 0; }
-    void reserve(size_t most)
-    {
         if (numbers_.size() < most + float_lanes) numbers_.resize(most + float_lanes);
     }
-    void push(uint32_t wanted, UInt8 n)
+    template <class Lanes>
+    void push(uint32_t wanted, Lanes n)
     {
         Packing(wanted).store(&numbers_[count_], n);
         count_ += static_cast<size_t>(std::popcount(wanted));
     }
-    uint32_t operator[](size_t i) const { return numbers_[i]; }
+    Number operator[](size_t i) const { return numbers_[i]; }
 
 private:
     size_t count_ = 0;
-    std::vector<uint32_t> numbers_;
+    std::vector<Number> numbers_;
+};
+// An additional vector per ray.
+class PackedVectors {
+public:
+    void clear() { x_.clear(), y_.clear(), z_.clear(); }
+    void reserve(size_t most) { x_.reserve(most), y_.reserve(most), z_.reserve(most); }
+    void push(uint32_t wanted, const Vec3x8& v) { x_.push(wanted, v.x), y_.push(wanted, v.y), z_.push(wanted, v.z); }
+    Vec3 operator[](size_t i) const { return {x_[i], y_[i], z_[i]}; }
+
+private:
+    PackedNumbers<float> x_, y_, z_;
 };
 
 struct PathLanes {
@@ -144,7 +133,7 @@ struct WideWorkspace {
     PackedStates<ShadowLanes> shadows;
     // Shading normal at each ray's origin, if MIS weights need it (environment or light tree).
     PackedVectors normals_now, normals_next;
-    PackedNumbers cells_now, cells_next;  // PathState::cell, if lights are chosen by place
+    PackedNumbers<uint32_t> cells_now, cells_next;  // PathState::cell, if lights are chosen by place
 };
 
 }  // namespace lancer
