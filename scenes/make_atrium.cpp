@@ -254,11 +254,7 @@ void court(Pieces& p)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_atrium OUTPUT_FOLDER\n");
-        return 2;
-    }
-    Pieces p(std::string(argv[1]) + "/atrium.obj", "atrium.mtl", 1e-3, 0);
+    Pieces p(only_argument(argc, argv, "make_atrium OUTPUT_FOLDER") + "/atrium.obj", "atrium.mtl", 1e-3, 0);
     for (const Side& s : sides) side(p, s);
     court(p);
 }

@@ -269,11 +269,7 @@ void cloths(Pieces& p)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_bathroom OUTPUT_FOLDER\n");
-        return 2;
-    }
-    Pieces p(std::string(argv[1]) + "/bathroom.obj", "bathroom.mtl", 1e-4, 0);
+    Pieces p(only_argument(argc, argv, "make_bathroom OUTPUT_FOLDER") + "/bathroom.obj", "bathroom.mtl", 1e-4, 0);
     shell(p);
     tiles(p, {left, 0, tub_end}, {0, 0, -1}, tub_end - far, tub_top, tiled, 51);
     tiles(p, {left, 0, far}, {1, 0, 0}, tub_edge - left + 0.02, tub_top, tiled, 52);

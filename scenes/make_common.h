@@ -11,6 +11,14 @@
 
 constexpr double pi = 3.14159265358979323846;
 
+// What a generator was given. Ends it with 2 if that is not one argument. usage: its name and that of the argument.
+inline std::string only_argument(int argc, char** argv, const char* usage)
+{
+    if (argc == 2) return argv[1];
+    std::fprintf(stderr, "usage: %s\n", usage);
+    std::exit(2);
+}
+
 struct Point {
     double x = 0, y = 0, z = 0;
 };

@@ -205,11 +205,4 @@ void write_scene(const std::string& path, const std::vector<Plant>& plants)
 
 }  // namespace
 
-int main(int argc, char** argv)
-{
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_forest OUTPUT_FILE\n");
-        return 2;
-    }
-    write_scene(argv[1], plant_all());
-}
+int main(int argc, char** argv) { write_scene(only_argument(argc, argv, "make_forest OUTPUT_FILE"), plant_all()); }

@@ -285,11 +285,7 @@ void write_ground(const std::string& path)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_forest_meshes OUTPUT_FOLDER\n");
-        return 2;
-    }
-    const std::string folder = std::string(argv[1]) + "/";
+    const std::string folder = only_argument(argc, argv, "make_forest_meshes OUTPUT_FOLDER") + "/";
     write_beech(folder + "beech.obj");
     write_spruce(folder + "spruce.obj");
     write_fern(folder + "fern.obj");

@@ -311,11 +311,7 @@ void picture(Pieces& p)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_room OUTPUT_FOLDER\n");
-        return 2;
-    }
-    Pieces p(std::string(argv[1]) + "/room.obj", "room.mtl", 1e-4, 0);
+    Pieces p(only_argument(argc, argv, "make_room OUTPUT_FOLDER") + "/room.obj", "room.mtl", 1e-4, 0);
     shell(p);
     for (const Window& w : windows) window(p, w);
     curtains(p);

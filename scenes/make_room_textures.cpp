@@ -102,11 +102,7 @@ Rgb hexagons(double u, double v)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_room_textures OUTPUT_FOLDER\n");
-        return 2;
-    }
-    const std::string folder = std::string(argv[1]) + "/";
+    const std::string folder = only_argument(argc, argv, "make_room_textures OUTPUT_FOLDER") + "/";
     write_color(folder + "planks.png", 768, 768, 40, planks);
     write_color(folder + "oak.png", 384, 256, 40, [](double u, double v) { return oak_board(u, v, 660, 0.4, 0.0); });
     write_color(folder + "painting.png", 288, 180, 48, painting);

@@ -148,11 +148,7 @@ void write_panel(const std::string& path, double width, double height, double uv
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_still_life OUTPUT_FOLDER\n");
-        return 2;
-    }
-    const std::string folder = std::string(argv[1]) + "/";
+    const std::string folder = only_argument(argc, argv, "make_still_life OUTPUT_FOLDER") + "/";
     write_lathe(folder + "vase.obj",
                 {{0, 0},
                  {3.6, 0},

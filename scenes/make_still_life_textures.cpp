@@ -152,11 +152,7 @@ Rgb window(double u, double v)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_still_life_textures OUTPUT_FOLDER\n");
-        return 2;
-    }
-    const std::string folder = std::string(argv[1]) + "/";
+    const std::string folder = only_argument(argc, argv, "make_still_life_textures OUTPUT_FOLDER") + "/";
     write_color(folder + "wood.png", 512, 320, 40, wood);
     write_grey(folder + "wood_roughness.png", 512, 320, 24, wood_roughness);
     write_grey(folder + "hammered.png", 256, 256, 64, [](double u, double v) {

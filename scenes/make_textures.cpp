@@ -313,11 +313,7 @@ void write_fish_eye_sky(const std::string& path)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: make_textures OUTPUT_FOLDER\n");
-        return 2;
-    }
-    const std::string folder = std::string(argv[1]) + "/";
+    const std::string folder = only_argument(argc, argv, "make_textures OUTPUT_FOLDER") + "/";
     write_beech(folder + "beech.png", {{0.5, 0, 0, 1}});
     write_beech(folder + "beech_spray.png", {{0.5, 0.56, 0, 0.44},
                                              {0.5, 0.46, 0.8, 0.42},
