@@ -237,7 +237,7 @@ TEST(StudyPage, OpensWithTheReferences)
     const Document page = make_study_page(example(), {{"<statues>", {}, png}, {"box", {}, ""}});
     const auto* gallery = std::get_if<Gallery>(&page.opening.at(0));
     ASSERT_TRUE(gallery);
-    ASSERT_EQ(gallery->pictures.size(), 1u) << "of those that there are";
+    ASSERT_EQ(gallery->pictures.size(), 1u) << "scenes without a reference have no picture";
     EXPECT_EQ(gallery->pictures[0].name, "<statues>");
     EXPECT_EQ(gallery->pictures[0].caption, "a scene");
     EXPECT_EQ(gallery->pictures[0].png, png);

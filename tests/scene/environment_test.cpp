@@ -219,7 +219,7 @@ TEST(EnvironmentMap, SamplesFollowTheDensity)
     });
 }
 
-// Sampled is what exceeds the threshold, and only that; of an even sky nothing.
+// Light sampling takes what exceeds the threshold and nothing else; of a constant picture it takes nothing.
 TEST(EnvironmentMap, LeavesWhatIsDarkerThanItsMeanToBsdfSampling)
 {
     const EnvironmentMap sunny = make_map(sun(64, 32, 20, 16, 1e3f), {}, {0.1f, 0.1f, 0.1f}, 2);
@@ -349,7 +349,7 @@ TEST(Environment, ConstantsAddUpAndJoinTheMap)
                                     return Color{1, 1, 2};
                                 })));
     EXPECT_EQ(s.radiance_from({0, 1, 0}), (Color{3.5f, 4.5f, 7.5f}));
-    EXPECT_TRUE(s.lights.lights.empty()) << "even: left to BSDF sampling";
+    EXPECT_TRUE(s.lights.lights.empty()) << "constant: left to BSDF sampling";
     d.render.mis_compensation = false;
     ASSERT_EQ(build_scene(d, picture_source(make_raster(4, 2,
                                                         [](uint32_t, uint32_t) {
