@@ -61,9 +61,10 @@ std::string why_not_ranked(const Study& study, const StudyScene& scene, const St
     }
     if (const std::string biases = why_other_biases(method, *baseline); !biases.empty()) return biases;
     for (const std::string& name : {method.name, study.baseline})
-        if (const size_t failed = failed_runs(study, scene.name, name))
-            return (name == method.name ? "" : "the baseline: ") + std::to_string(failed) +
-                   (failed == 1 ? " run failed" : " runs failed");
+        if (const size_t failed = failed_runs(study, scene.name, name)) {
+            const std::string why = std::to_string(failed) + (failed == 1 ? " run failed" : " runs failed");
+            return name == method.name ? why : of_baseline(why);
+        }
     const size_t seeds = pairs_of(study, scene, method).size();
     if (seeds >= fewest_seeds) return "";
     return "only " + std::to_string(seeds) + (seeds == 1 ? " seed" : " seeds") + " in common, of " +
