@@ -2,27 +2,47 @@
 
 #include <algorithm>
 
+#include "core/bounds.h"
 #include "geometry/triangle_float.h"
 
 namespace lancer {
 
 List8::List8(const TriangleSet& triangles)
 {
+    Bounds bounds;
+    for (uint32_t i = 0; i < triangles.size(); ++i)
+        if (triangles.is_finite(i))
+            for (const Vec3 p : triangles.corners(i)) bounds.grow(to_double(p));
+    if (bounds.empty()) return;
+    low_ = to_float(bounds.lower), high_ = to_float(bounds.upper);
+    const auto is_in_face = [&](const std::array<Vec3, 3>& corners) {
+        for (int k = 0; k < 3; ++k)
+            for (const float face : {low_[k], high_[k]})
+                if (corners[0][k] == face && corners[1][k] == face && corners[2][k] == face) return true;
+        return false;
+    };
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         if (!triangles.is_finite(i)) continue;
-        if (parts_.empty() || parts_.back().triangles.size() == part_size) parts_.emplace_back();
-        Part& part = parts_.back();
-        Triangle t{{}, {}, i, triangles.corners(i)};
-        const auto& [a, b, c] = t.places;
-        const Vec3 e = b - a, g = c - a;
-        for (int k = 0; k < 3; ++k) {
-            const int x = (k + 1) % 3, y = (k + 2) % 3;
-            const float first = e[x] * g[y], second = e[y] * g[x];
-            t.along[static_cast<size_t>(k)] = {a[k], first - second, std::abs(first) + std::abs(second)};
-        }
-        for (size_t k = 0; k < 3; ++k) t.corners[k] = part.add_corner(t.places[k]);
-        part.triangles.push_back(t);
+        const auto corners = triangles.corners(i);
+        add(all_, i, corners);
+        add(is_in_face(corners) ? in_faces_ : inner_, i, corners);
     }
+}
+
+void List8::add(Parts& parts, uint32_t number, const std::array<Vec3, 3>& corners)
+{
+    if (parts.empty() || parts.back().triangles.size() == part_size) parts.emplace_back();
+    Part& part = parts.back();
+    Triangle t{{}, {}, number, corners};
+    const auto& [a, b, c] = t.places;
+    const Vec3 e = b - a, g = c - a;
+    for (int k = 0; k < 3; ++k) {
+        const int x = (k + 1) % 3, y = (k + 2) % 3;
+        const float first = e[x] * g[y], second = e[y] * g[x];
+        t.along[static_cast<size_t>(k)] = {a[k], first - second, std::abs(first) + std::abs(second)};
+    }
+    for (size_t k = 0; k < 3; ++k) t.corners[k] = part.add_corner(t.places[k]);
+    part.triangles.push_back(t);
 }
 
 uint32_t List8::Part::add_corner(Vec3 p)
@@ -36,16 +56,17 @@ uint32_t List8::Part::add_corner(Vec3 p)
 
 uint64_t List8::bytes() const
 {
-    uint64_t sum = parts_.size() * sizeof(Part);
-    for (const Part& part : parts_)
-        sum += part.triangles.size() * sizeof(Triangle) + 3 * part.corners[0].size() * sizeof(float);
+    uint64_t sum = 0;
+    for (const auto* parts : {&all_, &inner_, &in_faces_})
+        for (const Part& part : *parts)
+            sum += sizeof(Part) + part.triangles.size() * sizeof(Triangle) + 3 * part.corners[0].size() * sizeof(float);
     return sum;
 }
 
 double List8::sah_cost() const
 {
     double sum = 0;
-    for (const Part& part : parts_) sum += static_cast<double>(part.triangles.size());
+    for (const Part& part : all_) sum += static_cast<double>(part.triangles.size());
     return sum;
 }
 
@@ -68,7 +89,7 @@ void List8::find_exactly(const Part& part, const Points& points, Mask8 valid, Ca
 const List8::Triangle& List8::numbered(uint32_t number) const
 {
     const auto ends_before = [](const Part& part, uint32_t n) { return part.triangles.back().number < n; };
-    const Part& part = *std::lower_bound(parts_.begin(), parts_.end(), number, ends_before);
+    const Part& part = *std::lower_bound(all_.begin(), all_.end(), number, ends_before);
     return *std::lower_bound(part.triangles.begin(), part.triangles.end(), number,
                              [](const Triangle& t, uint32_t n) { return t.number < n; });
 }

@@ -1,6 +1,7 @@
 // A list of triangles, each tested against eight rays at once: for a few dozen triangles faster than any tree, as it
 // has no boxes and no unpredictable branches. Watertight, by the test of bvh8/leaf.h with the roles of rays and
-// triangles exchanged.
+// triangles exchanged. Triangles in a face of the bounds, like the walls of a room, are not tested for shadow rays that
+// begin and end inside.
 #pragma once
 
 #include "geometry/edge_lanes.h"
@@ -36,7 +37,7 @@ public:
     template <class Counts>
     void closest(const ShearedPacket& r, PacketHits& best, const Counts& counts) const
     {
-        for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
+        for_candidates(all_, r, r.valid, [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
             Mask8 met = reached(triangle, r, inside, best, t);
             met = counts(met, triangle.number, t);
@@ -50,12 +51,17 @@ public:
     {
         PacketHits reach{.t = r.rays.t_max};
         Mask8 open = r.valid;
-        for_candidates(r, [&](const Triangle& triangle, Mask8 inside) {
+        const auto close = [&](const Triangle& triangle, Mask8 inside) {
             Float8 t;
             const Mask8 met = reached(triangle, r, inside & open, reach, t);
             open &= ~counts(met, triangle.number, t);
             return movemask(open) != 0;
-        });
+        };
+        for_candidates(inner_, r, open, close);
+        if (!in_faces_.empty()) {
+            const Mask8 leaving = open & ~stays_inside(r.rays);
+            if (movemask(leaving) != 0) for_candidates(in_faces_, r, leaving, close);
+        }
         return movemask(r.valid & ~open);
     }
 
@@ -78,6 +84,7 @@ private:
 
         uint32_t add_corner(Vec3 p);
     };
+    using Parts = std::vector<Part>;
     struct Point {
         Float8 x, y;
     };
@@ -108,15 +115,16 @@ private:
         std::array<Mask8, part_size> outside;  // sign bits: rays that do not hit it
     };
 
+    static void add(Parts& parts, uint32_t number, const std::array<Vec3, 3>& corners);
     // Calls f(triangle, lanes), in order, for triangles that the lines of some rays hit, until f returns false.
     // Candidates are collected first, so that branches do not wait for arithmetic.
     template <class F>
-    void for_candidates(const ShearedPacket& r, const F& f) const
+    static void for_candidates(const Parts& parts, const ShearedPacket& r, Mask8 valid, const F& f)
     {
         Points points;
         Candidates candidates;
-        const uint32_t idle = ~movemask(r.valid) & 255u;
-        for (const Part& part : parts_) {
+        const uint32_t idle = ~movemask(valid) & 255u;
+        for (const Part& part : parts) {
             shear(part, r, points);
             Float8 least_product = broadcast(1.0f);
             candidates.which = 0;
@@ -128,10 +136,10 @@ private:
                 candidates.outside[i] = outside;
                 candidates.which |= uint64_t{(movemask(outside) | idle) != 255} << i;
             }
-            if (movemask((least_product == Float8{}) & r.valid) != 0) find_exactly(part, points, r.valid, candidates);
+            if (movemask((least_product == Float8{}) & valid) != 0) find_exactly(part, points, valid, candidates);
             for (uint64_t which = candidates.which; which != 0; which &= which - 1) {
                 const auto i = static_cast<size_t>(std::countr_zero(which));
-                if (!f(part.triangles[i], ~(candidates.outside[i] >> 31) & r.valid)) return;
+                if (!f(part.triangles[i], ~(candidates.outside[i] >> 31) & valid)) return;
             }
         }
     }
@@ -146,6 +154,19 @@ private:
             points[i] = {fnmadd(r.sx, height, broadcast(x[i]) - r.org.x),
                          fnmadd(r.sy, height, broadcast(y[i]) - r.org.y)};
         }
+    }
+
+    // Lanes whose rays stay inside of the bounds, to a little more than t_max, as the distance to a face is rounded. A
+    // fused product and sum keeps the order of numbers: an end that is rounded to the inside is inside.
+    Mask8 stays_inside(const RayPacket& rays) const
+    {
+        const Float8 reach = -(rays.t_max + rays.t_max * 0x1p-22f);
+        const auto along = [&](Float8 org, Float8 dir, float low, float high) {
+            const Float8 end = fnmadd(reach, dir, org);
+            return (min(org, end) > broadcast(low)) & (max(org, end) < broadcast(high));
+        };
+        return along(rays.org.x, rays.dir.x, low_.x, high_.x) & along(rays.org.y, rays.dir.y, low_.y, high_.y) &
+               along(rays.org.z, rays.dir.z, low_.z, high_.z);
     }
 
     // The lanes that hit the triangle in [t_min, best.t], or before it if best.t belongs to another triangle; see
@@ -173,7 +194,8 @@ private:
                     Float8& t) const;
     const Triangle& numbered(uint32_t number) const;
 
-    std::vector<Part> parts_;
+    Parts all_, inner_, in_faces_;  // the triangles in faces of the bounds are apart for any()
+    Vec3 low_{}, high_{};           // bounds of all corners
 };
 
 }  // namespace lancer
