@@ -100,12 +100,28 @@ struct View {
         if (pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
         if (plan.light_choice.chooses()) {
-            const auto [light, probability] = plan.light_choice.choose(cell, sampler.get1(bounce, Dim::light));
-            return sample_chosen_light(scene, from, light, probability, u, through);
+            const auto [option, probability] = plan.light_choice.choose(cell, sampler.get1(bounce, Dim::light));
+            return sample_option(from, option, probability, u, through, cell);
         }
         if (!pick.can_remap()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
         const Discrete::Remapped s = pick.sample_remapped(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
+    }
+    // Samples what LightChoice chose with the given probability.
+    std::optional<LightSample> sample_option(const Surface& from, uint32_t option, float probability, Vec2 u,
+                                             bool through, uint32_t cell) const
+    {
+        const bool is_tile = plan.light_choice.is_tile(option);
+        if (!is_tile && !(plan.light_choice.has_tiles && option == scene.environment_light))
+            return sample_chosen_light(scene, from, option, probability, u, through);
+        std::optional<LightSample> s =
+            is_tile ? sample_sky(scene, from, SkyTiles::sample(option - plan.light_choice.lights, u), through)
+                    : sample_given_light(scene, from, option, u, through);
+        if (!s) return s;
+        const LightChoice& choice = plan.light_choice;
+        s->pdf = s->pdf * choice.probability(cell, scene.environment_light) + choice.pdf_of_tiles(cell, s->wi);
+        if (!(s->pdf > 0)) s.reset();
+        return s;
     }
     // See LightChoice.
     uint32_t light_cell(const Surface& surface) const
@@ -164,7 +180,8 @@ struct View {
         if (scene.environment_light == Scene::none) return 0;
         if (plan.light_choice.chooses())
             return lancer::pdf_environment(scene, normal, wi,
-                                           plan.light_choice.probability(cell, scene.environment_light));
+                                           plan.light_choice.probability(cell, scene.environment_light)) +
+                   plan.light_choice.pdf_of_tiles(cell, wi);
         return lancer::pdf_environment(scene, normal, wi);
     }
 };

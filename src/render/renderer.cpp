@@ -110,7 +110,7 @@ std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_
     // that ask at once both find the same plan.
     const auto* path = std::get_if<Path>(&settings_.integrator);
     SamplingPlan plan =
-        path ? make_plan(*scene_, *accel_, *path, settings_.kernel, camera, width, height) : SamplingPlan{};
+        path ? make_plan(*scene_, *accel_, *path, settings_.kernel, choice_, camera, width, height) : SamplingPlan{};
     find_background_only(*scene_, camera, width, height, plan);
     auto found = std::make_shared<const Piloted>(Piloted{camera, width, height, std::move(plan)});
     {

@@ -3,17 +3,18 @@
 namespace lancer {
 namespace {
 
-auto* render_eight(Shading shading)
+// Calls f(kernel) with the WideKernel of a shading.
+template <class F>
+void with_wide_kernel(Shading shading, const F& f)
 {
     switch (shading) {
         case Shading::plain:
-            return WideKernel<Shading::plain>::render;
+            return f(WideKernel<Shading::plain>{});
         case Shading::textured:
-            return WideKernel<Shading::textured>::render;
+            return f(WideKernel<Shading::textured>{});
         case Shading::any:
-            break;
+            return f(WideKernel<Shading::any>{});
     }
-    return WideKernel<Shading::any>::render;
 }
 
 }  // namespace
@@ -37,8 +38,10 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                 if (choice.wide)
                     return [&, wide = choice.wide](const SamplingPlan& plan, const Camera& camera, Film& film,
                                                    Tile tile, SampleRange samples, Workspace& w, Counters& counters) {
-                        render_eight(wide->shading)(View{scene, plan}, accel, camera, settings, concrete, *wide, film,
-                                                    tile, samples, w, counters);
+                        with_wide_kernel(wide->shading, [&](auto kernel) {
+                            kernel.render(View{scene, plan}, accel, camera, settings, concrete, *wide, film, tile,
+                                          samples, w, counters);
+                        });
                     };
             return [&](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters) {
@@ -47,6 +50,16 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
             };
         },
         integrator);
+}
+
+void trace_pilot(const View& view, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                 const KernelChoice& choice, const Camera& camera, uint32_t width, Workspace& w, Counters& counters,
+                 const ArrivalListener& listener)
+{
+    if (!choice.wide) return Kernels<Path>::trace(view, accel, camera, width, settings, path, w, counters, listener);
+    with_wide_kernel(choice.wide->shading, [&](auto kernel) {
+        kernel.trace(view, accel, camera, width, settings, path, *choice.wide, w, counters, listener);
+    });
 }
 
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,

@@ -25,6 +25,11 @@ KernelChoice choose_kernel(const Scene& scene, const AnyIntegrator& integrator, 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
                             const KernelSettings& settings, const KernelChoice& choice);
 
+// Traces the samples in w.slots into w.queue.radiance, as Kernels::trace().
+void trace_pilot(const View& view, const Accelerator& accel, const Path& path, const KernelSettings& settings,
+                 const KernelChoice& choice, const Camera& camera, uint32_t width, Workspace& w, Counters& counters,
+                 const ArrivalListener& listener);
+
 // Traces one sample with the bits of a render and returns its radiance. width: of the whole picture, pixels.
 Color replay(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
              const KernelSettings& settings, const SamplingPlan& plan, const Camera& camera, uint32_t width,

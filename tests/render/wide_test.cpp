@@ -4,6 +4,7 @@
 
 #include "scene/wide_scene.h"
 #include "support/render.h"
+#include "support/scenes/dark_rooms.h"
 #include "support/scenes/wide_cases.h"
 
 namespace lancer {
@@ -75,6 +76,21 @@ void expect_same(const Built& c, const RenderRequest& r, const std::string& how)
     EXPECT_EQ(eight.counters.bounce_rays, one.counters.bounce_rays) << c.name << ", " << how;
     EXPECT_EQ(eight.counters.shadow_rays, one.counters.shadow_rays) << c.name << ", " << how;
     EXPECT_GT(tally(eight.film).mean, 0) << c.name << ", " << how;
+}
+
+// A picture so large that the pilot chooses tiles of the sky: of the shadings that know pictured skies.
+TEST(Wide, HasThemWithTilesOfTheSky)
+{
+    for (const SceneDescription& d : {room_with_window(), glossy_room_with_window()}) {
+        const Built c({"window", d});
+        RenderRequest r{.width = 256, .height = 192, .spp = {1}};
+        with_threads(1, [&] {
+            const Renderer renderer(build_scene(d), {});
+            const auto plan = renderer.plan(camera_of(d, renderer.scene(), r.width, r.height), r.width, r.height);
+            EXPECT_TRUE(plan->light_choice.has_tiles);
+        });
+        expect_same(c, r, "tiles");
+    }
 }
 
 TEST(Wide, HasTheBitsOfTheLoopForAll)

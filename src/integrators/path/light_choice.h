@@ -1,8 +1,9 @@
 // How often light is sampled and which light is chosen, by place, as a pilot learned it. Where few shadow rays arrive,
 // as in a room whose window shows little of the sky, most vertices leave light to BSDF sampling: a light sample is
 // taken with probability q, weighs 1 / q, and q times its density counts in multiple importance sampling. Of several
-// lights the one is chosen that brings most. The expected value does not depend on either. Learned choice: Vevoda,
-// Kondapaneni, Krivanek, "Bayesian Online Regression for Adaptive Direct Illumination Sampling", 2018.
+// lights the one is chosen that brings most; so is a tile of the sky, as in a room whose window shows a part of it. The
+// expected value does not depend on any of these. Learned choice: Vevoda, Kondapaneni, Krivanek, "Bayesian Online
+// Regression for Adaptive Direct Illumination Sampling", 2018.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "scene/environment/sky_tiles.h"
 
 namespace lancer {
 
@@ -27,10 +29,14 @@ struct LightChoice {
     std::vector<uint32_t> cell_at;          // of index_in(); empty: nothing was learned
     std::vector<uint8_t> exponents;         // q = 2^-exponent, of each cell
     uint32_t lights = 0;                    // that are chosen by place; 0: the choice is that of LightTable
-    std::vector<float> cumulative;          // probabilities of the lights of each cell, summed; the last is 1
+    bool has_tiles = false;                 // behind the lights, the tiles of the sky are chosen by place
+    std::vector<float> cumulative;          // probabilities of what each cell chooses from, summed; the last is 1
 
     bool empty() const { return cell_at.empty(); }
     bool chooses() const { return lights > 0; }
+    // Number of lights and tiles.
+    uint32_t options() const { return lights + (has_tiles ? SkyTiles::count : 0); }
+    bool is_tile(uint32_t option) const { return option >= lights; }
 
     // Index in a grid of this size. side: direction of the normal, 0 to 5.
     static size_t index_in(const std::array<uint32_t, 3>& size, uint32_t x, uint32_t y, uint32_t z, uint32_t side)
@@ -53,21 +59,26 @@ struct LightChoice {
     float rate(uint32_t cell) const { return rate_of(exponents[cell]); }
     static float rate_of(uint8_t exponent) { return 1.0f / static_cast<float>(1u << exponent); }
 
-    // A light for u in [0, 1). Only if chooses(), like the next.
+    // A light or a tile for u in [0, 1). Only if chooses(), like the next two.
     struct Chosen {
-        uint32_t light;
+        uint32_t option;
         float probability;
     };
     Chosen choose(uint32_t cell, float u) const
     {
-        const float* const sums = &cumulative[size_t{cell} * lights];
-        const auto light = static_cast<uint32_t>(std::upper_bound(sums, sums + lights - 1, u) - sums);
-        return {light, probability(cell, light)};
+        const float* const sums = &cumulative[size_t{cell} * options()];
+        const auto option = static_cast<uint32_t>(std::upper_bound(sums, sums + options() - 1, u) - sums);
+        return {option, probability(cell, option)};
     }
-    float probability(uint32_t cell, uint32_t light) const
+    float probability(uint32_t cell, uint32_t option) const
     {
-        const float* const sums = &cumulative[size_t{cell} * lights];
-        return sums[light] - (light == 0 ? 0 : sums[light - 1]);
+        const float* const sums = &cumulative[size_t{cell} * options()];
+        return sums[option] - (option == 0 ? 0 : sums[option - 1]);
+    }
+    // Density per solid angle with which the tiles are sampled in direction wi (unit); 0 without tiles.
+    float pdf_of_tiles(uint32_t cell, Vec3 wi) const
+    {
+        return has_tiles ? probability(cell, lights + SkyTiles::tile_of(wi)) * SkyTiles::pdf : 0;
     }
 
 private:

@@ -6,12 +6,15 @@
 namespace lancer {
 namespace {
 
-constexpr double prior = 16;          // vertices that a cell's surroundings count for
-constexpr double outside = 0.005;     // part of the places beyond each end of the grid
-constexpr double worthwhile = 1.1;    // gain of rates that must be expected: looking up cells takes time
-constexpr double worth_a_choice = 2;  // of a choice by place: that by power is spread better over samples
-constexpr double as_before = 0.1;     // part of the choices that are the pilot's, whatever was learned
-constexpr int least_weight = 10;      // learned weights are 2^-0 to 2^-least_weight of the largest
+constexpr double prior = 16;            // vertices that a cell's surroundings count for
+constexpr double prior_of_tiles = 128;  // the same for tiles of the sky, of which each vertex finds one at most
+constexpr double outside = 0.005;       // part of the places beyond each end of the grid
+constexpr double worthwhile = 1.1;      // gain of rates that must be expected: looking up cells takes time
+constexpr double worth_a_choice = 2;    // of a choice by place: that by power is spread better over samples
+constexpr double worth_tiles = 1.4;     // of tiles beyond the best without: their samples cost more than others
+constexpr double fewest = 16;           // vertices of a cell that chooses tiles
+constexpr double as_before = 0.1;       // part of the choices that are the pilot's, whatever was learned
+constexpr int least_weight = 10;        // learned weights are 2^-0 to 2^-least_weight of the largest
 
 // The grid that holds all but the outermost places. Cells and corner are powers of two and multiples of these, so that
 // a few more rays seldom move them.
@@ -137,7 +140,9 @@ uint8_t exponent_for(double mean_square, double work_per_variance)
 }
 
 // Probabilities in proportion to the roots of mean squares, which has the least variance.
-void choose_by(std::span<const double> squares, const LightChoice& by, std::span<double> probability)
+// before(i): what they were, which a part of them stays.
+template <class Before>
+void choose_by(std::span<const double> squares, const Before& before, std::span<double> probability)
 {
     const double most = std::sqrt(*std::max_element(squares.begin(), squares.end()));
     double total = 0;
@@ -147,8 +152,8 @@ void choose_by(std::span<const double> squares, const LightChoice& by, std::span
         total += probability[i];
     }
     for (size_t i = 0; i < squares.size(); ++i) {
-        const double before = double{by.probability(0, static_cast<uint32_t>(i))};
-        probability[i] = total > 0 ? as_before * before + (1 - as_before) * probability[i] / total : before;
+        const double was = before(static_cast<uint32_t>(i));
+        probability[i] = total > 0 ? as_before * was + (1 - as_before) * probability[i] / total : was;
     }
 }
 
@@ -169,6 +174,9 @@ class Lesson {
 public:
     enum Pixels : uint32_t { even = 1, odd = 2, all = 3 };
 
+    // What is chosen by place.
+    enum class Choosing { nothing, lights, lights_and_tiles };
+
     Lesson(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& pilot, const PilotCost& cost)
         : arrivals_(arrivals), lights_(lights), pilot_(pilot), cost_(cost), grid_(make_grid(arrivals))
     {
@@ -177,35 +185,42 @@ public:
     }
     bool has_grid() const { return grid_.per_unit > 0; }
 
-    // chooses: also which light.
-    Learned learned(bool chooses, Pixels from) const
+    Learned learned(Choosing what, Pixels from) const
     {
-        const size_t count = pilot_.chooses() ? pilot_.lights : 1;
-        Level level(grid_.size, count);
-        const double rays_per_vertex = add_arrivals(level, from);
-        if (rays_per_vertex == 0) return {};
         Learned to{.choice = grid_};
-        if (chooses) to.choice.lights = pilot_.lights;
+        LightChoice& choice = to.choice;
+        if (what != Choosing::nothing) choice.lights = lights_of_pilot();
+        choice.has_tiles = what == Choosing::lights_and_tiles;
+        const size_t count = std::max(choice.options(), lights_of_pilot());
+        Level level(grid_.size, count);
+        const double rays_per_vertex = add_arrivals(level, choice.has_tiles, from);
+        if (rays_per_vertex == 0) return {};
         to.levels.push_back(std::move(level));
         while (!to.levels.back().is_coarsest()) to.levels.push_back(to.levels.back().coarser());
 
-        std::vector<double> squares(
-            count);  // means by light, of one cell after the other; nothing is known of the first
-        add_cell(to.choice, squares, rays_per_vertex);
+        // Means by light and tile, of one cell after the other; nothing is known of the first.
+        std::vector<double> squares(count);
+        add_cell(choice, squares, rays_per_vertex);
         for (size_t k = to.levels.size(); k-- > 0;) {
             Level& here = to.levels[k];
             const std::vector<size_t> indices = here.indices();
             here.cells.resize(indices.size());
             for (const size_t index : indices) {
-                const size_t around = k + 1 < to.levels.size() ? to.levels[k + 1].cell(here.above(index)) : 0;
+                const uint32_t around = k + 1 < to.levels.size() ? to.levels[k + 1].cell(here.above(index)) : 0;
+                const std::span<const double> sums = here.sums(index);
+                if (choice.has_tiles && sums[count] < fewest) {
+                    here.cell(index) = around;
+                    continue;
+                }
                 const size_t cell = squares.size() / count;
                 here.cell(index) = static_cast<uint32_t>(cell);
                 squares.resize(squares.size() + count);
                 const std::span<double> means = std::span(squares).subspan(cell * count, count);
-                const std::span<const double> sums = here.sums(index);
-                for (size_t i = 0; i < count; ++i)
-                    means[i] = (sums[i] + prior * squares[around * count + i]) / (sums[count] + prior);
-                add_cell(to.choice, means, rays_per_vertex);
+                for (size_t i = 0; i < count; ++i) {
+                    const double weight = choice.has_tiles && i >= choice.lights ? prior_of_tiles : prior;
+                    means[i] = (sums[i] + weight * squares[around * count + i]) / (sums[count] + weight);
+                }
+                add_cell(choice, means, rays_per_vertex);
             }
         }
         return to;
@@ -217,13 +232,19 @@ public:
         PilotCost sum{0, 0};
         for (size_t i = 0; i < arrivals_.size(); ++i) {
             const Arrival& a = arrivals_[i];
-            if (a.light == Scene::none || !takes(a, on)) continue;
+            if (!takes(a, on)) continue;
             const uint32_t cell = by.cell_of(index_[i]);
             const double rate = by.choice.exponents.empty() ? 1 : double{by.choice.rate(cell)};
-            const double more =
-                pilot_.chooses() ? double{pilot_.probability(0, a.light)} / probability(by.choice, cell, a.light) : 1;
+            if (a.tile != Scene::none) {
+                // By the balance heuristic, which is close to the power heuristic and has a simple variance.
+                const double of_tile = by.choice.has_tiles ? rate * tile_density(by.choice, cell, a.tile) : 0;
+                sum.variance += double{a.found} * double{a.found} * double{a.pdf} / (double{a.pdf} + of_tile);
+            }
+            const double of_tiles = by.choice.has_tiles ? share_of_tiles(by.choice, cell) : 0;
+            sum.work += rate * (a.light == Scene::none ? of_tiles : 1);
+            if (a.light == Scene::none) continue;
+            const double more = probability_of_pilot(pilot_option(a)) / probability(by.choice, cell, pilot_option(a));
             sum.variance += double{a.brought} * double{a.brought} * more / rate;
-            sum.work += rate;
         }
         return sum;
     }
@@ -232,7 +253,7 @@ private:
     static bool takes(const Arrival& a, Pixels from) { return ((a.slot & 1) == 0 ? even : odd) & from; }
 
     // Returns the shadow rays per vertex, which is what a light sample at each vertex costs; 0 if there is none.
-    double add_arrivals(Level& level, Pixels from) const
+    double add_arrivals(Level& level, bool with_tiles, Pixels from) const
     {
         double vertices = 0, sent = 0;
         for (size_t i = 0; i < arrivals_.size(); ++i) {
@@ -240,22 +261,27 @@ private:
             if (!takes(a, from)) continue;
             const std::span<double> sums = level.sums(index_[i]);
             sums.back() += 1, vertices += 1;
+            // What a sample of the tile brings: the density of BSDF sampling over the tile's.
+            if (with_tiles && a.tile != Scene::none)
+                sums[lights_of_pilot() + a.tile] +=
+                    double{a.found} * double{a.found} * double{a.pdf} / double{SkyTiles::pdf};
             if (a.light == Scene::none) continue;
             sent += 1;
             // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
-            const double chosen = pilot_.chooses() ? double{pilot_.probability(0, a.light)} : 1;
-            sums[pilot_.chooses() ? a.light : 0] += double{a.brought} * double{a.brought} * chosen;
+            const uint32_t light = pilot_option(a);
+            sums[light] += double{a.brought} * double{a.brought} * probability_of_pilot(light);
         }
         return sent > 0 ? sent / vertices : 0;
     }
-    // Appends a cell, by the mean square of what each light brings.
+    // Appends a cell, by the mean square of what each light and tile brings.
     void add_cell(LightChoice& choice, std::span<const double> squares, double rays_per_vertex) const
     {
         double mean_square = squares[0];
-        if (pilot_.chooses()) {
+        if (squares.size() > 1) {
             std::vector<double> chosen(squares.size());
             if (choice.chooses()) {
-                choose_by(squares, pilot_, chosen);
+                choose_by(
+                    squares, [&](uint32_t i) { return probability_of_pilot(i); }, chosen);
                 append_sums(chosen, choice.cumulative);
             } else {
                 for (uint32_t i = 0; i < chosen.size(); ++i) chosen[i] = double{lights_.pick.probability(i)};
@@ -264,11 +290,34 @@ private:
             for (size_t i = 0; i < squares.size(); ++i)
                 if (squares[i] > 0) mean_square += squares[i] / chosen[i];
         }
+        // Nearly all samples of tiles send a ray: tiles are where rays left.
+        if (choice.has_tiles) {
+            const auto cell = static_cast<uint32_t>(choice.exponents.size());
+            rays_per_vertex += (1 - rays_per_vertex) * share_of_tiles(choice, cell);
+        }
         choice.exponents.push_back(exponent_for(mean_square / rays_per_vertex, cost_.work / cost_.variance));
+    }
+    uint32_t lights_of_pilot() const { return pilot_.chooses() ? pilot_.lights : 1; }
+    // That the pilot chose a light; it left the tiles to BSDF sampling.
+    double probability_of_pilot(uint32_t option) const
+    {
+        if (option >= lights_of_pilot()) return 0;
+        return pilot_.chooses() ? double{pilot_.probability(0, option)} : 1;
+    }
+    // A lesson about very many lights takes them for one.
+    uint32_t pilot_option(const Arrival& a) const { return pilot_.chooses() ? a.light : 0; }
+    static double share_of_tiles(const LightChoice& choice, uint32_t cell)
+    {
+        return 1 - double{choice.cumulative[size_t{cell} * choice.options() + choice.lights - 1]};
+    }
+    static double tile_density(const LightChoice& choice, uint32_t cell, uint32_t tile)
+    {
+        return double{choice.probability(cell, choice.lights + tile)} * double{SkyTiles::pdf};
     }
     double probability(const LightChoice& choice, uint32_t cell, uint32_t light) const
     {
-        return double{choice.chooses() ? choice.probability(cell, light) : lights_.pick.probability(light)};
+        if (choice.chooses()) return double{choice.probability(cell, light)};
+        return pilot_.chooses() ? double{lights_.pick.probability(light)} : 1;
     }
 
     std::span<const Arrival> arrivals_;
@@ -299,8 +348,9 @@ LightChoice choice_of_pilot(const LightTable& lights)
 }
 
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               const PilotCost& cost)
+                               const PilotCost& cost, bool sky)
 {
+    using Choosing = Lesson::Choosing;
     if (arrivals.empty() || !(cost.variance > 0)) return {};
     const Lesson lesson(arrivals, lights, by, cost);
     if (!lesson.has_grid()) return {};
@@ -311,17 +361,24 @@ LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTab
                          cost.work + sampling.work - pilot.work};
     };
     // What one half of the pixels teaches is judged by the other.
-    const auto judged = [&](bool chooses) {
-        const PilotCost a = lesson.cost_of(lesson.learned(chooses, Lesson::even), Lesson::odd);
-        const PilotCost b = lesson.cost_of(lesson.learned(chooses, Lesson::odd), Lesson::even);
+    const auto judged = [&](Choosing what) {
+        const PilotCost a = lesson.cost_of(lesson.learned(what, Lesson::even), Lesson::odd);
+        const PilotCost b = lesson.cost_of(lesson.learned(what, Lesson::odd), Lesson::even);
         return with({a.variance + b.variance, a.work + b.work});
     };
     const PilotCost by_power = with(lesson.cost_of({}, Lesson::all));
-    if (by.chooses() && by_power.variance > worth_a_choice * judged(true).variance)
-        return lesson.learned(true, Lesson::all).finished();
-    const PilotCost rates = judged(false);
-    if (!(by_power.variance * by_power.work > worthwhile * rates.variance * rates.work)) return {};
-    return lesson.learned(false, Lesson::all).finished();
+    Choosing best = Choosing::nothing;
+    PilotCost least = judged(best);
+    if (by.chooses())
+        if (const PilotCost chosen = judged(Choosing::lights); by_power.variance > worth_a_choice * chosen.variance)
+            best = Choosing::lights, least = chosen;
+    if (sky && (by.chooses() || lights.pick.size() == 1))
+        if (const PilotCost tiled = judged(Choosing::lights_and_tiles);
+            least.variance * least.work > worth_tiles * tiled.variance * tiled.work)
+            best = Choosing::lights_and_tiles;
+    if (best == Choosing::nothing && !(by_power.variance * by_power.work > worthwhile * least.variance * least.work))
+        return {};
+    return lesson.learned(best, Lesson::all).finished();
 }
 
 }  // namespace lancer

@@ -9,12 +9,14 @@
 
 namespace lancer {
 
-// A vertex of a path, and the shadow ray that it sent, if any.
+// A vertex of a path, the shadow ray that it sent, if any, and what its BSDF sample found of the sky.
 struct Arrival {
     Vec3 p, n;  // place and normal of the surface
     uint32_t slot = 0;
     uint32_t light = Scene::none;  // none: no shadow ray
     float brought = 0;             // luminance; 0 if something was in between
+    uint32_t tile = Scene::none;   // of the sky, in which the BSDF sample left the scene
+    float found = 0, pdf = 0;      // luminance that it found, and its density
 };
 
 // Listens to the paths of a pilot, which do not split: a slot has one vertex at a time.
@@ -23,12 +25,10 @@ public:
     // arrivals: null if nobody wants to know.
     explicit ArrivalListener(std::vector<Arrival>* arrivals) : arrivals_(arrivals) {}
 
+    bool listens() const { return arrivals_ != nullptr; }
     void vertex(const PathState& s, const Surface& surface) const
     {
-        if (!arrivals_) return;
-        if (last_.size() <= s.slot) last_.resize(s.slot + 1);
-        last_[s.slot] = arrivals_->size();
-        arrivals_->push_back({surface.origin, surface.n, s.slot});
+        if (arrivals_ && !s.last) vertex(s.slot, surface.origin, surface.n);
     }
     void shadow(uint32_t slot, uint32_t light, const Ray&, Color radiance, bool occluded) const
     {
@@ -37,10 +37,30 @@ public:
         a.light = light;
         if (!occluded) a.brought = luminance(radiance);
     }
+    void ray(const PathState&, const Hit& hit) const { misses_ = !hit; }
+    void added(const PathState& s, Color radiance) const
+    {
+        if (arrivals_ && misses_) sky(s.slot, s, radiance);
+    }
+    // The same events for kernels without a Surface at hand; only if it listens. A vertex that paths go on from, and
+    // what a ray that left the scene added.
+    void vertex(uint32_t slot, Vec3 p, Vec3 n) const
+    {
+        if (last_.size() <= slot) last_.resize(slot + 1);
+        last_[slot] = arrivals_->size();
+        arrivals_->push_back({p, n, slot});
+    }
+    void sky(uint32_t slot, const PathState& s, Color radiance) const
+    {
+        if (!s.light_sampled) return;
+        Arrival& a = (*arrivals_)[last_[slot]];
+        a.tile = SkyTiles::tile_of(s.ray.dir), a.found = luminance(radiance), a.pdf = s.pdf;
+    }
 
 private:
     std::vector<Arrival>* arrivals_;
     mutable std::vector<size_t> last_;  // vertex of each slot
+    mutable bool misses_ = false;       // the present ray
 };
 
 // The choice for a pilot: everywhere the same, half by power and half at random, so that each light is tried. Empty
@@ -52,8 +72,9 @@ struct PilotCost {
     double variance, work;
 };
 
-// What the arrivals teach; empty unless it would pay. by: choice of the pilot. brought: relative to the pixel.
+// What the arrivals teach; empty unless it would pay. by: choice of the pilot. What arrivals brought and found is
+// relative to the pixel. sky: its tiles may be chosen as well.
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               const PilotCost& cost);
+                               const PilotCost& cost, bool sky);
 
 }  // namespace lancer

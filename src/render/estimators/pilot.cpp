@@ -5,7 +5,6 @@
 #include "core/parallel.h"
 #include "render/estimators/arrivals.h"
 #include "render/estimators/stop_rule.h"
-#include "render/kernel/kernels.h"
 
 namespace lancer {
 namespace {
@@ -63,8 +62,8 @@ struct PilotGrid {
     std::array<double, 3> mean{};
     Counters counters;
     LightChoice choice;  // of lights
-    std::vector<Arrival>
-        arrivals;  // slot: index of a pixel; empty if no shadow ray was sent or nothing is to be learned
+    // Their slot is the index of a pixel. Empty if no shadow ray was sent or nothing is to be learned.
+    std::vector<Arrival> arrivals;
 
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
     double floor() const { return dark * brightness(); }  // as bright as what is darker counts
@@ -78,7 +77,7 @@ struct PilotGrid {
 
 // learns: where light sampling pays.
 PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const Camera& camera, uint32_t width, uint32_t height, bool learns)
+                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height, bool learns)
 {
     // Light of the view segment does not depend on the plan. All other segments count, whether they are part of the
     // picture or not: the parts add up to the whole only with a common plan.
@@ -108,8 +107,8 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
             for (uint32_t column = first; column < end; ++column)
                 for (uint32_t i = 0; i < paths * parts; ++i)
                     w.slots.push_back({middle(column, width), middle(row, height), i});
-            Kernels<Path>::trace({scene, shared}, accel, camera, width, settings, pilot, w, counters[row],
-                                 ArrivalListener(learns ? &arrivals[row] : nullptr));
+            trace_pilot({scene, shared}, accel, pilot, settings, kernel, camera, width, w, counters[row],
+                        ArrivalListener(learns ? &arrivals[row] : nullptr));
             for (; named < arrivals[row].size(); ++named) {
                 uint32_t& slot = arrivals[row][named].slot;
                 slot = static_cast<uint32_t>(row) * s.columns + first + slot / (paths * parts);
@@ -153,7 +152,7 @@ uint32_t best_split(const PilotGrid& s, const LightTable& lights)
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
 }
 
-LightChoice best_light_choice(PilotGrid& s, const LightTable& lights)
+LightChoice best_light_choice(PilotGrid& s, const Scene& scene)
 {
     if (s.arrivals.empty() || !(s.floor() > 0)) return {};
     double variance = 0;
@@ -163,9 +162,13 @@ LightChoice best_light_choice(PilotGrid& s, const LightTable& lights)
     const auto count = [](uint64_t n) { return static_cast<double>(n); };
     const double work = (packed * count(s.counters.camera_rays) + count(s.counters.bounce_rays)) / occlusion +
                         count(s.counters.shadow_rays);
-    for (Arrival& a : s.arrivals) a.brought /= static_cast<float>(std::sqrt(s.square_of(s.pixels[a.slot])));
+    for (Arrival& a : s.arrivals) {
+        const auto shown = static_cast<float>(std::sqrt(s.square_of(s.pixels[a.slot])));
+        a.brought /= shown, a.found /= shown;
+    }
     const PilotCost cost{variance * count(s.counters.camera_rays), work};
-    return learn_light_choice(s.arrivals, lights, s.choice, cost);
+    const bool sky = scene.environment_light != Scene::none && scene.environment_table;
+    return learn_light_choice(s.arrivals, scene.lights, s.choice, cost, sky);
 }
 
 // Mean of the cell and its neighbours: a single cell is noisy.
@@ -199,15 +202,16 @@ void estimate_importance(const PilotGrid& s, SamplingPlan& plan)
 }  // namespace
 
 SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const Camera& camera, uint32_t width, uint32_t height)
+                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height)
 {
     SamplingPlan plan;
-    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
+    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty() &&
+                        !scene.has_constant_environment();
     if (!path.split && !path.roulette_by_pixel && !learns) return plan;
-    PilotGrid s = measure_grid(scene, accel, path, settings, camera, width, height, learns);
+    PilotGrid s = measure_grid(scene, accel, path, settings, kernel, camera, width, height, learns);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
-    if (learns) plan.light_choice = best_light_choice(s, scene.lights);
+    if (learns) plan.light_choice = best_light_choice(s, scene);
     return plan;
 }
 

@@ -4,6 +4,7 @@
 
 #include "integrators/path/path.h"
 #include "integrators/path/sampling_plan.h"
+#include "render/specialize.h"
 #include "render/workspace.h"
 
 namespace lancer {
@@ -13,7 +14,7 @@ namespace lancer {
 // samples each, whose random numbers are not those of the picture, so that the picture stays unbiased. Must be called
 // inside with_threads.
 SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const Camera& camera, uint32_t width, uint32_t height);
+                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height);
 
 // A plan and the picture for which it was computed.
 struct Piloted {

@@ -10,6 +10,8 @@
 
 namespace lancer {
 
+class ArrivalListener;
+
 // The events of one sample, for `lancer pixel` and tests. Every function must be set.
 struct PathListener {
     std::function<void(const PathState&, const Hit&)> ray;         // a traced ray
@@ -25,6 +27,10 @@ struct WideKernel {
     static void render(const View& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
                        const Path& path, const WideScene& scene, Film& film, Tile tile, SampleRange samples,
                        Workspace& w, Counters& counters);
+    // As Kernels::trace(), for a pilot.
+    static void trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                      const KernelSettings& settings, const Path& path, const WideScene& scene, Workspace& w,
+                      Counters& counters, const ArrivalListener& listener);
 };
 
 template <class Integrator>

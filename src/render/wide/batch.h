@@ -8,6 +8,7 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "integrators/path/path.h"
+#include "render/estimators/arrivals.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/wide/vertices.h"
 #include "render/workspace.h"
@@ -74,15 +75,25 @@ public:
     template <class Listener>
     void trace(const Listener& listener)
     {
+        if constexpr (std::is_same_v<Listener, ArrivalListener>)
+            if (listener.listens()) {
+                arrivals_ = &listener;
+                w_.wide.shadow_lights.reserve(w_.slots.size() * view_.plan.split);
+            }
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear(), w_.wide.normals_next.clear(), w_.wide.cells_next.clear();
+            w_.wide.shadow_lights.clear();
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
             if (are_last() && !shines_) return;
             add_unoccluded();
             if constexpr (any)
-                if (view_.scene.passes_sheets)
-                    trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, NoListener{});
+                if (view_.scene.passes_sheets) {
+                    const auto trace = [&](const auto& to) {
+                        trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
+                    };
+                    arrivals_ ? trace(*arrivals_) : trace(NoListener{});
+                }
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
             std::swap(w_.wide.cells_now, w_.wide.cells_next);
@@ -101,7 +112,7 @@ private:
             const std::span<Hit> hits = std::span(w_.hits).subspan(first, n);
             accel_.closest(now_.rays().subspan(first, n), hits, coherence);
             if (prefetches_) prefetch_shading(view_.scene, hits);
-            if constexpr (!std::is_same_v<Listener, NoListener>)
+            if constexpr (!std::is_same_v<Listener, NoListener> && !std::is_same_v<Listener, ArrivalListener>)
                 if (depth_ == 0) report_camera_hits(listener, first, hits);
             shade(first, n);
         }
@@ -211,12 +222,13 @@ private:
     Counters& counters_;
     // Whether light sampling is done, for all and for Lambertian surfaces.
     bool samples_, samples_on_matt_;
-    bool learned_;        // there is a LightChoice
-    bool keeps_cells_;    // see WideWorkspace
-    bool samples_sky_;    // the environment is one of the lights
-    bool keeps_normals_;  // see WideWorkspace
-    bool shines_;         // whether any surface emits
-    bool prefetches_;     // tables_exceed_caches()
+    bool learned_;                               // there is a LightChoice
+    bool keeps_cells_;                           // see WideWorkspace
+    bool samples_sky_;                           // the environment is one of the lights
+    bool keeps_normals_;                         // see WideWorkspace
+    bool shines_;                                // whether any surface emits
+    bool prefetches_;                            // tables_exceed_caches()
+    const ArrivalListener* arrivals_ = nullptr;  // of a pilot that learns
     uint32_t depth_ = 0;
     // The vertices in work. They are members because clearing them for each group of eight would take longer than using
     // them; no function reads what was not written for the present group.
@@ -300,6 +312,10 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
         for (Vertices& v : vertices) lookup_materials(v);
     }
     if constexpr (any) non_lambert_.plastic.see();
+    if (arrivals_)
+        for (const Vertices& v : vertices)
+            for_each_lane(v.hit,
+                          [&](uint32_t i) { arrivals_->vertex(v.path.slot[i], lane(v.origin, i), lane(v.n, i)); });
     if (samples_) sample_direct(vertices);
     if constexpr (any)
         scatter_any(vertices);

@@ -68,7 +68,10 @@ inline void WideBatch<shading>::add_background(uint32_t missed, size_t first, co
         });
     for_each_lane(missed & ~plain, [&](uint32_t i) {
         PathActions actions(w_.queue, path.slot[i]);
-        add_environment(view_, state_of(first + i, path, i), path_.direct, path_.parts, actions);
+        const PathState s = state_of(first + i, path, i);
+        const RadianceSum before = w_.queue.radiance[path.slot[i]];
+        add_environment(view_, s, path_.direct, path_.parts, actions);
+        if (arrivals_) arrivals_->sky(path.slot[i], s, w_.queue.radiance[path.slot[i]].since(before));
     });
 }
 
@@ -221,6 +224,7 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery
             sent &= ~through;
         }
     shadows_.push(sent, origin, dir, distance, {radiance, v.path.slot});
+    if (arrivals_) w_.wide.shadow_lights.push(sent, to.ids);
     set_alpha_keys(shadows_, sent, v.path, depth_, Dim::shadow_alpha);
 }
 
@@ -236,7 +240,7 @@ inline void WideBatch<shading>::send_through_sheets(const Vertices& v, uint32_t 
         Ray ray{.org = lane(origin, i), .dir = lane(dir, i), .t_max = distance[i]};
         if (view_.scene.geometry.alpha_test.passes_through) ray.key = address.key(i, v.path.sample[i]);
         PathActions(w_.queue, v.path.slot[i])
-            .tinted_shadow(ray, color(lane(radiance, i)), color(lane(query.light.radiance, i)));
+            .tinted_shadow(ray, color(lane(radiance, i)), color(lane(query.light.radiance, i)), query.ids[i]);
     });
 }
 
@@ -250,9 +254,13 @@ inline void WideBatch<shading>::add_unoccluded()
         ShadowLanes shadow;
         shadows_.load(first, shadow);
         for (size_t i = 0; i < std::min<size_t>(float_lanes, shadows_.size() - first); ++i) {
-            if (w_.occluded[first + i]) continue;
             const Vec3 brought = lane(shadow.radiance, i);
-            w_.queue.radiance[shadow.slot[i]] += Color{brought.x, brought.y, brought.z};
+            const Color radiance{brought.x, brought.y, brought.z};
+            const bool occluded = w_.occluded[first + i] != 0;
+            if (arrivals_)
+                arrivals_->shadow(shadow.slot[i], w_.wide.shadow_lights[first + i], shadows_.rays()[first + i],
+                                  radiance, occluded);
+            if (!occluded) w_.queue.radiance[shadow.slot[i]] += radiance;
         }
     }
 }

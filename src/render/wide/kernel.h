@@ -21,4 +21,12 @@ void WideKernel<shading>::render(const View& view, const Accelerator& accel, con
     });
 }
 
+template <Shading shading>
+void WideKernel<shading>::trace(const View& view, const Accelerator& accel, const Camera& camera, uint32_t width,
+                                const KernelSettings& settings, const Path& path, const WideScene& scene, Workspace& w,
+                                Counters& counters, const ArrivalListener& listener)
+{
+    trace_batch(view, accel, camera, width, settings, WidePath<shading>{path, scene}, w, counters, listener);
+}
+
 }  // namespace lancer

@@ -33,12 +33,14 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
 {
     const LightTable& lights = view_.scene.lights;
     if (keeps_cells_) {
+        const LightChoice& choice = view_.plan.light_choice;
         const Float8 number = address.get1(v.path.sample);
         ChosenLights chosen{.u = u};
         Float8& probability = chosen.probability.emplace();
         for_each_lane(active, [&](uint32_t i) {
-            const LightChoice::Chosen c = view_.plan.light_choice.choose(v.light_cell[i], number[i]);
-            chosen.ids[i] = c.light, probability[i] = c.probability;
+            const LightChoice::Chosen c = choice.choose(v.light_cell[i], number[i]);
+            chosen.ids[i] = choice.is_tile(c.option) ? view_.scene.environment_light : c.option;
+            chosen.options[i] = c.option, probability[i] = c.probability;
         });
         return chosen;
     }
@@ -113,12 +115,19 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
         from.n = from.side = lane(v.n, i), from.ns = lane(v.ns, i), from.origin = lane(v.origin, i);
         if constexpr (any) from.p = lane(v.non_lambert.p, i), from.p_error = lane(v.non_lambert.p_error, i);
         const bool both_sides = (through & bit) != 0;
-        const auto light = sample_given_light(scene, from, id, {chosen.u.x[i], chosen.u.y[i]}, both_sides);
+        const Vec2 u{chosen.u.x[i], chosen.u.y[i]};
+        std::optional<LightSample> light;
+        if (keeps_cells_) {
+            light = view_.sample_option(from, chosen.options[i], (*choice)[i], u, both_sides, v.light_cell[i]);
+        } else {
+            light = sample_given_light(scene, from, id, u, both_sides);
+            if (light) light->pdf *= choice ? (*choice)[i] : scene.lights.pick.probability(id);
+        }
         if (!light) return;
         const Color& radiance = light->radiance;
         set_lane(s.wi, i, light->wi), set_lane(s.point, i, light->point), set_lane(s.p_error, i, light->p_error);
         set_lane(s.n, i, light->n), set_lane(s.radiance, i, {radiance.r, radiance.g, radiance.b});
-        s.pdf[i] = light->pdf * (choice ? (*choice)[i] : scene.lights.pick.probability(id));
+        s.pdf[i] = light->pdf;
         found |= bit;
         if (light->infinite) infinite |= bit;
         if (light->delta) delta |= bit;
@@ -132,6 +141,7 @@ inline void WideBatch<shading>::sample_light(const Vertices& v, const AddressLan
                                              LightQuery& query)
 {
     const ChosenLights chosen = choose_lights(v, query.active, address, u);
+    query.ids = chosen.ids;
     bool of_kinds = textured && !scene_.has_triangles_only;
     if constexpr (any) of_kinds |= (query.active & v.non_lambert.transmits) != 0;
     if constexpr (textured)

@@ -59,6 +59,7 @@ struct Vertices {
 // The lights selected by the lanes.
 struct ChosenLights {
     UInt8 ids{};
+    UInt8 options{};                      // of LightChoice, if it chose; a tile has the id of the environment
     Vec2x8 u;                             // random numbers for the point on the light
     std::optional<Float8> probability{};  // of the selection, if not by power
     const Float8* choice() const { return probability ? &*probability : nullptr; }
@@ -67,6 +68,7 @@ struct ChosenLights {
 struct LightQuery {
     uint32_t active = 0;  // lanes that sample a light
     LightSampleLanes light;
+    UInt8 ids;  // of the lights
     Vec3x8 wi;  // direction to the light, local; of lanes that are not Lambertian
 };
 // BSDF sampling of eight vertices, part by part.

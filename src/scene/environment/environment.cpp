@@ -157,15 +157,21 @@ float EnvironmentMap::pdf(Place p) const
 {
     if (!is_sampled()) return 0;
     const Cell c = cell_of(p);
+    const double above = mix(weight(c.left, c.above), weight(c.right, c.above), c.x);
+    const double below = mix(weight(c.left, c.below), weight(c.right, c.below), c.x);
+    if (above == 0 && below == 0) return 0;  // below the threshold
     // The part of the cell's solid angle above the place, without cancellation. The half cells at the poles have the
     // same above and below.
     const double step = pi_d / height_, top = border(c.row), down = c.y * step / 2;
     const double part = std::sin(top + down) * std::sin(down) / (std::sin(top + step / 2) * std::sin(step / 2));
-    const double above = mix(weight(c.left, c.above), weight(c.right, c.above), c.x);
-    const double below = mix(weight(c.left, c.below), weight(c.right, c.below), c.x);
     return static_cast<float>(mix(above, below, std::clamp(part, 0.0, 1.0)) / total_);
 }
 float EnvironmentMap::pdf(Vec3 wi) const { return pdf(place_of(wi)); }
+EnvironmentSample EnvironmentMap::at(Vec3 wi) const
+{
+    const Place p = place_of(wi);
+    return {wi, lookup(p), pdf(p)};
+}
 
 EnvironmentSample EnvironmentMap::sample(Vec2 u) const
 {
@@ -191,8 +197,7 @@ EnvironmentSample EnvironmentMap::sample(Vec2 u) const
     const double polar = std::acos(std::clamp(mix(std::cos(top), std::cos(bottom), y), -1.0, 1.0));
     const Vec3 wi = direction_of({left + 0.5 + x, std::clamp(polar, top, bottom) / pi_d * height_});
     // All of the direction as float has it. Both are continuous, so it does not matter how it was rounded.
-    const Place p = place_of(wi);
-    return {wi, lookup(p), pdf(p)};
+    return at(wi);
 }
 
 }  // namespace lancer

@@ -36,6 +36,8 @@ public:
     // is_sampled().
     EnvironmentSample sample(Vec2 u) const;
     float pdf(Vec3 wi) const;
+    // The direction as sample() would return it.
+    EnvironmentSample at(Vec3 wi) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }

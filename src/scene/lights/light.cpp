@@ -116,14 +116,19 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
     return sample_at(sphere_seen_from_outside(s.center, s.radius, to_center, u.x, sin_cos_2pi(u.y)));
 }
 
+LightSample sky_sample(const Scene& scene, const EnvironmentSample& s)
+{
+    const Color radiance = scene.background ? scene.radiance_from(s.wi) : s.radiance;
+    return {.wi = s.wi, .infinite = true, .radiance = radiance, .pdf = s.pdf, .light = scene.environment_light};
+}
+
 // A constant environment: see ConstantEnvironmentSample.
 std::optional<LightSample> sample(const Scene& scene, const EnvironmentLight&, const Surface& from, Vec3, Vec2 u)
 {
     if (scene.environment_table) {
         const EnvironmentSample s = scene.environment_table->sample(u);
         if (!(s.pdf > 0)) return {};
-        const Color radiance = scene.background ? scene.radiance_from(s.wi) : s.radiance;
-        return LightSample{.wi = s.wi, .infinite = true, .radiance = radiance, .pdf = s.pdf};
+        return sky_sample(scene, s);
     }
     const ConstantEnvironmentSample<float> s(from.ns, u.x, u.y);
     if (!(s.pdf > 0)) return {};
@@ -194,6 +199,13 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     }
     if (s) s->light = id;
     return s;
+}
+
+std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, Vec3 wi, bool through)
+{
+    const float side = dot(wi, from.side);
+    if (through ? side == 0 : side <= 0) return {};
+    return sky_sample(scene, scene.environment_table->at(wi));
 }
 
 float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)

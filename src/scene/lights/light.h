@@ -75,6 +75,10 @@ std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface
 std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                               bool through = false);
 
+// The sky in direction wi (unit), as sample_given_light() would find it; nothing if it cannot illuminate the surface.
+// The density may be 0.
+std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, Vec3 wi, bool through);
+
 // As sample_light(), restricted to lights that are not delta lights.
 std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
 

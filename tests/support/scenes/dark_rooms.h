@@ -20,4 +20,8 @@ SceneDescription room_beside_a_brighter_one();
 SceneDescription room_under_a_sun();
 SceneDescription glossy_room_under_a_sky();
 
+// The camera's room alone, whose hole shows a part of a pictured sky; and with a glossy floor.
+SceneDescription room_with_window();
+SceneDescription glossy_room_with_window();
+
 }  // namespace lancer

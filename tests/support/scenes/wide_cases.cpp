@@ -289,6 +289,8 @@ std::vector<WideCase> wide_cases()
             {"under a sun", room_under_a_sun()},
             {"beside a brighter room", room_beside_a_brighter_one()},
             {"glossy under a sky", glossy_room_under_a_sky()},
+            {"window", room_with_window()},
+            {"glossy with window", glossy_room_with_window()},
             {"a dim ball more", a_dim_ball_more()},
             {"many balls", many_balls()},
             {"inside a ball", inside_a_ball()},
