@@ -83,7 +83,8 @@ TEST(Wide, HasThemWithTilesOfTheSky)
 {
     for (const SceneDescription& d : {room_with_window(), glossy_room_with_window()}) {
         const Built c({"window", d});
-        RenderRequest r{.width = 256, .height = 192, .spp = {1}};
+        RenderRequest r;
+        r.width = 256, r.height = 192, r.spp = {1};
         with_threads(1, [&] {
             const Renderer renderer(build_scene(d), {});
             const auto plan = renderer.plan(camera_of(d, renderer.scene(), r.width, r.height), r.width, r.height);
