@@ -3,132 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/estimators/choice_levels.h"
+
 namespace lancer {
 namespace {
 
 constexpr double prior = 16;            // vertices that a cell's surroundings count for
 constexpr double prior_of_tiles = 128;  // the same for tiles of the sky, of which each vertex finds one at most
-constexpr double outside = 0.005;       // part of the places beyond each end of the grid
 constexpr double worthwhile = 1.1;      // gain of rates that must be expected: looking up cells takes time
 constexpr double worth_a_choice = 2;    // of a choice by place: that by power is spread better over samples
 constexpr double worth_tiles = 1.4;     // of tiles beyond the best without: their samples cost more than others
 constexpr double fewest = 16;           // vertices of a cell that chooses tiles
 constexpr double as_before = 0.1;       // part of the choices that are the pilot's, whatever was learned
 constexpr int least_weight = 10;        // learned weights are 2^-0 to 2^-least_weight of the largest
-
-// The grid that holds all but the outermost places. Cells and corner are powers of two and multiples of these, so that
-// a few more rays seldom move them.
-LightChoice make_grid(std::span<const Arrival> arrivals)
-{
-    std::vector<float> along(arrivals.size());
-    const auto cut = static_cast<std::ptrdiff_t>(outside * static_cast<double>(along.size()));
-    std::array<float, 3> low{}, high{};
-    for (size_t axis = 0; axis < 3; ++axis) {
-        std::transform(arrivals.begin(), arrivals.end(), along.begin(),
-                       [&](const Arrival& a) { return a.p[static_cast<int>(axis)]; });
-        const auto place = [&](std::ptrdiff_t i) {
-            std::nth_element(along.begin(), along.begin() + i, along.end());
-            return along[static_cast<size_t>(i)];
-        };
-        low[axis] = place(cut), high[axis] = place(static_cast<std::ptrdiff_t>(along.size()) - 1 - cut);
-    }
-    LightChoice grid;
-    const float extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    if (!(extent > 0)) return grid;
-    // One more cell than fits, as the corner is rounded down.
-    const float cell = std::exp2(std::ceil(std::log2(extent / (LightChoice::most_cells - 1))));
-    grid.per_unit = 1 / cell;
-    for (size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::floor(low[axis] / cell) * cell;
-        const float cells = std::floor((high[axis] - low[axis]) / cell) + 1;
-        grid.size[axis] = std::min(LightChoice::most_cells, static_cast<uint32_t>(cells));
-    }
-    grid.low = {low[0], low[1], low[2]};
-    return grid;
-}
-
-// Sums over the vertices of cells 2^level times as long as those of the grid, with the same normals.
-class Level {
-public:
-    Level(std::array<uint32_t, 3> size, size_t lights)
-        : size_(size), width_(lights + 1), row_(LightChoice::indices_in(size), none)
-    {
-    }
-    bool is_coarsest() const { return size_[0] == 1 && size_[1] == 1 && size_[2] == 1; }
-    // The cell of the next level to which a cell belongs.
-    size_t above(size_t index) const
-    {
-        const auto place = static_cast<uint32_t>(index / 6), side = static_cast<uint32_t>(index % 6);
-        const uint32_t x = place % size_[0], y = place / size_[0] % size_[1], z = place / size_[0] / size_[1];
-        return LightChoice::index_in(size_above(), x / 2, y / 2, z / 2, side);
-    }
-    // Of a cell, which then has a row: for each light the squares of what shadow rays brought; behind these the number
-    // of vertices.
-    std::span<double> sums(size_t index)
-    {
-        if (row_[index] == none) {
-            row_[index] = static_cast<uint32_t>(indices_.size());
-            indices_.push_back(index);
-            sums_.resize(sums_.size() + width_);
-        }
-        return std::span(sums_).subspan(row_[index] * width_, width_);
-    }
-    bool has(size_t index) const { return row_[index] != none; }
-    // Those that have a row, in order.
-    std::vector<size_t> indices() const
-    {
-        std::vector<size_t> sorted = indices_;
-        std::sort(sorted.begin(), sorted.end());
-        return sorted;
-    }
-    // Cells twice as long.
-    Level coarser()
-    {
-        Level to(size_above(), width_ - 1);
-        for (const size_t index : indices()) {
-            const std::span<double> from = sums(index), sum = to.sums(above(index));
-            for (size_t i = 0; i < width_; ++i) sum[i] += from[i];
-        }
-        return to;
-    }
-    // Cells of LightChoice, by row.
-    std::vector<uint32_t> cells;
-    uint32_t& cell(size_t index) { return cells[row_[index]]; }
-    uint32_t cell(size_t index) const { return cells[row_[index]]; }
-
-private:
-    static constexpr uint32_t none = UINT32_MAX;
-
-    std::array<uint32_t, 3> size_above() const { return {(size_[0] + 1) / 2, (size_[1] + 1) / 2, (size_[2] + 1) / 2}; }
-
-    std::array<uint32_t, 3> size_;
-    size_t width_;
-    std::vector<uint32_t> row_;
-    std::vector<size_t> indices_;  // of the rows
-    std::vector<double> sums_;
-};
-
-// A choice that is learned but for LightChoice::cell_at, which only the final one needs.
-struct Learned {
-    LightChoice choice{};
-    std::vector<Level> levels{};
-
-    // The cell of the smallest surroundings with vertices; the first cell if there are none.
-    uint32_t cell_of(size_t index) const
-    {
-        for (const Level& level : levels) {
-            if (level.has(index)) return level.cell(index);
-            index = level.above(index);
-        }
-        return 0;
-    }
-    LightChoice finished() &&
-    {
-        choice.cell_at.resize(LightChoice::indices_in(choice.size));
-        for (size_t i = 0; i < choice.cell_at.size(); ++i) choice.cell_at[i] = cell_of(i);
-        return std::move(choice);
-    }
-};
 
 // The rate q with the least variance for the work. Light sampling of mean square s and a work of 1 adds s / q to the
 // variance v of a sample and q to its work w: the derivative of (v + s / q) (w + q) is 0 at q^2 = s w / v.
