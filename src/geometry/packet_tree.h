@@ -9,8 +9,11 @@ namespace lancer {
 // The nearest triangles of eight rays.
 struct PacketHits {
     static constexpr uint32_t none = UINT32_MAX;
-    Float8 t;  // initially t_max of the rays
+    Float8 low, high;  // bounds of the distances, equal where they are exact
     UInt8 number = UInt8{} + none;
+
+    explicit PacketHits(Float8 t_max) : low(t_max), high(t_max) {}
+    float t(size_t ray) const { return 0.5f * low[ray] + 0.5f * high[ray]; }
 };
 
 // A TriangleTree with these additional functions:

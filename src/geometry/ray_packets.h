@@ -16,7 +16,7 @@ struct ShearedPacket {
     std::array<size_t, 3> axes;  // as in AxisOrder
     Vec3x8 org;
     Float8 sx, sy, sz;  // shear of the ray, and 1 / dir.z
-    Float8 length_z;    // of dir
+    Vec3x8 length;      // absolute values of dir
 
     // One to eight rays with the same largest_axis().
     ShearedPacket(std::span<const Ray> all, std::span<const uint32_t> which)
@@ -31,7 +31,7 @@ struct ShearedPacket {
         org = turned(rays.org);
         const Vec3x8 dir = turned(rays.dir);
         sz = 1.0f / dir.z, sx = dir.x * sz, sy = dir.y * sz;
-        length_z = abs(dir.z);
+        length = {abs(dir.x), abs(dir.y), abs(dir.z)};
     }
 };
 

@@ -72,9 +72,10 @@ public:
     }
 
 private:
-    // Whether the tree is a Bvh8, which takes batches of rays, returns leaf hints and reports approximate distances of
-    // nearer triangles only.
+    // A Bvh8 takes batches of rays and returns leaf hints.
     static constexpr bool is_bvh8 = std::is_same_v<Tree, Bvh8>;
+    // Whether the tree reports nearer triangles only, at approximate distances.
+    static constexpr bool orders_hits = is_bvh8 || PacketTree<Tree>;
     struct Space {
         TriangleSet triangles;
         Tree tree;
@@ -127,26 +128,25 @@ private:
     }
     void closest_by_packets(std::span<const Ray> rays, std::span<Hit> hits) const
     {
+        // A plane is compared with triangles as they are found: their distances are approximate afterwards.
+        if (!g_.planes.empty()) return closest_one_by_one(rays, hits);
         std::fill(hits.begin(), hits.end(), Hit{});
         if (plain_)
             for_each_packet(rays, [&](std::span<const uint32_t> which) {
                 const ShearedPacket packet(rays, which);
-                PacketHits best{.t = packet.rays.t_max};
+                PacketHits best(packet.rays.t_max);
                 plain_->tree.closest(packet, best, [&](Mask8 met, uint32_t number, Float8 t) {
                     return met & ~passed(rays, which, met, number, t);
                 });
                 for (size_t i = 0; i < which.size(); ++i) {
                     if (best.number[i] == PacketHits::none) continue;
                     const TriangleSet::Id id = plain_->triangles.id(best.number[i]);
-                    hits[which[i]] = {best.t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
+                    hits[which[i]] = {best.t(i), Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
                 }
             });
         if (is_plain()) return;
-        for (size_t i = 0; i < rays.size(); ++i) {
-            if (!is_traceable(rays[i])) continue;
-            find_plane(rays[i], hits[i]);
-            find_object(rays[i], hits[i]);
-        }
+        for (size_t i = 0; i < rays.size(); ++i)
+            if (is_traceable(rays[i])) find_object(rays[i], hits[i]);
     }
     void any_by_packets(std::span<const Ray> rays, std::span<uint8_t> occluded) const
     {
@@ -214,7 +214,7 @@ private:
         return [&, instance](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
-            if (!(is_bvh8 && is_of(best, instance)) && !is_nearer(hit, best)) return false;
+            if (!(orders_hits && is_of(best, instance)) && !is_nearer(hit, best)) return false;
             if (passes_through(ray, hit)) return false;
             best = hit;
             return true;
@@ -223,8 +223,8 @@ private:
     void find_object(const Ray& ray, Hit& best) const
     {
         // The distance is only computed if the triangle is compared with another kind of hit.
-        bool is_known = !is_bvh8;
-        const auto farthest = [&] { return reach(ray, best) * (is_known ? 1 : 1 + 2 * Bvh8Nearest::most_error); };
+        bool is_known = !orders_hits;
+        const auto farthest = [&] { return reach(ray, best) * (is_known ? 1 : 1 + 2 * most_distance_error); };
         objects_.closest(ray, farthest(), [&](uint32_t object, uint32_t, float) {
             if (!is_known && best.kind == Kind::triangle) best.t = refine(g_, ray, best).t;
             is_known = true;
@@ -232,7 +232,7 @@ private:
                 take(first_opaque_hit<Kind::sphere>(g_, sphere(object), up_to(ray, best)), best);
             else if (const Ray local = into_mesh(ray, object); is_traceable(local)) {
                 find_in(*placed_[g_.instances[object].mesh], ray, local, object, best);
-                is_known = !(is_bvh8 && is_of(best, object));
+                is_known = !(orders_hits && is_of(best, object));
             }
             return farthest();
         });

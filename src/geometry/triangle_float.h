@@ -11,6 +11,9 @@
 
 namespace lancer {
 
+// The relative error of a triangle's distance that trees of single precision accept; else they compute it in double.
+inline constexpr float most_distance_error = 0x1p-17f;
+
 // A ray as axis kz of a sheared space.
 struct ShearedRay {
     int kx, ky, kz;

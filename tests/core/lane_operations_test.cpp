@@ -149,6 +149,8 @@ TEST(LaneOperations, RootsAndProductsAreRoundedOnce)
     for_pairs<Float8>(floats(), [](Float8 a, Float8 b) {
         const Float8 c = permute(a, UInt8{3, 7, 1, 5, 0, 2, 4, 6});
         expect_both("sqrt", native::sqrt(a), portable::sqrt(a), [&](size_t k) { return std::sqrt(a[k]); });
+        expect_both("fmadd", native::fmadd(a, b, c), portable::fmadd(a, b, c),
+                    [&](size_t k) { return std::fma(a[k], b[k], c[k]); });
         expect_both("fnmadd", native::fnmadd(a, b, c), portable::fnmadd(a, b, c),
                     [&](size_t k) { return std::fma(-a[k], b[k], c[k]); });
     });

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "geometry/accelerators.h"
 #include "geometry/trees.h"
 
@@ -318,6 +320,49 @@ TEST(Accelerators, OfEquallyFarTrianglesMeetTheFirst)
             }
             EXPECT_GT(met, 1000u);
         }
+    }
+}
+
+// Surfaces a few units in the last place apart: float alone cannot tell which is nearer. Embree stays in float.
+TEST_P(AccelLaws, OrdersSurfacesThatFloatCannot)
+{
+    if (GetParam().kind == AccelKind::embree) return;
+    Random random(5);
+    Mesh layers;
+    for (uint32_t i = 0; i < 24; ++i) {
+        for (const Vec3 p : {Vec3{-2, -2, 1}, Vec3{3, -2, 1}, Vec3{-2, 3, 1}})
+            layers.positions.push_back(p + Vec3{0, 0, static_cast<float>(random.below(9)) * 0x1p-23f});
+        layers.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    layers.positions.emplace_back();
+    for (const std::string_view other : {"nothing", "sphere", "plane"}) {
+        Geometry g;
+        g.meshes.push_back(layers);
+        constexpr double radius = 0.5;  // of the circle in which the sphere meets the layers
+        const bool has_sphere = other == "sphere";
+        if (has_sphere) g.spheres.push_back({{0, 0, 1}, radius});
+        if (other == "plane") g.planes.push_back({{0, 0, 1}, 1 + 0x1.cp-21});
+        std::vector<Ray> rays(16384);
+        for (Ray& ray : rays) {
+            const double angle = random.uniform(0, 2 * std::numbers::pi);
+            const double r = has_sphere ? radius + random.uniform(-1e-7, 1e-7) : random.uniform(0, 1);
+            const Vec3d at{r * std::cos(angle), r * std::sin(angle), 1};
+            const Vec3d from = at + random.direction() * random.uniform(0.1, 5);
+            ray.org = to_float(from), ray.dir = to_float(at - from);
+        }
+        const auto accel = GetParam()(g), list = make_accelerator(AccelKind::list, g, "");
+        std::vector<Hit> hits(rays.size());
+        accel->closest(rays, hits, Coherence::incoherent);
+        uint32_t wrong = 0, wrong_in_batch = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const Hit expected = list->closest(rays[i]);
+            const auto differs = [&](const Hit& h) {
+                return h.kind != expected.kind || h.primitive != expected.primitive || h.t != expected.t;
+            };
+            wrong += differs(accel->closest(rays[i])), wrong_in_batch += differs(hits[i]);
+        }
+        EXPECT_EQ(wrong, 0u) << other;
+        EXPECT_EQ(wrong_in_batch, 0u) << other;
     }
 }
 

@@ -33,6 +33,10 @@ inline Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float8 min(Float8 a, Float8 b) { return a < b ? a : b; }
 inline Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float8 max(Float8 a, Float8 b) { return a > b ? a : b; }
+inline Float8 fmadd(Float8 a, Float8 b, Float8 c)
+{
+    return each_lane<Float8>([&](size_t i) { return std::fma(a[i], b[i], c[i]); });
+}
 inline Float8 fnmadd(Float8 a, Float8 b, Float8 c)
 {
     return each_lane<Float8>([&](size_t i) { return std::fma(-a[i], b[i], c[i]); });

@@ -16,7 +16,8 @@ inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
-// c - a * b, rounded once.
+// a * b + c and c - a * b, rounded once.
+inline Float8 fmadd(Float8 a, Float8 b, Float8 c) { return _mm256_fmadd_ps(a, b, c); }
 inline Float8 fnmadd(Float8 a, Float8 b, Float8 c) { return _mm256_fnmadd_ps(a, b, c); }
 
 // Signs.

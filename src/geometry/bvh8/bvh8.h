@@ -21,7 +21,7 @@ public:
     explicit Bvh8(const TriangleSet& triangles);
 
     // Returns the slot of the last triangle that counted. found(number, t) is called for triangles nearer than all that
-    // counted before; t errs by at most most_error. t_max must not be less than the final distance.
+    // counted before; t errs by at most most_distance_error. t_max must not be less than the final distance.
     template <class Found>
     Bvh8Slot closest(const Ray& ray, float t_max, const Found& found) const
     {

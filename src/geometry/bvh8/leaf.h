@@ -18,7 +18,6 @@ struct alignas(32) Bvh8Leaf {
 
 // The nearest hit so far: a distance between two bounds of its float error, or exact. Initially the end of the ray.
 struct Bvh8Nearest {
-    static constexpr float most_error = 0x1p-17f;  // relative error of a distance
     float low, high;
     uint32_t number = UINT32_MAX;  // of the triangle; larger than any if there is none
     const Bvh8Leaf* block = nullptr;
@@ -101,7 +100,7 @@ private:
         lanes &= ~(movemask(high < broadcast(ray_->t_min)) | movemask(low > broadcast(nearest.high)));
         store8_anywhere(met.t.data(), distance);
         store8_anywhere(met.error.data(), error);
-        uint32_t sure = lanes & movemask((error < distance * Bvh8Nearest::most_error) & (low > broadcast(ray_->t_min)) &
+        uint32_t sure = lanes & movemask((error < distance * most_distance_error) & (low > broadcast(ray_->t_min)) &
                                          (high < broadcast(nearest.low)));
         if (uint32_t unsure = lanes & ~sure) {
             unsure &=

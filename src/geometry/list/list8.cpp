@@ -95,7 +95,7 @@ const List8::Triangle& List8::numbered(uint32_t number) const
 }
 
 uint32_t List8::decide(const Triangle& triangle, const ShearedPacket& r, uint32_t lanes, PacketHits& best,
-                       Float8& t) const
+                       Distance& d) const
 {
     const auto distance = [&r](const Triangle& to, size_t i) {
         const auto& [a, b, c] = to.places;
@@ -103,11 +103,12 @@ uint32_t List8::decide(const Triangle& triangle, const ShearedPacket& r, uint32_
     };
     uint32_t met = 0;
     for_each_lane(lanes, [&](uint32_t i) {
-        t[i] = distance(triangle, i);
+        const float t = distance(triangle, i);
+        d.t[i] = d.low[i] = d.high[i] = t;
         const bool is_first = best.number[i] == PacketHits::none;
         // Both distances are rounded in the same way: of coincident triangles the first stays.
-        if (!is_first) best.t[i] = distance(numbered(best.number[i]), i);
-        met |= uint32_t{t[i] >= r.rays.t_min[i] && (is_first ? t[i] <= best.t[i] : t[i] < best.t[i])} << i;
+        if (!is_first) best.low[i] = best.high[i] = distance(numbered(best.number[i]), i);
+        met |= uint32_t{t >= r.rays.t_min[i] && (is_first ? t <= best.high[i] : t < best.high[i])} << i;
     });
     return met;
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/edge_lanes.h"
 #include "geometry/packet_tree.h"
+#include "geometry/triangle_float.h"
 
 namespace lancer {
 
@@ -22,9 +23,9 @@ public:
     {
         const uint32_t first = 0;
         const ShearedPacket r({&ray, 1}, {&first, 1});
-        PacketHits best{.t = broadcast(t_max)};
+        PacketHits best(broadcast(t_max));
         closest(r, best, [&](Mask8 met, uint32_t number, Float8 t) { return lanes_of(met[0] && found(number, t[0])); });
-        t_max = best.t[0];
+        t_max = best.t(0);
     }
     template <class Found>
     bool any(const Ray& ray, const Found& found) const
@@ -38,10 +39,10 @@ public:
     void closest(const ShearedPacket& r, PacketHits& best, const Counts& counts) const
     {
         for_candidates(all_, r, r.valid, [&](const Triangle& triangle, Mask8 inside) {
-            Float8 t;
-            Mask8 met = reached(triangle, r, inside, best, t);
-            met = counts(met, triangle.number, t);
-            best.t = select(met, t, best.t);
+            Distance d;
+            Mask8 met = reached(triangle, r, inside, best, d);
+            met = counts(met, triangle.number, d.t);
+            best.low = select(met, d.low, best.low), best.high = select(met, d.high, best.high);
             best.number = select(met, UInt8{} + triangle.number, best.number);
             return true;
         });
@@ -49,12 +50,12 @@ public:
     template <class Counts>
     uint32_t any(const ShearedPacket& r, const Counts& counts) const
     {
-        PacketHits reach{.t = r.rays.t_max};
+        PacketHits reach(r.rays.t_max);
         Mask8 open = r.valid;
         const auto close = [&](const Triangle& triangle, Mask8 inside) {
-            Float8 t;
-            const Mask8 met = reached(triangle, r, inside & open, reach, t);
-            open &= ~counts(met, triangle.number, t);
+            Distance d;
+            const Mask8 met = reached(triangle, r, inside & open, reach, d);
+            open &= ~counts(met, triangle.number, d.t);
             return movemask(open) != 0;
         };
         for_candidates(inner_, r, open, close);
@@ -169,29 +170,35 @@ private:
                along(rays.org.z, rays.dir.z, low_.z, high_.z);
     }
 
-    // The lanes that hit the triangle in [t_min, best.t], or before it if best.t belongs to another triangle; see
-    // LeafRay.
-    Mask8 reached(const Triangle& triangle, const ShearedPacket& r, Mask8 lanes, PacketHits& best, Float8& t) const
+    struct Distance {
+        Float8 t, low, high;  // with bounds of its error
+    };
+    // The lanes that hit the triangle up to the nearest hit so far, or before it if that is another triangle's. As
+    // LeafRay::within().
+    Mask8 reached(const Triangle& triangle, const ShearedPacket& r, Mask8 lanes, PacketHits& best, Distance& d) const
     {
         const Triangle::Along &x = triangle.along[r.axes[0]], &y = triangle.along[r.axes[1]],
                               &z = triangle.along[r.axes[2]];
         const Float8 px = broadcast(x.a) - r.org.x, py = broadcast(y.a) - r.org.y, pz = broadcast(z.a) - r.org.z;
-        const Float8 slope = broadcast(x.normal) * r.sx + broadcast(y.normal) * r.sy + broadcast(z.normal);
+        const Float8 slope = fmadd(broadcast(x.normal), r.sx, fmadd(broadcast(y.normal), r.sy, broadcast(z.normal)));
         const Float8 scale = r.sz / slope;
-        t = (broadcast(x.normal) * px + broadcast(y.normal) * py + broadcast(z.normal) * pz) * scale;
-        const Float8 of_place = broadcast(x.size) * abs(px) + broadcast(y.size) * abs(py) + broadcast(z.size) * abs(pz);
-        const Float8 of_slope = broadcast(x.size) * abs(r.sx) + broadcast(y.size) * abs(r.sy) + broadcast(z.size);
-        const Float8 error = gamma(8) * abs(scale) * (of_place + abs(t) * of_slope * r.length_z);
-        const Float8 low = t - error, high = t + error;
-        lanes &= ~((high < r.rays.t_min) | (low > best.t));
-        const Mask8 sure = (error < t * 0x1p-17f) & (low > r.rays.t_min) & (high < best.t);
+        const Float8 t =
+            fmadd(broadcast(x.normal), px, fmadd(broadcast(y.normal), py, broadcast(z.normal) * pz)) * scale;
+        const Float8 of_place =
+            fmadd(broadcast(x.size), abs(px), fmadd(broadcast(y.size), abs(py), broadcast(z.size) * abs(pz)));
+        const Float8 of_slope =
+            fmadd(broadcast(x.size), r.length.x, fmadd(broadcast(y.size), r.length.y, broadcast(z.size) * r.length.z));
+        const Float8 error = abs(scale * gamma(8)) * fmadd(abs(t), of_slope, of_place);
+        d = {t, t - error, t + error};
+        lanes &= ~((d.high < r.rays.t_min) | (d.low > best.high));
+        const Mask8 sure = (error < t * most_distance_error) & (d.low > r.rays.t_min) & (d.high < best.low);
         const uint32_t unsure = movemask(lanes & ~sure);
         if (unsure == 0) return lanes;
-        return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, t));
+        return (lanes & sure) | lanes_of(decide(triangle, r, unsure, best, d));
     }
     // The same for lanes that float cannot decide.
     uint32_t decide(const Triangle& triangle, const ShearedPacket& r, uint32_t lanes, PacketHits& best,
-                    Float8& t) const;
+                    Distance& d) const;
     const Triangle& numbered(uint32_t number) const;
 
     Parts all_, inner_, in_faces_;  // the triangles in faces of the bounds are apart for any()
