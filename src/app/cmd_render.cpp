@@ -301,6 +301,9 @@ void Run::render(const Renderer& renderer)
         progress.clear();
         if (options_.verbose) print_sampling_plan(renderer.integrator(), *renderer.plan(camera, width, height));
     });
+    if (options_.outliers > 0 && !signals_.interrupted())
+        stats_.error_sources =
+            timed("find outliers", [&] { return find_error_sources(renderer, camera, film, options_.outliers); });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (!has_samples()) return;
     timed("write", [&] { write(film); });
@@ -364,6 +367,8 @@ int Run::execute()
     }
     write_stats();
     print_dropped_samples(stats_, settings_, options_.picture.scene);
+    if (stats_.error_sources && !options_.quiet)
+        print_error_sources(*stats_.error_sources, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
     if (!options_.write_scene.empty()) print_result(options_.write_scene);
     for (const std::string& path : options_.outputs) print_result(path);

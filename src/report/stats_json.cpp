@@ -108,6 +108,29 @@ Json samples_of(const RunStats& s)
             {"dropped", dropped}};
 }
 
+Json error_sources_of(const ErrorSources& s)
+{
+    Json outliers = Json::array();
+    for (const Outlier& o : s.outliers)
+        outliers.push_back({{"x", o.id.x},
+                            {"y", o.id.y},
+                            {"sample", o.id.sample},
+                            {"luminance", o.luminance},
+                            {"pixel_mean", o.mean},
+                            {"share", o.share},
+                            {"light", o.light},
+                            {"material", o.material}});
+    const auto shares = [](const std::vector<ErrorShare>& of) {
+        Json json = Json::array();
+        for (const ErrorShare& e : of) json.push_back({{"name", e.name}, {"share", e.share}});
+        return json;
+    };
+    return {{"outliers", outliers},
+            {"others_at_most", s.others_at_most},
+            {"by_class", shares(s.classes)},
+            {"by_material", shares(s.materials)}};
+}
+
 }  // namespace
 
 std::string to_json(const RunStats& s)
@@ -119,20 +142,21 @@ std::string to_json(const RunStats& s)
         passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});
     const Json interval =
         s.estimated_interval ? Json{s.estimated_interval->low, s.estimated_interval->high} : Json(nullptr);
-    const Json all{{"schema", "lancer.stats/1"},
-                   {"context", context_of(s)},
-                   {"scene", scene_of(s.scene)},
-                   {"settings", settings_of(s.settings)},
-                   {"phases", phases},
-                   {"analyses", analyses},
-                   {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
-                   {"rays", rays_of(s)},
-                   {"samples", samples_of(s)},
-                   {"passes", passes},
-                   {"estimated_error", or_null(s.estimated_error)},
-                   {"estimated_interval", interval},
-                   {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
-                   {"partial", s.partial}};
+    Json all{{"schema", "lancer.stats/1"},
+             {"context", context_of(s)},
+             {"scene", scene_of(s.scene)},
+             {"settings", settings_of(s.settings)},
+             {"phases", phases},
+             {"analyses", analyses},
+             {"memory", {{"peak_bytes", s.peak_memory_bytes}}},
+             {"rays", rays_of(s)},
+             {"samples", samples_of(s)},
+             {"passes", passes},
+             {"estimated_error", or_null(s.estimated_error)},
+             {"estimated_interval", interval},
+             {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
+             {"partial", s.partial}};
+    if (s.error_sources) all["error_sources"] = error_sources_of(*s.error_sources);
     // A file name need not be UTF-8; the text must be.
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

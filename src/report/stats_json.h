@@ -10,6 +10,7 @@
 #include "core/film.h"
 #include "render/workspace.h"
 #include "report/metrics/statistics.h"
+#include "report/outliers.h"
 #include "scene/description/render_settings.h"
 #include "scene/specialisation.h"
 
@@ -66,7 +67,8 @@ struct RunStats {
     // replicates unbiased and with an interval.
     std::optional<double> estimated_error;
     std::optional<Interval> estimated_interval;
-    std::string stopped_by;  // "time", "error"; empty if neither did
+    std::optional<ErrorSources> error_sources;  // only if asked for
+    std::string stopped_by;                     // "time", "error"; empty if neither did
     uint64_t peak_memory_bytes = 0;
     bool partial = false;
 

@@ -256,6 +256,20 @@ TEST_F(Render, AnErrorOfNothingIsSaid)
     EXPECT_EQ(metadata("a.exr", "estimated_error"), "0");
 }
 
+// The picture keeps its bits; the log names the samples, and the figures have them too.
+TEST_F(Render, ListsOutliers)
+{
+    ASSERT_EQ(render({"-o", "a.exr", "-s", "16"}).code, 0);
+    const Said said = render({"-o", "b.exr", "-s", "16", "--outliers", "3", "--stats", "s.json"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_TRUE(same_pixels(image("a.exr"), image("b.exr")));
+    expect_words(said.err, "lancer pixel ");
+    const auto sources = nlohmann::json::parse(read_bytes(file("s.json"))).at("error_sources");
+    EXPECT_EQ(sources.at("outliers").size(), 3u);
+    EXPECT_GE(sources.at("by_class").size(), 1u);
+    EXPECT_EQ(render({"-o", "a.exr", "--outliers", "0"}).code, 2);
+}
+
 // What it chose itself it says by name, so that the command that it prints draws the same picture ever after.
 TEST_F(Render, SaysWhichAcceleratorItChose)
 {

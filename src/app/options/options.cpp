@@ -60,6 +60,9 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             [&](const std::string& t) { o.reference2 = t; });
     p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
             [&](const std::string& t) { o.error_log = t; });
+    p.value("--outliers", "N",
+            "Also list the N samples with the largest part of the error, and what paths the error comes from",
+            [&](const std::string& t) { o.outliers = to_count("--outliers", t, 1, 1000); });
     p.value("--write-scene", "FILE.toml",
             "The scene with what was added to it, and with these options: renders the same picture",
             [&](const std::string& t) {

@@ -56,6 +56,7 @@ struct RenderOptions {
     std::string stats;                  // empty: none
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise
+    uint32_t outliers = 0;              // number of them to list; 0: none
     std::optional<double> time, error;  // at which the render stops: seconds, square root of the relative error
     std::optional<DisplayAddress> display;
     ProgressKind progress = ProgressKind::automatic;

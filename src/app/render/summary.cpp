@@ -1,11 +1,13 @@
 #include "app/render/summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/console.h"
 #include "app/options/settings.h"
 #include "app/specialisation.h"
+#include "core/names.h"
 
 namespace lancer {
 namespace {
@@ -25,6 +27,13 @@ void print_specialisation(const RunStats& stats)
 {
     print_note("kernel '" + stats.settings.kernel + "'; unused features:");
     for (const UnusedFeature& l : stats.scene.unused_features) print_note("  " + to_string(l));
+}
+
+// What shows one sample, with every vertex.
+std::string pixel_command(const SampleId& id, const RenderSettings& settings, const SceneChoice& scene)
+{
+    return "lancer pixel " + in_shell_quotes(scene.file) + format_text(" %u %u %u ", id.x, id.y, id.sample) +
+           reproducing_options(settings) + options_text(scene);
 }
 
 }  // namespace
@@ -51,12 +60,30 @@ void print_dropped_samples(const RunStats& stats, const RenderSettings& settings
 {
     const auto& first = stats.counters.first_dropped;
     if (!first) return;
-    std::string command = "lancer pixel " + in_shell_quotes(scene.file) +
-                          format_text(" %u %u %u ", first->x, first->y, first->sample) + reproducing_options(settings) +
-                          options_text(scene);
     print_problem(format_text("warning: dropped samples, as they were not finite: %zu; to see the first one:\n  ",
                               stats.counters.dropped) +
-                  command);
+                  pixel_command(*first, settings, scene));
+}
+
+void print_error_sources(const ErrorSources& sources, const RenderSettings& settings, const SceneChoice& scene)
+{
+    if (sources.outliers.empty()) return print_note("no outliers: the samples of each pixel agree");
+    const auto print_shares = [](const std::string& title, const std::vector<ErrorShare>& shares) {
+        print_note(title);
+        for (const ErrorShare& e : shares)
+            if (std::abs(e.share) >= 0.005) print_note(format_text("  %5.1f %%  ", 100 * e.share) + e.name);
+    };
+    print_shares("error by path: surfaces between light and camera, where the light comes from, what found it",
+                 sources.classes);
+    print_shares("error by the material that is seen", sources.materials);
+    print_note("samples with the largest part of the error:");
+    for (const Outlier& o : sources.outliers)
+        print_note(format_text("  %6.2f %%  pixel %u %u sample %u: luminance %.3g, in a pixel of %.3g; ", 100 * o.share,
+                               o.id.x, o.id.y, o.id.sample, o.luminance, o.mean) +
+                   o.light + (o.material.empty() ? "" : ", " + in_quotes(o.material)));
+    print_note(
+        format_text("no other sample has more than %.2g %%; to see the first one:\n  ", 100 * sources.others_at_most) +
+        pixel_command(sources.outliers[0].id, settings, scene));
 }
 
 void print_summary(const RunStats& stats, const RenderOptions& options, const std::optional<Metrics>& metrics)

@@ -21,6 +21,9 @@ void print_sampling_plan(const AnyIntegrator& integrator, const SamplingPlan& pl
 // A warning with the command that shows the first sample that was not finite; nothing if there was none.
 void print_dropped_samples(const RunStats& stats, const RenderSettings& settings, const SceneChoice& scene);
 
+// Where the error comes from, and the command that shows the largest outlier.
+void print_error_sources(const ErrorSources& sources, const RenderSettings& settings, const SceneChoice& scene);
+
 // After the run: rays, error, what stopped it, seconds of each phase. metrics: against options.reference.
 void print_summary(const RunStats& stats, const RenderOptions& options, const std::optional<Metrics>& metrics);
 
