@@ -4,10 +4,10 @@
 
 #include "app/console.h"
 #include "core/parallel.h"
-#include "harness/films.h"
 #include "harness/lamps.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
+#include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
 #include "scene/description/render_options.h"
 
@@ -35,22 +35,22 @@ public:
             picture_.give(&RenderSettings::seed, seed_++);
             const Stage stage(*description_, picture_);
             const double start = all_ns();
-            Film film = stage.draw(spp_);
+            const Film film = stage.draw(spp_);
             ns += all_ns() - start;
-            return film;
+            return pixel_means(film);
         };
-        Film first = draw();
+        std::vector<Color> first = draw();
         pairs_.push_back({std::move(first), draw()});
         return ns;
     }
-    const std::vector<Pair>& pairs() const { return pairs_; }
+    const std::vector<PicturePair>& pairs() const { return pairs_; }
 
 private:
     const SceneDescription* description_;
     RenderSettings picture_;
     uint32_t spp_;
     uint64_t seed_ = 0;
-    std::vector<Pair> pairs_;
+    std::vector<PicturePair> pairs_;
 };
 
 RenderSettings switched_over(RenderSettings picture, Estimator e)
@@ -87,9 +87,9 @@ void measure(const std::string& name, const SceneDescription& description, const
     }
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
 
-    std::vector<const Pair*> all;
+    std::vector<const PicturePair*> all;
     for (const Drawn& d : drawn)
-        for (const Pair& pair : d.pairs()) all.push_back(&pair);
+        for (const PicturePair& pair : d.pairs()) all.push_back(&pair);
     const std::vector<Color> mean = mean_of(all);
     std::vector<std::vector<double>> errors;
     for (const Drawn& d : drawn) {

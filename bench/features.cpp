@@ -5,10 +5,10 @@
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/feature_scenes.h"
-#include "harness/films.h"
 #include "harness/instructions.h"
 #include "harness/meshes.h"
 #include "harness/stage.h"
+#include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
 #include "unused.h"
 

@@ -7,10 +7,10 @@
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/bare_loop.h"
-#include "harness/films.h"
 #include "harness/inside.h"
 #include "harness/record.h"
 #include "harness/scenes.h"
+#include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
 
 namespace lancer::bench {
@@ -43,11 +43,11 @@ void trace_again(const Recording& recording, const Accelerator& accel, std::span
     }
 }
 
-double mean_luminance(const Film& film)
+double mean_luminance(const std::vector<Color>& picture)
 {
     double sum = 0;
-    for (const Pixel& p : film.pixels) sum += static_cast<double>(luminance(p.mean()));
-    return sum / static_cast<double>(film.pixels.size());
+    for (const Color c : picture) sum += double{luminance(c)};
+    return sum / static_cast<double>(picture.size());
 }
 
 // Not empty.
@@ -100,13 +100,13 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     if (loop) contestants.push_back({"bare-loop", samples, [&] { loop->render(spp, 0); }});
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, options.threads);
 
-    std::optional<Pair> rendered, looped;
+    std::optional<PicturePair> rendered, looped;
     std::array<double, 2> error{};
     if (loop) {
         picture.give(&RenderSettings::seed, 1);
-        rendered = {stage.draw(spp), Stage(description, picture).draw(spp)};
-        looped = {loop->render(spp, 0), loop->render(spp, 1)};
-        const std::vector<Color> mean = mean_of(std::array<const Pair*, 2>{&*rendered, &*looped});
+        rendered = {pixel_means(stage.draw(spp)), pixel_means(Stage(description, picture).draw(spp))};
+        looped = {pixel_means(loop->render(spp, 0)), pixel_means(loop->render(spp, 1))};
+        const std::vector<Color> mean = mean_of(std::array<const PicturePair*, 2>{&*rendered, &*looped});
         error = {error_of(*rendered, mean), error_of(*looped, mean)};
     }
     const auto best = [](const Timing& t) { return *std::min_element(t.cpu.begin(), t.cpu.end()); };

@@ -2,11 +2,11 @@
 #include "app/console.h"
 #include "app/render/outputs.h"
 #include "core/parallel.h"
-#include "harness/films.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
 #include "io/image/exr.h"
 #include "report/metrics/metrics.h"
+#include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
 
 namespace lancer::bench {

@@ -5,7 +5,7 @@ set -uo pipefail
 usage() {
     cat <<'END'
 usage: scripts/test.sh [--slow]
-  (nothing)  release build with warnings as errors, all its tests
+  (nothing)  release build with warnings as errors, benchmarks too, and all its tests
   --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer; each way to leave
              parts out, and a build without x86 intrinsics, is built and draws a picture
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
@@ -128,7 +128,7 @@ if ! scripts/install-deps.sh; then
     finish
 fi
 
-run release -DLANCER_WERROR=ON
+run release -DLANCER_WERROR=ON -DLANCER_BENCH=ON
 
 if $slow; then
     run_under=(env UBSAN_OPTIONS=print_stacktrace=1)

@@ -46,7 +46,7 @@ SceneDescription load_description(const std::string& file, const RenderSettings&
     const double aspect = aspect_of(resolve_settings(command_line, d.render).size);
     with_threads(available_threads(), [&] {
         ImageSource images(available_threads());
-        complete_scene(d, choice, aspect, images.source());
+        complete_scene(d, choice, aspect, images.source(), {});
     });
     return d;
 }

@@ -12,6 +12,7 @@ int run_info(int argc, char** argv);
 int run_study(int argc, char** argv);
 int run_pixel(int argc, char** argv);
 int run_export(int argc, char** argv);
+int run_tune(int argc, char** argv);
 int run_options(int argc, char** argv);
 
 }  // namespace lancer

@@ -23,11 +23,12 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 8> commands{{{"render", run_render},
+constexpr std::array<Command, 9> commands{{{"render", run_render},
                                            {"check", run_check},
                                            {"info", run_info},
                                            {"compare", run_compare},
                                            {"pixel", run_pixel},
+                                           {"tune", run_tune},
                                            {"export", run_export},
                                            {"study", run_study},
                                            {"options", run_options}}};
@@ -41,6 +42,7 @@ const char* const help =
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
     "  lancer study STUDY -o FOLDER              error against run time: methods on scenes, as one HTML page\n"
+    "  lancer tune SCENE                         measure what each estimator gives on a scene\n"
     "  lancer export SCENE -o FOLDER             write a scene for other renderers: JSON and plain meshes\n"
     "  lancer options [--biases]                 print the table of render settings, or of what biases pictures\n"
     "  lancer SCENE ...                          the same as lancer render SCENE ...\n"

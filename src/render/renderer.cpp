@@ -47,6 +47,13 @@ Renderer::Renderer(Scene scene, const RendererConfig& settings) : settings_(sett
     choose();
 }
 
+Renderer::Renderer(const Renderer& of_scene, const RendererConfig& settings)
+    : scene_(of_scene.scene_), settings_(settings), accel_(of_scene.accel_)
+{
+    settings_.accel = of_scene.settings_.accel;
+    choose();
+}
+
 void Renderer::choose()
 {
     choice_ = choose_kernel(*scene_, settings_.integrator, settings_.kernel.profile);

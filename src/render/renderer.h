@@ -32,6 +32,8 @@ public:
     Renderer(SceneBuilder scene, const RendererConfig& settings, Diagnostics& diagnostics,
              const std::function<void()>& accelerator_built = {});
     Renderer(Scene scene, const RendererConfig& settings);
+    // The scene and the accelerator of another renderer with other settings; those of the accelerator are not used.
+    Renderer(const Renderer& of_scene, const RendererConfig& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -63,9 +65,9 @@ public:
 private:
     void choose();
 
-    std::unique_ptr<const Scene> scene_;
+    std::shared_ptr<const Scene> scene_;
     RendererConfig settings_;
-    std::unique_ptr<Accelerator> accel_;
+    std::shared_ptr<const Accelerator> accel_;
     KernelChoice choice_;
     TileKernel kernel_;
     mutable std::mutex mutex_;  // guards what follows

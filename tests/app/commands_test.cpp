@@ -1,4 +1,4 @@
-// help, version and pixel.
+// help, version, pixel and tune.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ TEST_F(Commands, HelpNamesEveryOption)
                                "--aov",        "--tonemap", "-q,--quiet",   "-v,--verbose", "--version", "-h,--help"}) {
         expect_words(said.out, option);
     }
-    for (const char* command : {"render", "check", "info", "compare", "pixel", "export"}) {
+    for (const char* command : {"render", "check", "info", "compare", "pixel", "tune", "export"}) {
         expect_words(run({"--help"}).out, "lancer " + std::string(command));
         EXPECT_EQ(run({command, "--help"}).code, 0);
     }
@@ -77,6 +77,20 @@ TEST_F(ReplayedPixel, PrintsVerticesInTheUnitsOfTheFile)
     expect_words(said.out, "'ball'");
     expect_words(said.out, "front side");
     expect_words(said.out, ": arrives");
+}
+
+TEST_F(Commands, TunePrintsARowForEachEstimatorThatMatters)
+{
+    write("lamp.toml",
+          "version = 1\n[camera]\nposition = [0, 0, 5]\n[[sphere]]\nradius = 1\n[[light]]\ntype = \"sphere\"\n"
+          "center = [0, 3, 3]\nradius = 0.2\nradiance = 50\n");
+    const Said said = run({"tune", "lamp.toml", "--size", "32x24", "--time", "1s", "-t", "2"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    expect_words(said.out, "error x time");
+    expect_words(said.out, "nee=false");
+    expect_words(said.err, "round 6");
+    EXPECT_EQ(run({"tune", "lamp.toml", "--time", "soon"}).code, 2);
+    EXPECT_EQ(run({"tune", "missing.toml"}).code, 66);
 }
 
 TEST_F(ReplayedPixel, RefusesPixelsOutsideOfThePicture)

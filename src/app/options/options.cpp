@@ -172,6 +172,22 @@ std::optional<ExportOptions> parse_export(int argc, char** argv)
     return o;
 }
 
+std::optional<TuneOptions> parse_tune(int argc, char** argv)
+{
+    TuneOptions o;
+    OptionParser p("lancer tune",
+                   "Measure what each estimator gives on a scene: small pictures with it and without it, in turns. "
+                   "Ratios are of the other value to that of the settings, with 95 % intervals.",
+                   exit_codes + std::string("\nExample:\n  lancer tune scene.toml --time 2m\n"));
+    add_picture_options(p, o.picture);
+    p.value("--time", "T", "No round begins after T: 60s, 5m, 2h; at least three are drawn (30s)",
+            [&](const std::string& t) { o.seconds = to_seconds("--time", t); });
+    p.flag("-q,--quiet", "Only warnings, errors and the result", o.quiet);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.picture.threads);
+    return o;
+}
+
 std::optional<PixelOptions> parse_pixel(int argc, char** argv)
 {
     PixelOptions o;

@@ -82,6 +82,12 @@ struct PixelOptions {
     uint32_t x = 0, y = 0, sample = 0;
 };
 
+struct TuneOptions {
+    PictureOptions picture;
+    double seconds = 30;
+    bool quiet = false;
+};
+
 struct ExportOptions {
     PictureOptions picture;
     std::string folder;
@@ -119,6 +125,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);
+std::optional<TuneOptions> parse_tune(int argc, char** argv);
 std::optional<ExportOptions> parse_export(int argc, char** argv);
 std::optional<StudyOptions> parse_study(int argc, char** argv);
 std::optional<OptionsOptions> parse_options(int argc, char** argv);

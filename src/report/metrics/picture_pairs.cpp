@@ -1,8 +1,10 @@
-#include "harness/films.h"
+#include "report/metrics/picture_pairs.h"
 
 #include <bit>
 
-namespace lancer::bench {
+#include "report/metrics/metrics.h"
+
+namespace lancer {
 namespace {
 
 bool same_bits(const Pixel& a, const Pixel& b)
@@ -21,27 +23,36 @@ size_t differing_pixels(const Film& a, const Film& b)
     return count;
 }
 
-std::vector<Color> mean_of(std::span<const Pair* const> pairs)
+std::vector<Color> pixel_means(const Film& film)
 {
-    std::vector<Color> mean((*pairs[0])[0].pixels.size());
+    std::vector<Color> means;
+    for (const Pixel& p : film.pixels)
+        if (p.n > 0) means.push_back(p.mean());
+    return means;
+}
+
+std::vector<Color> mean_of(std::span<const PicturePair* const> pairs)
+{
+    std::vector<Color> mean((*pairs[0])[0].size());
     for (size_t i = 0; i < mean.size(); ++i)
-        for (const Pair* pair : pairs)
-            for (const Film& film : *pair) mean[i] += film.pixels[i].mean() / static_cast<float>(2 * pairs.size());
+        for (const PicturePair* pair : pairs)
+            for (const std::vector<Color>& picture : *pair)
+                mean[i] += picture[i] / static_cast<float>(2 * pairs.size());
     return mean;
 }
 
-double error_of(const Pair& pair, std::span<const Color> mean)
+double error_of(const PicturePair& pair, std::span<const Color> mean)
 {
     double sum = 0;
     for (size_t i = 0; i < mean.size(); ++i) {
-        const Color a = pair[0].pixels[i].mean(), b = pair[1].pixels[i].mean();
+        const Color a = pair[0][i], b = pair[1][i];
         const auto part = [](float x, float y, float z) {
             const double d = static_cast<double>(x) - static_cast<double>(y), m = static_cast<double>(z);
-            return d * d / 2 / (m * m + 0.01);
+            return d * d / 2 / (m * m + relmse_epsilon);
         };
         sum += part(a.r, b.r, mean[i].r) + part(a.g, b.g, mean[i].g) + part(a.b, b.b, mean[i].b);
     }
     return sum / (3 * static_cast<double>(mean.size()));
 }
 
-}  // namespace lancer::bench
+}  // namespace lancer
