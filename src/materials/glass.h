@@ -46,10 +46,13 @@ struct GlassBsdf {
         return only_delta() ? sample_smooth(wo, u) : sample_rough(wo, u, v);
     }
 
-    // Part of the light from -wo that a smooth sheet lets through.
+    // Part of the light from -wo that a smooth sheet lets through; of a smooth boundary the part that goes on, as if
+    // it were not turned. The angle counts as that outside, where light that came in by one face of a body meets the
+    // other.
     Color straight_on(Vec3 wo) const
     {
         if (wo.z <= 0) return {};
+        if (!thin) return fresnel ? tint * (1 - fresnel_dielectric(wo, std::max(eta, 1 / eta)).reflectance) : tint;
         const double r = face(to_double(wo));
         return colors_of_sheet(r, tint).transmitted * (1 - static_cast<float>(reflectance_of_sheet(r)));
     }

@@ -5,7 +5,7 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
-#include "scene/through_sheet.h"
+#include "scene/through_glass.h"
 
 namespace lancer {
 namespace {
@@ -123,7 +123,7 @@ private:
             const Hit hit = accel_.closest(ray);
             if (!hit) return way;
             const Surface met = surface_at(scene_, ray, hit);
-            if (!is_black(through_sheet(scene_, ray, met))) {
+            if (!is_black(through_glass(scene_, ray, met))) {
                 ray.org = ray_origin(met, ray.dir);
                 continue;
             }
@@ -178,7 +178,7 @@ uint32_t warn_of_hidden_lights(const SceneDescription& description, const Scene&
                          "this " + std::string(name_of(lights[i]->type)) +
                              " light does not reach the picture, or hardly: smooth glass or mirrors are between it and "
                              "what is seen, and only rays that meet a light go through these; a sphere or a surface "
-                             "that emits can be met");
+                             "that emits can be met, and with straight_shadows light goes straight through glass");
     return static_cast<uint32_t>(hidden.size());
 }
 

@@ -99,10 +99,11 @@ struct Scene {
     bool terminator_fix = false;  // see shading_origin() in surface.cpp
     // Of an environment light sampling leaves to BSDF sampling what is darker than this times its mean; 0: nothing.
     double sky_compensation = 0;
-    bool light_tree = true;      // see LightTable::tree
-    bool passes_sheets = false;  // see lights_pass_sheets()
-    bool soft_shadows = true;    // else sphere lights are sampled at their centres
-    bool legacy = false;         // see RenderSettings::legacy
+    bool light_tree = true;         // see LightTable::tree
+    bool passes_glass = false;      // see lights_pass_glass()
+    bool straight_shadows = false;  // see through_glass()
+    bool soft_shadows = true;       // else sphere lights are sampled at their centres
+    bool legacy = false;            // see RenderSettings::legacy
 
     // Starts to build a scene: checks it, resolves names, normalises, and requests from `images` the pictures that the
     // scene uses, without waiting for them. settings: resolved; [render] of the description is not used. Problems go to

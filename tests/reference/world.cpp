@@ -142,7 +142,8 @@ void refuse_unknown(const lancer::SceneDescription& d)
         throw std::invalid_argument(std::string("the reference knows no ") + what);
     };
     const lancer::RenderSettings& s = d.render;
-    if (s.multiscatter || s.terminator || s.legacy) refuse("multiscatter, terminator or legacy");
+    if (s.multiscatter || s.terminator || s.straight_shadows || s.legacy)
+        refuse("multiscatter, terminator, straight_shadows or legacy");
     if (!s.fresnel || !s.soft_shadows || !s.direct || !s.emitters) refuse("switch of [render] that takes light away");
     if (!d.background) return;
     if (d.background->sky == lancer::SkyType::picture || d.background->ground == lancer::GroundType::picture)

@@ -68,6 +68,17 @@ TEST(HiddenLights, AreOnlyThoseThatAreHidden)
     EXPECT_EQ(problems.warnings()[0].where.line, 7u);
 }
 
+TEST(HiddenLights, AreNotThoseThatShineStraightThroughGlass)
+{
+    SceneDescription d = on_floor();
+    d.render.straight_shadows = true;
+    d.lights = {light_of(LightType::point, {10, 10, 10}, {0, 1, 0})};
+    d.spheres = {sphere_of({0, 1, 0}, 0.5, "glass")};
+    EXPECT_EQ(hidden(d), 0u);
+    d.spheres[0].material = "mirror";
+    EXPECT_EQ(hidden(d), 1u);
+}
+
 // Facets spread light to both sides, so that the surface of a rough bulb samples the light in it.
 TEST(HiddenLights, AreNotThoseInRoughGlass)
 {

@@ -8,7 +8,7 @@ namespace lancer {
 
 struct Direct {
     static constexpr IntegratorKind kind = IntegratorKind::direct;
-    using TintedShadows = SheetShadows;
+    using TintedShadows = GlassShadows;
 
     uint32_t max_depth = 0;       // surface vertices, specular ones included; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette

@@ -8,7 +8,7 @@ namespace lancer {
 
 struct Path {
     static constexpr IntegratorKind kind = IntegratorKind::path;
-    using TintedShadows = SheetShadows;
+    using TintedShadows = GlassShadows;
 
     uint32_t max_depth = 0;       // scattering surface vertices; 1: direct light only; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette by the throughput

@@ -9,7 +9,7 @@
 #include "integrators/view.h"
 #include "materials/bsdf.h"
 #include "scene/description/render_settings.h"
-#include "scene/through_sheet.h"
+#include "scene/through_glass.h"
 
 namespace lancer {
 
@@ -170,18 +170,18 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     Ray ray = shadow_ray(surface, *light);
     view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
     const Color radiance = sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf);
-    if (light->delta && view.scene.passes_sheets) [[unlikely]]
+    if (light->delta && view.scene.passes_glass) [[unlikely]]
         return actions.tinted_shadow(ray, radiance, light->radiance, light->light);
     actions.shadow(ray, radiance, light->light);
 }
 
 // What becomes of shadow rays to lights that BSDF sampling cannot hit: see TintsShadows. No other technique finds the
-// light that goes straight through thin sheets.
-struct SheetShadows {
+// light that goes straight through glass.
+struct GlassShadows {
     template <class V>
     Color through(const V& view, const Ray& ray, const Surface& surface) const
     {
-        return through_sheet(view.scene, ray, surface);
+        return through_glass(view.scene, ray, surface);
     }
     static bool is_spent(Color) { return false; }
 };

@@ -88,7 +88,7 @@ public:
             if (are_last() && !shines_) return;
             add_unoccluded();
             if constexpr (any)
-                if (view_.scene.passes_sheets) {
+                if (view_.scene.passes_glass) {
                     const auto trace = [&](const auto& to) {
                         trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
                     };
@@ -156,8 +156,8 @@ private:
     uint32_t lanes_by_rate(uint32_t lanes, Vertices& v) const;
     void query_light(Vertices& v, LightQuery& query);
     void eval_non_lambert(const Vertices& v, const LightQuery& query, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
-    void send_through_sheets(const Vertices& v, uint32_t lanes, const LightQuery& query, const Vec3x8& origin,
-                             const Vec3x8& dir, const Float8& distance, const Vec3x8& radiance);
+    void send_through_glass(const Vertices& v, uint32_t lanes, const LightQuery& query, const Vec3x8& origin,
+                            const Vec3x8& dir, const Float8& distance, const Vec3x8& radiance);
     void send_shadows(const Vertices& v, const LightQuery& query);
     void scatter(Vertices& v);
     void scatter_any(std::span<Vertices> vertices);

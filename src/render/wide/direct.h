@@ -218,9 +218,9 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery
     invalidate(wanted & ~traceable, v.path.slot);
     uint32_t sent = wanted & traceable;
     if constexpr (any)
-        if (view_.scene.passes_sheets) {
+        if (view_.scene.passes_glass) {
             const uint32_t through = sent & movemask(light.delta);
-            send_through_sheets(v, through, to, origin, dir, distance, radiance);
+            send_through_glass(v, through, to, origin, dir, distance, radiance);
             sent &= ~through;
         }
     shadows_.push(sent, origin, dir, distance, {radiance, v.path.slot});
@@ -228,11 +228,11 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery
     set_alpha_keys(shadows_, sent, v.path, depth_, Dim::shadow_alpha);
 }
 
-// Requests shadow rays that thin sheets of smooth glass do not stop.
+// Requests shadow rays that smooth glass does not stop.
 template <Shading shading>
-inline void WideBatch<shading>::send_through_sheets(const Vertices& v, uint32_t lanes, const LightQuery& query,
-                                                    const Vec3x8& origin, const Vec3x8& dir, const Float8& distance,
-                                                    const Vec3x8& radiance)
+inline void WideBatch<shading>::send_through_glass(const Vertices& v, uint32_t lanes, const LightQuery& query,
+                                                   const Vec3x8& origin, const Vec3x8& dir, const Float8& distance,
+                                                   const Vec3x8& radiance)
 {
     const AddressLanes address = numbers(v.path.key, depth_, Dim::shadow_alpha);
     const auto color = [](Vec3 c) { return Color{c.x, c.y, c.z}; };

@@ -15,7 +15,7 @@
 #include "scene/build/texture_table.h"
 #include "scene/build/thin_glass.h"
 #include "scene/environment/environment.h"
-#include "scene/through_sheet.h"
+#include "scene/through_glass.h"
 
 namespace lancer {
 namespace {
@@ -45,6 +45,7 @@ public:
     {
         scene_.terminator_fix = settings.terminator;
         scene_.soft_shadows = settings.soft_shadows;
+        scene_.straight_shadows = settings.straight_shadows;
         scene_.light_tree = settings.light_tree;
         scene_.sky_compensation = sky_compensation(settings);
         scene_.legacy = settings.legacy;
@@ -281,7 +282,7 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
         receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);
     diagnostics.throw_if_errors();
     build_light_table(s);
-    s.passes_sheets = lights_pass_sheets(s);
+    s.passes_glass = lights_pass_glass(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
     // Light sampling may leave all of an environment to BSDF sampling.

@@ -86,6 +86,14 @@ constexpr std::array rows{
                  .help = "sphere lights have penumbrae; off: they send light as from a point at their centre, with "
                          "the same power (needs nee)",
                  .bias = {.effect = "sphere lights send light as from their centres: no penumbra"}},
+    RenderOption{.name = "straight_shadows",
+                 .field = SwitchField{&S::straight_shadows},
+                 .help = "point and directional lights of path and direct shine straight through bodies of smooth "
+                         "glass, which else stop them",
+                 .bias = {.effect = "light of points and directions goes straight through smooth glass, tinted and "
+                                    "without caustics",
+                          .when = "asked for, with `path` or `direct`",
+                          .applies = [](const S& s) { return s.straight_shadows && !is_classic(s.integrator); }}},
     RenderOption{.name = "always_nee",
                  .field = SwitchField{&S::always_nee},
                  .help = "light sampling also where BSDF sampling has the same density: on diffuse surfaces under a "

@@ -60,6 +60,7 @@ struct RenderSettings {
     bool emitters = true;
     bool fresnel = true;
     bool soft_shadows = true;
+    bool straight_shadows = false;
     bool always_nee = false;
     bool mis_compensation = true;
     bool learned_nee = true;

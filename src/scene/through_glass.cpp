@@ -1,4 +1,4 @@
-#include "scene/through_sheet.h"
+#include "scene/through_glass.h"
 
 #include <algorithm>
 
@@ -6,22 +6,27 @@
 #include "scene/scene.h"
 
 namespace lancer {
+namespace {
 
-Color through_sheet(const Scene& scene, const Ray& ray, const Surface& surface)
+bool lets_pass(const Scene& scene, const Glass& glass) { return glass.thin || scene.straight_shadows; }
+
+}  // namespace
+
+Color through_glass(const Scene& scene, const Ray& ray, const Surface& surface)
 {
     if (!scene.mix_of.empty() && scene.mix_of[surface.material] != Scene::none) return {};
     const auto* const glass = std::get_if<Glass>(&scene.materials[surface.material]);
-    if (!glass || !glass->thin) return {};
+    if (!glass || !lets_pass(scene, *glass)) return {};
     const GlassBsdf bsdf = glass->at(scene.shading_point(surface));
     return bsdf.only_delta() ? bsdf.straight_on(Frame(surface.ns).to_local(-ray.dir)) : Color{};
 }
 
-bool lights_pass_sheets(const Scene& scene)
+bool lights_pass_glass(const Scene& scene)
 {
     if (scene.legacy || (scene.lights.deltas == 0 && scene.soft_shadows)) return false;
-    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& any) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& any) {
         const auto* const glass = std::get_if<Glass>(&any);
-        return glass && glass->thin;
+        return glass && lets_pass(scene, *glass);
     });
 }
 
