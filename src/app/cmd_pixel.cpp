@@ -29,7 +29,9 @@ public:
         return {.ray = [this](const PathState& s, const Hit& h) { print_ray(s, h); },
                 .vertex = [this](const PathState&, const Surface& s) { print_vertex(s); },
                 .added = [](const PathState&, Color c) { print_result("  added          " + to_text(c)); },
-                .shadow = [this](const Ray& r, Color c, bool occluded) { print_shadow_ray(r, c, occluded); }};
+                .shadow = [this](const Ray& r, Color c, bool occluded) { print_shadow_ray("", r, c, occluded); },
+                .mirrored_shadow = [this](const Ray& r, Color c,
+                                          bool occluded) { print_shadow_ray(" by way of a mirror,", r, c, occluded); }};
     }
 
 private:
@@ -84,9 +86,9 @@ private:
         print_result("  shading normal " + to_text(s.ns));
         print_result(format_text("  material       %u ", s.material) + in_quotes(scene_.material_names[s.material]));
     }
-    void print_shadow_ray(const Ray& r, Color carried, bool occluded) const
+    void print_shadow_ray(const char* way, const Ray& r, Color carried, bool occluded) const
     {
-        print_result("  shadow ray from " + place(r.org) + " towards " + to_text(r.dir) +
+        print_result(std::string("  shadow ray") + way + " from " + place(r.org) + " towards " + to_text(r.dir) +
                      (std::isfinite(r.t_max) ? format_text(", length %.9g", distance(r.t_max)) : ", without end"));
         print_result("    carries " + to_text(carried) + (occluded ? ": occluded" : ": arrives"));
     }

@@ -43,6 +43,9 @@ struct PathState {
     PathSegment segment = PathSegment::view;  // segment of the path
     bool last = false;                        // only emission counts at its end
     bool has_split = false;                   // the path has passed the vertex where it splits
+    uint8_t mirror = 0;                       // that the ray has hit: Scene::mirror_at(), if the integrator uses it
+    // > 0: the ray comes from a mirror by way of which its last vertex sampled lights; the distance between these.
+    float mirror_distance = 0;
 };
 
 // The radiance of a sample, summed in double: on a path of 1e5 vertices float would lose 2e-5.
@@ -79,14 +82,23 @@ struct Queue {
         uint32_t to;          // id of the light, if known
         MediumStack media{};  // that it is in
     };
+    struct MirroredShadow {
+        Ray ray;         // to the mirror
+        Color radiance;  // if nothing is in between and the mirror loses nothing
+        LightSample light;
+        uint32_t slot;
+        uint8_t mirror;  // see Scene::mirror_at()
+    };
     std::vector<Ray> shadow_rays;
     std::vector<Shadow> shadows;  // parallel to shadow_rays
     std::vector<TintedShadow> tinted_shadows;
+    std::vector<MirroredShadow> mirrored_shadows;
     std::vector<PathState> next;
 };
 
 // The actions of one sample. Shadow rays without radiance are not traced. The order of summation is fixed: all add() of
-// a depth, then its shadow rays, then its tinted shadow rays, those that crossed fewer surfaces first.
+// a depth, then its shadow rays, then its tinted shadow rays, those that crossed fewer surfaces first, then those by
+// way of mirrors.
 class PathActions {
 public:
     PathActions(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
@@ -116,6 +128,13 @@ public:
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return invalidate();
         queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_, to});
+    }
+    // A shadow ray by way of a mirror.
+    void mirrored_shadow(const Ray& to_mirror, Color radiance_if_unoccluded, const LightSample& light, uint8_t mirror)
+    {
+        if (is_black(radiance_if_unoccluded)) return;
+        if (!is_traceable(to_mirror)) return invalidate();
+        queue_.mirrored_shadows.push_back({to_mirror, radiance_if_unoccluded, light, slot_, mirror});
     }
     void next(const PathState& state)
     {

@@ -7,6 +7,7 @@
 
 #include "core/sampler.h"
 #include "integrators/path/sampling_plan.h"
+#include "integrators/path_actions.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -96,15 +97,22 @@ struct View {
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce, bool through,
                                             uint32_t cell) const
     {
-        const Discrete& pick = scene.lights.pick;
-        if (pick.empty()) return {};
+        if (scene.lights.pick.empty()) return {};
         const Vec2 u = sampler.get2(bounce, Dim::light);
+        const auto pick = [&] { return sampler.get1(bounce, Dim::light); };
         if (plan.light_choice.chooses()) {
-            const auto [option, probability] = plan.light_choice.choose(cell, sampler.get1(bounce, Dim::light));
+            const auto [option, probability] = plan.light_choice.choose(cell, pick());
             return sample_option(from, option, probability, u, through, cell);
         }
-        if (!pick.can_remap()) return lancer::sample_light(scene, from, sampler.get1(bounce, Dim::light), u, through);
-        const Discrete::Remapped s = pick.sample_remapped(u.x);
+        return sample_light_by_power(from, pick, u, through);
+    }
+    // The same without LightChoice. pick(): a number in [0, 1) that selects the light, unless u does.
+    template <class Pick>
+    std::optional<LightSample> sample_light_by_power(const Surface& from, const Pick& pick, Vec2 u, bool through) const
+    {
+        const Discrete& lights = scene.lights.pick;
+        if (!lights.can_remap()) return lancer::sample_light(scene, from, pick(), u, through);
+        const Discrete::Remapped s = lights.sample_remapped(u.x);
         return sample_chosen_light(scene, from, s.index, {s.u, u.y}, through);
     }
     // Samples what LightChoice chose with the given probability.
@@ -174,6 +182,12 @@ struct View {
         if (plan.light_choice.chooses())
             return lancer::pdf_light(scene, from, wi, at, plan.light_choice.probability(cell, at.light));
         return lancer::pdf_light(scene, from, normal, wi, at);
+    }
+    // The same by way of a mirror, if s.mirror_distance > 0: seen from the image of the last vertex behind it.
+    float pdf_mirrored_light(const PathState& s, const Surface& at) const
+    {
+        const Vec3 image = s.ray.org - s.ray.dir * s.mirror_distance;
+        return lancer::pdf_light(scene, image, s.normal, s.ray.dir, at) / static_cast<float>(scene.mirrors.size());
     }
     float pdf_environment(Vec3 normal, Vec3 wi, uint32_t cell) const
     {

@@ -95,6 +95,8 @@ struct NoListener {
     void vertex(const PathState&, const Surface&) const {}
     void added(const PathState&, Color) const {}
     void shadow(uint32_t /*slot*/, uint32_t /*light*/, const Ray&, Color, bool) const {}
+    // A shadow ray by way of a mirror: the part that was stopped, or the last one.
+    void mirrored_shadow(const Ray&, Color, bool) const {}
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

@@ -98,6 +98,9 @@ private:
             [&](const PathState& s, Color c) { parts.of[class_of(s.depth, !has_hit, false)] += double{luminance(c)}; },
             [&](const Ray& r, Color c, bool occluded) {
                 if (!occluded) parts.of[class_of(depth + 1, !std::isfinite(r.t_max), true)] += double{luminance(c)};
+            },
+            [&](const Ray& r, Color c, bool occluded) {
+                if (!occluded) parts.of[class_of(depth + 2, !std::isfinite(r.t_max), true)] += double{luminance(c)};
             }};
         const Color c = renderer_.replay(camera_, film_.width, film_.height, {p.x, p.y, sample}, listener);
         parts.sum = is_finite(c) ? double{luminance(c)} : p.mean;

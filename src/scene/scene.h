@@ -19,6 +19,7 @@
 #include "scene/description/description.h"
 #include "scene/lights/light.h"
 #include "scene/placement.h"
+#include "scene/planar_mirror.h"
 #include "scene/specialisation.h"
 #include "scene/surface.h"
 
@@ -34,6 +35,8 @@ struct MeshShading {
     uint32_t material = 0;
     RankedBitset emitters;  // its emissive triangles, whose lights have consecutive ids in the same order; empty if
                             // there are none
+
+    std::vector<uint8_t> mirror_of;  // per triangle: see Scene::mirror_at(); empty if none is part of a mirror
 
     uint32_t material_of(uint32_t triangle) const { return face_material.empty() ? material : face_material[triangle]; }
     // Whether holds(material) is true for any material of the mesh.
@@ -78,6 +81,8 @@ struct Scene {
     bool glow = false;                                        // see glow_of_lights()
     std::vector<DeltaLight> delta_lights;                     // type by type, as the description lists them
 
+    std::vector<PlanarMirror> mirrors;  // at most 255
+
     std::string file;  // of the description
     UnusedFeatures unused_features;
     // What building took for thin sheets, in words, and how long each look at the whole scene took. For reports only.
@@ -119,6 +124,13 @@ struct Scene {
         if (hit.kind == Kind::sphere) return sphere_material[hit.primitive];
         if (hit.kind == Kind::plane) return plane_material[hit.primitive];
         return shading[hit.geometry].material_of(hit.primitive);
+    }
+    // The mirror that a ray has hit, as its index in `mirrors` plus 1; else 0.
+    uint8_t mirror_at(const Hit& hit) const
+    {
+        if (hit.kind != Kind::triangle || hit.instance != Hit::no_instance) return 0;
+        const std::vector<uint8_t>& of = shading[hit.geometry].mirror_of;
+        return of.empty() ? uint8_t{0} : of[hit.primitive];
     }
     // Whether the only light is a constant environment, which is sampled by the cosine.
     bool has_constant_environment() const

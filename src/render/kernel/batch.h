@@ -9,7 +9,9 @@
 #include <type_traits>
 
 #include "integrators/media.h"
+#include "integrators/path/path.h"
 #include "integrators/view.h"
+#include "render/kernel/mirrored_shadows.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/workspace.h"
 
@@ -111,6 +113,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         }
         requests.prepare();
     };
+    constexpr bool by_mirrors = std::is_same_v<Integrator, Path>;
+    const bool has_mirrors = by_mirrors && !view.scene.mirrors.empty();
     const bool has_media = view.has_media(), tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
@@ -125,6 +129,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         w.queue.shadow_rays.clear();
         w.queue.shadows.clear();
         w.queue.tinted_shadows.clear();
+        w.queue.mirrored_shadows.clear();
         for (size_t i = 0; i < w.states.size(); ++i) {
             const size_t k = i % lookahead;
             if (k == 0) prepare_hits(i);
@@ -133,6 +138,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
+                if constexpr (by_mirrors)
+                    if (has_mirrors) s.mirror = view.scene.mirror_at(w.hits[i]);
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
                 if (!has_media || media.enter(view, s, surface, w.queue, actions)) {
@@ -158,6 +165,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             trace_tinted_shadows(view, accel, integrator, w, counters, listener);
         else if constexpr (requires { typename Integrator::TintedShadows; })
             trace_tinted_shadows(view, accel, typename Integrator::TintedShadows{}, w, counters, listener);
+        if constexpr (by_mirrors) trace_mirrored_shadows(view, accel, w, counters, listener);
         std::swap(w.states, w.queue.next);
     }
 }

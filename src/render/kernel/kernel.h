@@ -198,6 +198,7 @@ struct ReplayListener {
     void vertex(const PathState& s, const Surface& at) const { listener.vertex(s, at); }
     void added(const PathState& s, Color c) const { listener.added(s, c); }
     void shadow(uint32_t, uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
+    void mirrored_shadow(const Ray& ray, Color c, bool occluded) const { listener.mirrored_shadow(ray, c, occluded); }
 };
 
 template <class Integrator>

@@ -12,12 +12,14 @@ namespace lancer {
 
 class ArrivalListener;
 
-// The events of one sample, for `lancer pixel` and tests. Every function must be set.
+// The events of one sample, for `lancer pixel` and tests. Every function must be set; the last one may be left out.
 struct PathListener {
     std::function<void(const PathState&, const Hit&)> ray;         // a traced ray
     std::function<void(const PathState&, const Surface&)> vertex;  // its hit, if any
     std::function<void(const PathState&, Color)> added;            // radiance added at its end
     std::function<void(const Ray&, Color, bool)> shadow;  // a shadow ray, its radiance, whether it was occluded
+    // Likewise one by way of a mirror: the part of it that was stopped, or the last one.
+    std::function<void(const Ray&, Color, bool)> mirrored_shadow = [](const Ray&, Color, bool) {};
 };
 
 // Kernels of Path with eight paths at a time, with the same bits, for scenes that WideScene supports. Each Shading is

@@ -9,6 +9,7 @@
 #include "core/warp.h"
 #include "integrators/path/path.h"
 #include "render/estimators/arrivals.h"
+#include "render/kernel/mirrored_shadows.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/wide/vertices.h"
 #include "render/workspace.h"
@@ -56,6 +57,7 @@ public:
           learned_(samples_ && !view.plan.light_choice.empty()),
           keeps_cells_(learned_ && view.plan.light_choice.chooses()),
           samples_sky_(textured && samples_ && view.scene.environment_light != Scene::none),
+          by_mirrors_(any && samples_ && path_.direct.mirrors && !view.scene.mirrors.empty()),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end()),
           prefetches_(tables_exceed_caches(view.scene))
@@ -65,6 +67,7 @@ public:
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
         if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
         if (keeps_cells_) w.wide.cells_now.reserve(most), w.wide.cells_next.reserve(most);
+        if (by_mirrors_) w.wide.mirror_distances_now.reserve(most), w.wide.mirror_distances_next.reserve(most);
         w.hits.reserve(most + float_lanes);
         w.occluded.reserve(most);
         now_.clear();
@@ -83,7 +86,7 @@ public:
         for (depth_ = 0; now_.size() > 0; ++depth_) {
             if (depth_ > 0) counters_.bounce_rays += now_.size();
             next_.clear(), shadows_.clear(), w_.wide.normals_next.clear(), w_.wide.cells_next.clear();
-            w_.wide.shadow_lights.clear();
+            w_.wide.shadow_lights.clear(), w_.wide.mirror_distances_next.clear();
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
             if (are_last() && !shines_) return;
             add_unoccluded();
@@ -93,6 +96,12 @@ public:
                         trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
                     };
                     arrivals_ ? trace(*arrivals_) : trace(NoListener{});
+                }
+            if constexpr (any)
+                if (by_mirrors_) {
+                    trace_mirrored_shadows(view_, accel_, w_, counters_, NoListener{});
+                    w_.queue.mirrored_shadows.clear();
+                    std::swap(w_.wide.mirror_distances_now, w_.wide.mirror_distances_next);
                 }
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
@@ -147,7 +156,11 @@ private:
         return offset_origin(lane(v.non_lambert.p, i), lane(v.non_lambert.p_error, i), n, -n);
     }
     uint32_t light_sampling_lanes(const Vertices& v) const;
-    ChosenLights choose_lights(const Vertices& v, uint32_t active, const AddressLanes& address, const Vec2x8& u) const;
+    uint32_t shown_lanes(const Vertices& v) const;
+    void sample_mirrored(Vertices& v);
+    void follow_mirrors(Vertices& v);
+    ChosenLights choose_lights(const Vertices& v, const LightQuery& query, const AddressLanes& address,
+                               const Vec2x8& u) const;
     void sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u, LightQuery& query);
     void sample_constant_environment(const Vertices& v, const ChosenLights& chosen, uint32_t lanes,
                                      LightSampleLanes& s) const;
@@ -225,6 +238,7 @@ private:
     bool learned_;                               // there is a LightChoice
     bool keeps_cells_;                           // see WideWorkspace
     bool samples_sky_;                           // the environment is one of the lights
+    bool by_mirrors_;                            // light is sampled by way of mirrors
     bool keeps_normals_;                         // see WideWorkspace
     bool shines_;                                // whether any surface emits
     bool prefetches_;                            // tables_exceed_caches()

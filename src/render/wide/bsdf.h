@@ -132,6 +132,7 @@ inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
     Lanes& next = v.path;
     g.splits = 0, g.sends = v.hit & (non_lambert.lanes | movemask((v.cos_o > Float8{}) & ~is_black(v.albedo)));
     if (g.sends == 0) return;
+    if (by_mirrors_) follow_mirrors(v);
     g.splits = split_any(g.sends, non_lambert, next);
     g.throughput = next.throughput, g.eta_scale = next.eta_scale, g.spread = next.spread;
     next.width = v.width;
@@ -190,6 +191,7 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, 
         next.path_flags = select(is_delta, g.straight, g.spreading);
         next.spread = spread_after(is_delta, g.spread, s.pdf);
         if (learned_) next.pdf = select(is_set(next.path_flags, has_sampled_light), next.pdf / v.light_rate, next.pdf);
+        if (by_mirrors_) next.pdf = select(lanes_of(v.non_lambert.mirrored), v.non_lambert.mirrored_pdf, next.pdf);
         const Float8 q = survival(next);
         if ((movemask(q != one) & goes) != 0) {
             const AddressLanes roulette = numbers(next.key, depth_ + 1, Dim::roulette);
@@ -213,7 +215,16 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     next_.push(lanes & traceable, origin, wi, no_end, v.path);
     next_.set_leaf_hints(lanes & traceable, v.leaf_hint);
     set_alpha_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::alpha);
-    if (keeps_normals_) w_.wide.normals_next.push(lanes & traceable, v.ns);
+    if (by_mirrors_) {
+        if constexpr (any) {
+            const NonLambert& m = v.non_lambert;
+            w_.wide.mirror_distances_next.push(lanes & traceable, m.mirror_distance);
+            if (keeps_normals_)
+                w_.wide.normals_next.push(lanes & traceable, select(lanes_of(m.mirrored), m.mirrored_normal, v.ns));
+        }
+    } else if (keeps_normals_) {
+        w_.wide.normals_next.push(lanes & traceable, v.ns);
+    }
     if (keeps_cells_) w_.wide.cells_next.push(lanes & traceable, v.light_cell);
 }
 

@@ -17,6 +17,7 @@ inline PathState WideBatch<shading>::state_of(size_t i, const Lanes& path, uint3
     if constexpr (textured) s.cone = {path.width[in], path.spread[in]};
     if (keeps_normals_ && depth_ > 0) s.normal = w_.wide.normals_now[i];
     if (keeps_cells_ && depth_ > 0) s.cell = w_.wide.cells_now[i];
+    if (by_mirrors_ && depth_ > 0) s.mirror_distance = w_.wide.mirror_distances_now[i];
     if constexpr (any) {
         const uint32_t path_flags = path.path_flags[in];
         s.specular = (path_flags & was_specular) != 0;
@@ -97,9 +98,17 @@ inline uint32_t WideBatch<shading>::light_sampling_lanes(const Vertices& v) cons
 {
     const Float8 zero{};
     uint32_t active = samples_on_matt_ ? v.hit & movemask((v.cos_o > zero) & ~is_black(v.albedo)) : 0;
+    if constexpr (any) active |= v.hit & v.non_lambert.lanes & ~v.non_lambert.only_delta & movemask(v.cos_o > zero);
+    return active;
+}
+
+// Those of v.samples_light whose direct light is part of the picture.
+template <Shading shading>
+inline uint32_t WideBatch<shading>::shown_lanes(const Vertices& v) const
+{
+    uint32_t active = v.samples_light;
     if constexpr (!any) return path_.parts.has(segment_after(segment(), false)) ? active : 0;
     if constexpr (any) {
-        active |= v.hit & v.non_lambert.lanes & ~v.non_lambert.only_delta & movemask(v.cos_o > zero);
         if (path_.parts.has_all()) return active;
         for_each_lane(active, [&](uint32_t i) {
             if (!path_.parts.has(segment_after(segment_of(v.path.path_flags, i), false))) active &= ~(1u << i);
@@ -127,8 +136,9 @@ inline uint32_t WideBatch<shading>::lanes_by_rate(uint32_t lanes, Vertices& v) c
 template <Shading shading>
 inline void WideBatch<shading>::query_light(Vertices& v, LightQuery& query)
 {
-    query.active = light_sampling_lanes(v);
-    if (learned_) query.active = lanes_by_rate(query.active, v);
+    v.samples_light = light_sampling_lanes(v);
+    if (learned_) v.samples_light = lanes_by_rate(v.samples_light, v);
+    query.active = shown_lanes(v), query.by_place = keeps_cells_;
     if (query.active == 0) return;
     const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
     const Vec2x8 u = address.get2(v.path.sample);
@@ -174,6 +184,9 @@ inline void WideBatch<shading>::sample_direct(std::span<Vertices> vertices)
         for (size_t i = 0; i < vertices.size(); ++i) query_light(vertices[i], non_lambert_.query[i]);
         non_lambert_.plastic.eval();
         for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], non_lambert_.query[i]);
+        // The mirror is a vertex as well.
+        if (by_mirrors_ && path_.parts.indirect && depth_ + 1 != path_.max_depth)
+            for (Vertices& v : vertices) sample_mirrored(v);
     } else {
         for (Vertices& v : vertices) {
             LightQuery query;

@@ -6,6 +6,7 @@
 #include "render/wide/bsdf.h"
 #include "render/wide/direct.h"
 #include "render/wide/lights.h"
+#include "render/wide/mirrors.h"
 #include "render/wide/surfaces.h"
 
 namespace lancer {

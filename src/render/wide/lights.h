@@ -27,17 +27,18 @@ inline void WideBatch<shading>::sample_constant_environment(const Vertices& v, c
 // Selects a light for each lane. Few lights are selected by remapping the first number of the light sample, many by a
 // number of their own.
 template <Shading shading>
-inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_lights(const Vertices& v, uint32_t active,
+inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_lights(const Vertices& v,
+                                                                                   const LightQuery& query,
                                                                                    const AddressLanes& address,
                                                                                    const Vec2x8& u) const
 {
     const LightTable& lights = view_.scene.lights;
-    if (keeps_cells_) {
+    if (query.by_place) {
         const LightChoice& choice = view_.plan.light_choice;
         const Float8 number = address.get1(v.path.sample);
         ChosenLights chosen{.u = u};
         Float8& probability = chosen.probability.emplace();
-        for_each_lane(active, [&](uint32_t i) {
+        for_each_lane(query.active, [&](uint32_t i) {
             const LightChoice::Chosen c = choice.choose(v.light_cell[i], number[i]);
             chosen.ids[i] = choice.is_tile(c.option) ? view_.scene.environment_light : c.option;
             chosen.options[i] = c.option, probability[i] = c.probability;
@@ -56,7 +57,7 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
         for (uint32_t i = 0; i < float_lanes; ++i) chosen.ids[i] = lights.pick.sample(numbers[i]);
         return chosen;
     }
-    const auto choices = choose_by_tree(lights, v.origin, v.ns, numbers, active);
+    const auto choices = choose_by_tree(lights, v.origin, v.ns, numbers, query.active);
     Float8& probability = chosen.probability.emplace();
     for (uint32_t i = 0; i < float_lanes; ++i)
         chosen.ids[i] = choices[i].light, probability[i] = choices[i].probability;
@@ -117,7 +118,7 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
         const bool both_sides = (through & bit) != 0;
         const Vec2 u{chosen.u.x[i], chosen.u.y[i]};
         std::optional<LightSample> light;
-        if (keeps_cells_) {
+        if (query.by_place) {
             light = view_.sample_option(from, chosen.options[i], (*choice)[i], u, both_sides, v.light_cell[i]);
         } else {
             light = sample_given_light(scene, from, id, u, both_sides);
@@ -140,7 +141,7 @@ template <Shading shading>
 inline void WideBatch<shading>::sample_light(const Vertices& v, const AddressLanes& address, const Vec2x8& u,
                                              LightQuery& query)
 {
-    const ChosenLights chosen = choose_lights(v, query.active, address, u);
+    const ChosenLights chosen = choose_lights(v, query, address, u);
     query.ids = chosen.ids;
     bool of_kinds = textured && !scene_.has_triangles_only;
     if constexpr (any) of_kinds |= (query.active & v.non_lambert.transmits) != 0;

@@ -134,7 +134,9 @@ struct WideWorkspace {
     // Shading normal at each ray's origin, if MIS weights need it (environment or light tree).
     PackedVectors normals_now, normals_next;
     PackedNumbers<uint32_t> cells_now, cells_next;  // PathState::cell, if lights are chosen by place
-    PackedNumbers<uint32_t> shadow_lights;          // ids, parallel to the shadow rays, if a pilot learns
+    PackedNumbers<float> mirror_distances_now,
+        mirror_distances_next;              // PathState::mirror_distance, if there are mirrors
+    PackedNumbers<uint32_t> shadow_lights;  // ids, parallel to the shadow rays, if a pilot learns
 };
 
 }  // namespace lancer

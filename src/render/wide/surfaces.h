@@ -172,10 +172,10 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
     non_lambert.transmits |= flags.lanes(WideScene::is_transmissive);
     if constexpr (std::is_same_v<B, PlasticBsdf>) {
         non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
-    } else {
-        non_lambert.own[i] = bsdf;
-        non_lambert.bsdf[i] = &non_lambert.own[i];
+        if (!by_mirrors_) return;
     }
+    non_lambert.own[i] = bsdf;
+    non_lambert.bsdf[i] = &non_lambert.own[i];
 }
 
 // Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the

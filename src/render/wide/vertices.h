@@ -23,6 +23,11 @@ struct NonLambert {
     Vec3x8 wo;                                     // local
     PlasticQueue::Eight plastic;
     std::array<AnyBsdf, float_lanes> own;  // storage of BSDFs that depend on the point
+    // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
+    // normal that it keeps.
+    uint32_t mirrored;
+    Float8 mirrored_pdf, mirror_distance;
+    Vec3x8 mirrored_normal;
 };
 struct Empty {};
 // Which data the surfaces need.
@@ -45,8 +50,9 @@ struct Vertices {
     uint32_t shining;     // active lanes with an emissive material
     Lanes path;
     Vec3x8 albedo;
-    Vec3x8 n, ns, origin;  // as in Surface
-    UInt8 light_cell;      // see LightChoice; only set if there is one, like light_rate
+    Vec3x8 n, ns, origin;    // as in Surface
+    uint32_t samples_light;  // lanes that sample a light
+    UInt8 light_cell;        // see LightChoice; only set if there is one, like light_rate
     Float8 light_rate;
     Float8 cos_o;  // between the shading normal and wo
     Float8 width;  // of the cone, where textures are looked up
@@ -66,7 +72,8 @@ struct ChosenLights {
 };
 // A light sample of eight vertices.
 struct LightQuery {
-    uint32_t active = 0;  // lanes that sample a light
+    uint32_t active = 0;    // lanes that sample a light
+    bool by_place = false;  // by LightChoice
     LightSampleLanes light;
     UInt8 ids;  // of the lights
     Vec3x8 wi;  // direction to the light, local; of lanes that are not Lambertian

@@ -10,6 +10,7 @@
 #include "scene/build/light_table.h"
 #include "scene/build/material_table.h"
 #include "scene/build/mesh_tables.h"
+#include "scene/build/planar_mirrors.h"
 #include "scene/build/receive_environment.h"
 #include "scene/build/shapes.h"
 #include "scene/build/texture_table.h"
@@ -283,6 +284,7 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
     diagnostics.throw_if_errors();
     build_light_table(s);
     s.passes_glass = lights_pass_glass(s);
+    find_planar_mirrors(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
     // Light sampling may leave all of an environment to BSDF sampling.

@@ -107,6 +107,10 @@ constexpr std::array rows{
                  .help =
                      "path samples lights as often, and of several the one, as a pilot's shadow rays brought light to "
                      "places near by; BSDF sampling finds the rest (needs nee and mis)"},
+    RenderOption{.name = "mirror_nee",
+                 .field = SwitchField{&S::mirror_nee},
+                 .help = "path samples lights also by way of large flat mirrors; without it nothing finds what points "
+                         "and directional lights send by way of them (needs nee)"},
     RenderOption{.name = "light_tree",
                  .field = SwitchField{&S::light_tree},
                  .help = "of more than 64 points, spheres and triangles of light one is chosen by what it may send to "
