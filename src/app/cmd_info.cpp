@@ -12,6 +12,7 @@
 #include "app/paths.h"
 #include "app/picture_memory.h"
 #include "app/prepare.h"
+#include "app/print_plan.h"
 #include "app/specialisation.h"
 #include "core/names.h"
 #include "core/parallel.h"
@@ -255,6 +256,7 @@ int print_scene(const InfoOptions& options)
         print_field("unused", "");
         for (const UnusedFeature& l : unused_features_of(renderer, renderer.profile()))
             print_result("  " + to_string(l));
+        if (options.plan) print_plan(renderer, *completed.camera, settings.size, options.plan_map);
     });
     print_field("warnings", diagnostics.warnings().empty() ? "none" : "");
     for (const auto& warning : diagnostics.warnings()) print_result("  " + to_string(warning));

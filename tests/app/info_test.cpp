@@ -54,6 +54,25 @@ TEST_F(Info, OfShapesMadeOfOthers)
     expect_words(pixel.out, "hit            triangle 0 of the triangle at shapes.toml:10:1\n");
 }
 
+// Two lamps with a wall in between: what one side of it is lit by does not light the other.
+TEST_F(Info, OfTheSamplingPlan)
+{
+    write("plan.toml",
+          "[camera]\nposition = [0, 3, 9]\ntarget = [0, 0, 0]\n[render]\nsize = [48, 36]\n[[plane]]\n[[sphere]]\n"
+          "center = [0, 0, 0]\nradius = 2\n[[light]]\ntype = \"sphere\"\ncenter = [-5, 2, 0]\nradius = 0.3\n"
+          "radiance = 9\n[[light]]\ntype = \"sphere\"\ncenter = [5, 2, 0]\nradius = 0.3\nradiance = 9\n");
+    const Said plain = run({"info", "plan.toml"});
+    EXPECT_EQ(plain.out.find("splitting"), std::string::npos);
+    const Said said = run({"info", "plan.toml", "--plan-map", "q.png"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    for (const char* line :
+         {"splitting     ", "roulette      by an importance map", "mirrors       0", "light         sampled "})
+        expect_words(said.out, line);
+    expect_words(run({"info", "q.png"}).out, "size          48x36\n");
+    EXPECT_EQ(run({"info", "plan.toml", "--plan-map", "q.jpg"}).code, 2);
+    EXPECT_NE(run({"info", "plan.toml", "--plan-map", "none/q.png"}).code, 0);
+}
+
 TEST_F(Info, OfPictures)
 {
     EXPECT_EQ(render({"-o", "a.exr", "-o", "a.png", "--crop", "2,3,10,9", "--aov", "depth", "--seed", "7"}).code, 0);

@@ -144,10 +144,17 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
     OptionParser p("lancer info", "Print what is in a scene, and what it costs, or what a picture says of its making.",
                    "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing; "
                    "71 the\npictures need more than --memory.\n\n"
-                   "Examples:\n  lancer info scene.toml\n  lancer info picture.exr\n");
+                   "Examples:\n  lancer info scene.toml\n  lancer info scene.toml --plan\n  lancer info picture.exr\n");
     add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj) or picture (.exr, .png, ...)");
     add_threads(p, o.threads);
     add_memory(p, o.memory);
+    p.flag("--plan", "Also what a pilot learns of the scene: splitting, where and which light is sampled", o.plan);
+    p.value("--plan-map", "FILE.png",
+            "That, and a map of how often light is sampled: white always, black never or nothing",
+            [&](const std::string& t) {
+                if (extension_of(t) != ".png") fail_usage("--plan-map: " + in_quotes(t) + " must end in .png");
+                o.plan = true, o.plan_map = t;
+            });
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
     return o;

@@ -75,6 +75,8 @@ struct InfoOptions {
     SceneChoice scene;  // or a picture
     std::optional<uint32_t> threads;
     MemorySize memory;
+    bool plan = false;
+    std::string plan_map;  // a file; empty: none
 };
 
 struct PixelOptions {
