@@ -41,7 +41,7 @@ Film Stage::draw(uint32_t spp) const
 SceneDescription load_description(const std::string& file, const RenderSettings& command_line)
 {
     Diagnostics diagnostics;
-    const SceneChoice choice{.file = file, .asset_root = {}, .definitions = {}, .camera = {}};
+    const SceneChoice choice{.file = file, .asset_root = {}, .definitions = {}, .camera = {}, .smoothing = {}};
     SceneDescription d = load_scene(choice, diagnostics);
     const double aspect = aspect_of(resolve_settings(command_line, d.render).size);
     with_threads(available_threads(), [&] {
