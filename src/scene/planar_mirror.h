@@ -6,6 +6,9 @@
 
 namespace lancer {
 
+// The mirror image of a direction; n: the mirror's unit normal, on either side.
+inline Vec3 mirror_image(Vec3 w, Vec3 n) { return w - n * (2 * dot(w, n)); }
+
 struct PlanarMirror {
     Vec3 p, n;  // a point of its plane, scene units, and the plane's unit normal, on either side
     Vec3 u, v;  // unit, span the plane
@@ -13,7 +16,7 @@ struct PlanarMirror {
     Vec2 low, high;
 
     // Mirror image of a direction.
-    Vec3 image_of(Vec3 w) const { return w - n * (2 * dot(w, n)); }
+    Vec3 image_of(Vec3 w) const { return mirror_image(w, n); }
     // Mirror image of a place.
     Vec3 image_at(Vec3 q) const { return q - n * (2 * dot(q - p, n)); }
     // Whether a ray crosses the plane within the bounds, between its origin and t_max.

@@ -85,7 +85,7 @@ inline void follow_mirror(const PathState& s, const Surface& surface, DirectLigh
     n.mirror_distance = 0;
     if (s.mirror == 0 || !s.light_sampled || !n.specular || !how.mirrors) return;
     n.mirror_distance = surface.t;
-    n.normal = s.normal - surface.n * (2 * dot(s.normal, surface.n));
+    n.normal = mirror_image(s.normal, surface.n);
     n.pdf = s.pdf / mirror_rate(s.segment == PathSegment::direct ? PathSegment::view : PathSegment::indirect);
 }
 

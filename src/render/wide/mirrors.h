@@ -81,8 +81,7 @@ inline void WideBatch<shading>::follow_mirrors(Vertices& v)
         more.mirrored_pdf[i] = v.path.pdf[i] / mirror_rate(is_first ? PathSegment::view : PathSegment::indirect);
         more.mirror_distance[i] = hits[i].t;
         if (!keeps_normals_) return;
-        const Vec3 before = w_.wide.normals_now[v.first + i], n = lane(v.n, i);
-        set_lane(more.mirrored_normal, i, before - n * (2 * dot(before, n)));
+        set_lane(more.mirrored_normal, i, mirror_image(w_.wide.normals_now[v.first + i], lane(v.n, i)));
     });
 }
 
