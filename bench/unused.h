@@ -244,7 +244,7 @@ struct NoLightTree : Everything {
 struct NoSky : Everything {
     Color environment(Vec3) const { return {}; }
     Color background(const Ray&, RayCone) const { return {}; }
-    bool has_constant_environment() const { return false; }
+    bool leaves_sky_to_cosine() const { return false; }
     float pdf_environment(Vec3, Vec3, uint32_t) const { return 0; }
 };
 // What shines has one colour.

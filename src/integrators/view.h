@@ -126,10 +126,15 @@ struct View {
             is_tile ? sample_sky(scene, from, SkyTiles::sample(option - plan.light_choice.lights, u), through)
                     : sample_given_light(scene, from, option, u, through);
         if (!s) return s;
-        const LightChoice& choice = plan.light_choice;
-        s->pdf = s->pdf * choice.probability(cell, scene.environment_light) + choice.pdf_of_tiles(cell, s->wi);
+        s->pdf = s->pdf * choice_of_sky(cell) + plan.light_choice.pdf_of_tiles(cell, s->wi);
         if (!(s->pdf > 0)) s.reset();
         return s;
+    }
+    // Probability that LightChoice chooses the whole sky, not a tile of it; only if it chooses.
+    float choice_of_sky(uint32_t cell) const
+    {
+        const uint32_t sky = scene.environment_light;
+        return sky == Scene::none ? 0 : plan.light_choice.probability(cell, sky);
     }
     // See LightChoice.
     uint32_t light_cell(const Surface& surface) const
@@ -138,7 +143,8 @@ struct View {
     }
     // Probability of light sampling.
     float light_rate(uint32_t cell) const { return plan.light_choice.empty() ? 1 : plan.light_choice.rate(cell); }
-    bool has_constant_environment() const { return scene.has_constant_environment(); }
+    // Whether the only light is the constant environment as a whole, as BSDF sampling by the cosine finds it as well.
+    bool leaves_sky_to_cosine() const { return scene.has_constant_environment() && !plan.light_choice.has_tiles; }
     // Number of point and directional lights, and light i of these as sample_light() returns it, without the
     // probability of its selection.
     uint32_t delta_lights() const { return scene.lights.deltas; }
@@ -191,12 +197,10 @@ struct View {
     }
     float pdf_environment(Vec3 normal, Vec3 wi, uint32_t cell) const
     {
-        if (scene.environment_light == Scene::none) return 0;
-        if (plan.light_choice.chooses())
-            return lancer::pdf_environment(scene, normal, wi,
-                                           plan.light_choice.probability(cell, scene.environment_light)) +
-                   plan.light_choice.pdf_of_tiles(cell, wi);
-        return lancer::pdf_environment(scene, normal, wi);
+        const LightChoice& choice = plan.light_choice;
+        if (!choice.chooses()) return lancer::pdf_environment(scene, normal, wi);
+        const float whole = choice_of_sky(cell);
+        return (whole > 0 ? lancer::pdf_environment(scene, normal, wi, whole) : 0) + choice.pdf_of_tiles(cell, wi);
     }
 };
 

@@ -26,7 +26,11 @@ KernelChoice choose_kernel(const Scene& scene, const AnyIntegrator& integrator, 
     if (scene.has_constant_environment() && path->direct.always) return {};  // light sampling that the tables leave out
     std::optional<WideScene> wide = WideScene::of(scene);
     if (!wide) return {};
-    return {std::make_shared<const WideScene>(std::move(*wide))};
+    KernelChoice choice{std::make_shared<const WideScene>(std::move(*wide))};
+    choice.tiled = choice.wide;
+    if (choice.wide->shading == Shading::plain && scene.has_sky() && path->learned_nee)
+        choice.tiled = std::make_shared<const WideScene>(*WideScene::of(scene, Shading::textured));
+    return choice;
 }
 
 TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const AnyIntegrator& integrator,
@@ -36,10 +40,11 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
         [&]<class Integrator>(const Integrator& concrete) -> TileKernel {
             if constexpr (std::is_same_v<Integrator, Path>)
                 if (choice.wide)
-                    return [&, wide = choice.wide](const SamplingPlan& plan, const Camera& camera, Film& film,
-                                                   Tile tile, SampleRange samples, Workspace& w, Counters& counters) {
-                        with_wide_kernel(wide->shading, [&](auto kernel) {
-                            kernel.render(View{scene, plan}, accel, camera, settings, concrete, *wide, film, tile,
+                    return [&, choice](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile,
+                                       SampleRange samples, Workspace& w, Counters& counters) {
+                        const WideScene& wide = choice.wide_for(plan);
+                        with_wide_kernel(wide.shading, [&](auto kernel) {
+                            kernel.render(View{scene, plan}, accel, camera, settings, concrete, wide, film, tile,
                                           samples, w, counters);
                         });
                     };

@@ -15,6 +15,9 @@ using TileKernel =
 // A kernel variant: by the tables of the scene that it reads.
 struct KernelChoice {
     std::shared_ptr<const WideScene> wide{};  // null for Profile::all
+    // For plans that choose tiles of the sky, which Shading::plain cannot sample; else the same.
+    std::shared_ptr<const WideScene> tiled{};
+    const WideScene& wide_for(const SamplingPlan& plan) const { return plan.light_choice.has_tiles ? *tiled : *wide; }
     Profile profile() const { return wide ? Profile::wide : Profile::all; }
 };
 // The most specialised kernel variant that supports a complete scene, or the requested one if it does. Building the

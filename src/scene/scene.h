@@ -137,6 +137,8 @@ struct Scene {
     {
         return environment_light != none && lights.lights.size() == 1 && !environment_table;
     }
+    // Whether any light comes from outside of the scene, listed in `lights` or not.
+    bool has_sky() const { return environment_table || !is_black(environment); }
     // Whether there is a delta light or a material that emits.
     bool has_emitters() const;
     // Whether all rays that leave the scene have the same radiance, camera rays included.

@@ -81,13 +81,14 @@ WideScene::Fixed fixed_of(const Scene& scene, size_t material)
 
 }  // namespace
 
-std::optional<WideScene> WideScene::of(const Scene& scene)
+std::optional<WideScene> WideScene::of(const Scene& scene, Shading least)
 {
     const Features needed = features_of(scene);
     const bool has_triangle_lights = needed.has(Feature::triangle_lights), has_sky = needed.has(Feature::constant_sky);
     if (!(plain | textured | any).covers(needed)) return {};
     WideScene d;
     std::vector<RowTable<1>::Record> albedo;
+    d.shading = least;
     if (!plain.covers(needed) || (has_triangle_lights && has_sky)) d.shading = Shading::textured;
     if (!(plain | textured).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {

@@ -70,7 +70,7 @@ struct WideScene {
         std::array<uint32_t, 2> flags{};  // bsdf_flags() of each
     };
 
-    Shading shading = Shading::plain;           // the plainest one that supports the scene
+    Shading shading = Shading::plain;           // see of()
     RowTable<1> albedo;                         // of each material without textures
     FlatTable flat;                             // only for Shading::plain
     std::vector<uint8_t> shines;                // per material: whether any side emits
@@ -82,8 +82,9 @@ struct WideScene {
     std::vector<SphereLightRow> sphere_lights;  // parallel to Scene::lights if there are sphere lights
     bool has_triangles_only = false;            // all lights are of kind triangle
 
-    // Returns nothing if the scene has unsupported features.
-    static std::optional<WideScene> of(const Scene& scene);
+    // Tables for the plainest shading that supports the scene, but not plainer than `least`. Returns nothing if the
+    // scene has unsupported features.
+    static std::optional<WideScene> of(const Scene& scene, Shading least = Shading::plain);
 };
 
 // Flags of a BSDF: not Lambertian, plastic, only delta lobes, transmissive.

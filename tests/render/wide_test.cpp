@@ -78,17 +78,17 @@ void expect_same(const Built& c, const RenderRequest& r, const std::string& how)
     EXPECT_GT(tally(eight.film).mean, 0) << c.name << ", " << how;
 }
 
-// A picture so large that the pilot chooses tiles of the sky: of the shadings that know pictured skies.
+// A picture so large that the pilot chooses tiles of the sky, by all shadings that can sample them.
 TEST(Wide, HasThemWithTilesOfTheSky)
 {
-    for (const SceneDescription& d : {room_with_window(), glossy_room_with_window()}) {
-        const Built c({"window", d});
+    for (const auto& [name, d] : rooms_with_window()) {
+        const Built c({name, d});
         RenderRequest r;
         r.width = 256, r.height = 192, r.spp = {1};
         with_threads(1, [&] {
             const Renderer renderer(build_scene(d), {});
             const auto plan = renderer.plan(camera_of(d, renderer.scene(), r.width, r.height), r.width, r.height);
-            EXPECT_TRUE(plan->light_choice.has_tiles);
+            EXPECT_TRUE(plan->light_choice.has_tiles) << name;
         });
         expect_same(c, r, "tiles");
     }

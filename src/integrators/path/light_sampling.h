@@ -139,12 +139,13 @@ inline bool sides_agree(const Surface& surface, Vec3 wi, Vec3 wi_local)
 }
 
 // Whether next-event estimation is done at a vertex. Under a constant environment alone, light sampling and cosine-
-// weighted BSDF sampling have the same density, so that a shadow ray would bring no more than another sample does.
+// weighted BSDF sampling have the same density, so that a shadow ray would bring no more than another sample does,
+// unless it is known which part of the sky is seen.
 template <class V, class B>
 bool samples_light(const V& view, const B& bsdf, DirectLight how)
 {
     if (!how.nee || bsdf.only_delta()) return false;
-    if constexpr (requires { B::samples_cosine; }) return how.always || !view.has_constant_environment();
+    if constexpr (requires { B::samples_cosine; }) return how.always || !view.leaves_sky_to_cosine();
     return true;
 }
 

@@ -13,9 +13,10 @@ constexpr double prior_of_tiles = 128;  // the same for tiles of the sky, of whi
 constexpr double worthwhile = 1.1;      // gain of rates that must be expected: looking up cells takes time
 constexpr double worth_a_choice = 2;    // of a choice by place: that by power is spread better over samples
 constexpr double worth_tiles = 1.4;     // of tiles beyond the best without: their samples cost more than others
-constexpr double fewest = 16;           // vertices of a cell that chooses tiles
-constexpr double as_before = 0.1;       // part of the choices that are the pilot's, whatever was learned
-constexpr int least_weight = 10;        // learned weights are 2^-0 to 2^-least_weight of the largest
+constexpr double is_rare = 0.8;    // part of mean squares that is variance where a sky of one colour is rarely found
+constexpr double fewest = 16;      // vertices of a cell that chooses tiles
+constexpr double as_before = 0.1;  // part of the choices that are the pilot's, whatever was learned
+constexpr int least_weight = 10;   // learned weights are 2^-0 to 2^-least_weight of the largest
 
 // The rate q with the least variance for the work. Light sampling of mean square s and a work of 1 adds s / q to the
 // variance v of a sample and q to its work w: the derivative of (v + s / q) (w + q) is 0 at q^2 = s w / v.
@@ -64,8 +65,9 @@ public:
     // What is chosen by place.
     enum class Choosing { nothing, lights, lights_and_tiles };
 
-    Lesson(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& pilot, const PilotCost& cost)
-        : arrivals_(arrivals), lights_(lights), pilot_(pilot), cost_(cost), grid_(make_grid(arrivals))
+    Lesson(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& pilot, const PilotCost& cost,
+           Sky sky)
+        : arrivals_(arrivals), lights_(lights), pilot_(pilot), cost_(cost), sky_(sky), grid_(make_grid(arrivals))
     {
         index_.reserve(arrivals.size());
         for (const Arrival& a : arrivals) index_.push_back(grid_.index_of(a.p, a.n));
@@ -81,7 +83,7 @@ public:
         const size_t count = std::max(choice.options(), lights_of_pilot());
         Level level(grid_.size, count);
         const double rays_per_vertex = add_arrivals(level, choice.has_tiles, from);
-        if (rays_per_vertex == 0) return {};
+        if (rays_per_vertex == 0 && !choice.has_tiles) return {};
         to.levels.push_back(std::move(level));
         while (!to.levels.back().is_coarsest()) to.levels.push_back(to.levels.back().coarser());
 
@@ -130,6 +132,10 @@ public:
             const double of_tiles = by.choice.has_tiles ? share_of_tiles(by.choice, cell) : 0;
             sum.work += rate * (a.light == Scene::none ? of_tiles : 1);
             if (a.light == Scene::none) continue;
+            if (by.choice.has_tiles && replaces_sky()) {
+                sum.variance += double{a.brought} * double{a.brought};
+                continue;
+            }
             const double more = probability_of_pilot(pilot_option(a)) / probability(by.choice, cell, pilot_option(a));
             sum.variance += double{a.brought} * double{a.brought} * more / rate;
         }
@@ -152,7 +158,7 @@ private:
             if (with_tiles && a.tile != Scene::none)
                 sums[lights_of_pilot() + a.tile] +=
                     double{a.found} * double{a.found} * double{a.pdf} / double{SkyTiles::pdf};
-            if (a.light == Scene::none) continue;
+            if (a.light == Scene::none || (with_tiles && replaces_sky())) continue;
             sent += 1;
             // Divided by the probability of the choice once: the mean over all vertices is that if each had chosen it.
             const uint32_t light = pilot_option(a);
@@ -168,7 +174,7 @@ private:
             std::vector<double> chosen(squares.size());
             if (choice.chooses()) {
                 choose_by(
-                    squares, [&](uint32_t i) { return probability_of_pilot(i); }, chosen);
+                    squares, [&](uint32_t i) { return replaces_sky() ? 0 : probability_of_pilot(i); }, chosen);
                 append_sums(chosen, choice.cumulative);
             } else {
                 for (uint32_t i = 0; i < chosen.size(); ++i) chosen[i] = double{lights_.pick.probability(i)};
@@ -185,6 +191,8 @@ private:
         choice.exponents.push_back(exponent_for(mean_square / rays_per_vertex, cost_.work / cost_.variance));
     }
     uint32_t lights_of_pilot() const { return pilot_.chooses() ? pilot_.lights : 1; }
+    // Whether tiles leave nothing to sampling all of the sky: by the cosine BSDF sampling finds a constant sky as well.
+    bool replaces_sky() const { return sky_ == Sky::alone; }
     // That the pilot chose a light; it left the tiles to BSDF sampling.
     double probability_of_pilot(uint32_t option) const
     {
@@ -211,6 +219,7 @@ private:
     const LightTable& lights_;
     const LightChoice& pilot_;
     PilotCost cost_;
+    Sky sky_;
     LightChoice grid_;           // without cells
     std::vector<size_t> index_;  // of each arrival in it
 };
@@ -235,11 +244,11 @@ LightChoice choice_of_pilot(const LightTable& lights)
 }
 
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               const PilotCost& cost, bool sky)
+                               const PilotCost& cost, Sky sky)
 {
     using Choosing = Lesson::Choosing;
     if (arrivals.empty() || !(cost.variance > 0)) return {};
-    const Lesson lesson(arrivals, lights, by, cost);
+    const Lesson lesson(arrivals, lights, by, cost, sky);
     if (!lesson.has_grid()) return {};
     const PilotCost pilot = lesson.cost_of({.choice = by}, Lesson::all);
     // The pilot's cost with other light sampling; no choice of lights takes all variance away.
@@ -259,7 +268,10 @@ LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTab
     if (by.chooses())
         if (const PilotCost chosen = judged(Choosing::lights); by_power.variance > worth_a_choice * chosen.variance)
             best = Choosing::lights, least = chosen;
-    if (sky && (by.chooses() || lights.pick.size() == 1))
+    // Where BSDF samples find a sky of one colour often, mean squares are no variances, and their directions are spread
+    // better over samples than tiles are.
+    const bool tries_tiles = sky == Sky::pictured || (sky != Sky::none && cost.variance > is_rare * pilot.variance);
+    if (tries_tiles && (by.chooses() || lights.pick.size() == 1))
         if (const PilotCost tiled = judged(Choosing::lights_and_tiles);
             least.variance * least.work > worth_tiles * tiled.variance * tiled.work)
             best = Choosing::lights_and_tiles;

@@ -52,7 +52,7 @@ public:
     }
     void sky(uint32_t slot, const PathState& s, Color radiance) const
     {
-        if (!s.light_sampled) return;
+        if (s.specular) return;
         Arrival& a = (*arrivals_)[last_[slot]];
         a.tile = SkyTiles::tile_of(s.ray.dir), a.found = luminance(radiance), a.pdf = s.pdf;
     }
@@ -72,9 +72,17 @@ struct PilotCost {
     double variance, work;
 };
 
+// Light from outside of the scene, of which tiles may be chosen.
+enum class Sky {
+    none,
+    pictured,
+    even,   // of one colour, beside other lights
+    alone,  // of one colour, the only light
+};
+
 // What the arrivals teach; empty unless it would pay. by: choice of the pilot. What arrivals brought and found is
-// relative to the pixel. sky: its tiles may be chosen as well.
+// relative to the pixel.
 LightChoice learn_light_choice(std::span<const Arrival> arrivals, const LightTable& lights, const LightChoice& by,
-                               const PilotCost& cost, bool sky);
+                               const PilotCost& cost, Sky sky);
 
 }  // namespace lancer

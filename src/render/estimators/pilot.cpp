@@ -62,7 +62,7 @@ struct PilotGrid {
     std::array<double, 3> mean{};
     Counters counters;
     LightChoice choice;  // of lights
-    // Their slot is the index of a pixel. Empty if no shadow ray was sent or nothing is to be learned.
+    // Their slot is the index of a pixel. Empty if nothing is to be learned.
     std::vector<Arrival> arrivals;
 
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
@@ -120,7 +120,7 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
         }
     });
     for (const Counters& c : counters) s.counters += c;
-    if (s.counters.shadow_rays > 0)
+    if (s.counters.shadow_rays > 0 || scene.has_sky())
         for (const auto& row : arrivals) s.arrivals.insert(s.arrivals.end(), row.begin(), row.end());
     for (const PixelStatistics& pixel : s.pixels)
         for (size_t c = 0; c < 3; ++c) s.mean[c] += pixel.mean[c] / static_cast<double>(s.pixels.size());
@@ -166,8 +166,11 @@ LightChoice best_light_choice(PilotGrid& s, const Scene& scene)
         const auto shown = static_cast<float>(std::sqrt(s.square_of(s.pixels[a.slot])));
         a.brought /= shown, a.found /= shown;
     }
+    const Sky sky = !scene.has_sky()                   ? Sky::none
+                    : scene.environment_table          ? Sky::pictured
+                    : scene.has_constant_environment() ? Sky::alone
+                                                       : Sky::even;
     const PilotCost cost{variance * count(s.counters.camera_rays), work};
-    const bool sky = scene.environment_light != Scene::none && scene.environment_table;
     return learn_light_choice(s.arrivals, scene.lights, s.choice, cost, sky);
 }
 
@@ -205,8 +208,7 @@ SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path&
                        const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height)
 {
     SamplingPlan plan;
-    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty() &&
-                        !scene.has_constant_environment();
+    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
     if (!path.split && !path.roulette_by_pixel && !learns) return plan;
     PilotGrid s = measure_grid(scene, accel, path, settings, kernel, camera, width, height, learns);
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);

@@ -52,11 +52,12 @@ public:
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
           shadows_(w.wide.shadows),
           counters_(counters),
-          samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.has_constant_environment())),
-          samples_on_matt_(samples_ && !view.has_constant_environment()),
+          samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.leaves_sky_to_cosine())),
+          samples_on_matt_(samples_ && !view.leaves_sky_to_cosine()),
           learned_(samples_ && !view.plan.light_choice.empty()),
           keeps_cells_(learned_ && view.plan.light_choice.chooses()),
-          samples_sky_(textured && samples_ && view.scene.environment_light != Scene::none),
+          tiles_(textured && samples_ && view.plan.light_choice.has_tiles),
+          samples_sky_(textured && samples_ && (tiles_ || view.scene.environment_light != Scene::none)),
           by_mirrors_(any && samples_ && path_.direct.mirrors && !view.scene.mirrors.empty()),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end()),
@@ -237,7 +238,8 @@ private:
     bool samples_, samples_on_matt_;
     bool learned_;                               // there is a LightChoice
     bool keeps_cells_;                           // see WideWorkspace
-    bool samples_sky_;                           // the environment is one of the lights
+    bool tiles_;                                 // LightChoice chooses tiles of the sky
+    bool samples_sky_;                           // the environment is one of the lights, as a whole or in tiles
     bool by_mirrors_;                            // light is sampled by way of mirrors
     bool keeps_normals_;                         // see WideWorkspace
     bool shines_;                                // whether any surface emits

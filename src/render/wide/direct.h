@@ -61,6 +61,7 @@ inline void WideBatch<shading>::add_background(uint32_t missed, size_t first, co
         else if (samples_sky_)
             plain = 0;
     }
+    if (arrivals_) plain = 0;  // they are reported
     const Color sky = view_.scene.environment;
     if (!is_black(sky))
         for_each_lane(plain, [&](uint32_t i) {

@@ -40,8 +40,11 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
         Float8& probability = chosen.probability.emplace();
         for_each_lane(query.active, [&](uint32_t i) {
             const LightChoice::Chosen c = choice.choose(v.light_cell[i], number[i]);
-            chosen.ids[i] = choice.is_tile(c.option) ? view_.scene.environment_light : c.option;
             chosen.options[i] = c.option, probability[i] = c.probability;
+            if (choice.is_tile(c.option))
+                chosen.tiles |= 1u << i;
+            else
+                chosen.ids[i] = c.option;
         });
         return chosen;
     }
@@ -79,7 +82,7 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
     const auto choosing = [&](LightKind kind) {
         uint32_t lanes = 0;
         for (uint32_t i = 0; i < float_lanes; ++i) lanes |= uint32_t{scene_.light_kinds[chosen.ids[i]] == kind} << i;
-        return lanes & one_by_one;
+        return lanes & one_by_one & ~chosen.tiles;
     };
     // Lights behind a transmissive surface are left to the scalar functions.
     const auto sample_kind = [&](uint32_t lanes, bool is_sphere) {
@@ -103,7 +106,7 @@ inline void WideBatch<shading>::sample_any_light(const Vertices& v, const Chosen
     if (!scene_.sphere_lights.empty()) sample_kind(choosing(LightKind::sphere) & ~through, true);
     if (!scene_.lights.empty()) sample_kind(choosing(LightKind::triangle) & ~through, false);
     if (done == 0) s = LightSampleLanes{};
-    if (const uint32_t lanes = samples_sky_ ? choosing(LightKind::constant_environment) : 0; lanes != 0) {
+    if (const uint32_t lanes = samples_sky_ && !tiles_ ? choosing(LightKind::constant_environment) : 0; lanes != 0) {
         sample_constant_environment(v, chosen, lanes, s);
         done |= lanes;
     }
@@ -143,7 +146,7 @@ inline void WideBatch<shading>::sample_light(const Vertices& v, const AddressLan
 {
     const ChosenLights chosen = choose_lights(v, query, address, u);
     query.ids = chosen.ids;
-    bool of_kinds = textured && !scene_.has_triangles_only;
+    bool of_kinds = textured && (tiles_ || !scene_.has_triangles_only);
     if constexpr (any) of_kinds |= (query.active & v.non_lambert.transmits) != 0;
     if constexpr (textured)
         if (of_kinds) return sample_any_light(v, chosen, query);

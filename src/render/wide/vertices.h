@@ -65,7 +65,8 @@ struct Vertices {
 // The lights selected by the lanes.
 struct ChosenLights {
     UInt8 ids{};
-    UInt8 options{};                      // of LightChoice, if it chose; a tile has the id of the environment
+    UInt8 options{};                      // of LightChoice, if it chose
+    uint32_t tiles = 0;                   // lanes that chose a tile of the sky, which has no id
     Vec2x8 u;                             // random numbers for the point on the light
     std::optional<Float8> probability{};  // of the selection, if not by power
     const Float8* choice() const { return probability ? &*probability : nullptr; }

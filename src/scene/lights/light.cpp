@@ -205,7 +205,10 @@ std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, V
 {
     const float side = dot(wi, from.side);
     if (through ? side == 0 : side <= 0) return {};
-    return sky_sample(scene, scene.environment_table->at(wi));
+    if (scene.environment_table) return sky_sample(scene, scene.environment_table->at(wi));
+    const float pdf = pdf_constant_environment(from.ns, wi);
+    return LightSample{
+        .wi = wi, .infinite = true, .radiance = scene.environment, .pdf = pdf, .light = scene.environment_light};
 }
 
 float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at)

@@ -81,18 +81,22 @@ SceneDescription glossy_room_under_a_sky()
     return d;
 }
 
-SceneDescription room_with_window()
+std::vector<NamedRoom> rooms_with_window()
 {
-    SceneDescription d = box_with_hole(1, 0.3);
-    d.lights = {sky_map_of({3, 3, 3})};
-    return d;
-}
-
-SceneDescription glossy_room_with_window()
-{
-    SceneDescription d = room_with_window();
-    d.meshes.push_back(glossy_floor());
-    return d;
+    const LightDescription picture = sky_map_of({3, 3, 3}), even = sky_of({3, 3, 3});
+    std::vector<NamedRoom> rooms;
+    const auto add = [&](const char* name, const std::vector<LightDescription>& lights, bool glossy) {
+        SceneDescription d = box_with_hole(1, 0.3);
+        d.lights = lights;
+        if (glossy) d.meshes.push_back(glossy_floor());
+        rooms.push_back({name, d});
+    };
+    add("pictured sky", {picture}, false);
+    add("pictured sky, glossy", {picture}, true);
+    add("even sky", {even}, false);
+    add("even sky, glossy", {even}, true);
+    add("even sky and sun", {even, directional_of({3, 3, 3}, {-1, -0.4, 0.1})}, false);
+    return rooms;
 }
 
 }  // namespace lancer

@@ -1,6 +1,9 @@
 // Rooms that see little of their lights.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scene/description/description.h"
 
 namespace lancer {
@@ -20,8 +23,12 @@ SceneDescription room_beside_a_brighter_one();
 SceneDescription room_under_a_sun();
 SceneDescription glossy_room_under_a_sky();
 
-// The camera's room alone, whose hole shows a part of a pictured sky; and with a glossy floor.
-SceneDescription room_with_window();
-SceneDescription glossy_room_with_window();
+// The camera's room alone, whose hole shows a part of the sky: of a picture or of one colour, the latter also beside a
+// sun; matt, or with a glossy floor.
+struct NamedRoom {
+    std::string name;
+    SceneDescription description;
+};
+std::vector<NamedRoom> rooms_with_window();
 
 }  // namespace lancer

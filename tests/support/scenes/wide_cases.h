@@ -1,6 +1,8 @@
 // Scenes that are traced eight paths at a time, between them with all that such scenes may have.
 #pragma once
 
+#include <string>
+
 #include "support/scenes/classic.h"
 #include "support/scenes/scenes.h"
 #include "support/shoot.h"
@@ -53,7 +55,7 @@ SceneDescription points_of_light();
 SceneDescription materials_and_many_lights();
 
 struct WideCase {
-    const char* name;
+    std::string name;
     SceneDescription scene;
 };
 std::vector<WideCase> wide_cases();
