@@ -7,17 +7,12 @@
 #include "harness/lamps.h"
 #include "harness/scenes.h"
 #include "harness/stage.h"
+#include "report/estimator_switches.h"
 #include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
-#include "scene/description/render_options.h"
 
 namespace lancer::bench {
 namespace {
-
-// An estimator is a switch that leaves the mean of the picture alone.
-using Estimator = const RenderOption*;
-bool RenderSettings::*field_of(Estimator e) { return std::get<SwitchField>(e->field).member; }
-bool is_on_by_default(Estimator e) { return RenderSettings{}.*field_of(e); }
 
 // Pictures by one setting of the switches, a pair with new random numbers each round.
 class Drawn {
@@ -53,22 +48,15 @@ private:
     std::vector<PicturePair> pairs_;
 };
 
-RenderSettings switched_over(RenderSettings picture, Estimator e)
-{
-    picture.give(field_of(e), !is_on_by_default(e));
-    return picture;
-}
-
-// None, for the default of all, and the estimators that change the picture at all when they are switched over.
+// None, for the default of all, and the estimators that change the picture at all when they are switched over. What the
+// picture is asked for stays.
 std::vector<Estimator> that_matter(const SceneDescription& description, const RenderSettings& picture)
 {
     std::vector<Estimator> matter{nullptr};
     const auto draw = [&](const RenderSettings& by) { return Stage(description, by).draw(1); };
     const Film usual = draw(picture);
-    for (const RenderOption& option : render_options())
-        if (option.is_switch() && option.bias.effect.empty() &&
-            differing_pixels(usual, draw(switched_over(picture, &option))) > 0)
-            matter.push_back(&option);
+    for (const Estimator e : estimators())
+        if (!is_given(picture, *e) && differing_pixels(usual, draw(switched_over(picture, e))) > 0) matter.push_back(e);
     return matter;
 }
 
@@ -102,7 +90,7 @@ void measure(const std::string& name, const SceneDescription& description, const
         row["threads"] = options.threads;
         row["mesh"] = name, row["way"] = contestants[i].name;
         row["error"] = median(errors[i]);
-        if (matter[i]) row["switched"] = is_on_by_default(matter[i]) ? "off" : "on";
+        if (matter[i]) row["switched"] = is_on(picture, matter[i]) ? "off" : "on";
         add_ratio(row, contestants[0].name, timings[0], timings[i], 1);
         if (i > 0) {
             std::vector<double> gains, less;

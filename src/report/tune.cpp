@@ -9,6 +9,7 @@
 
 #include "render/config.h"
 #include "render/renderer.h"
+#include "report/estimator_switches.h"
 #include "report/metrics/picture_pairs.h"
 
 namespace lancer {
@@ -40,7 +41,7 @@ std::vector<Tile> choose_tiles(PictureSize size)
 class Contestant {
 public:
     Contestant(const Renderer& base, const CameraDescription& camera, const TuneRequest& request,
-               std::span<const Tile> tiles, RenderSettings settings, const RenderOption* o)
+               std::span<const Tile> tiles, RenderSettings settings, Estimator o)
         : option(o),
           base_(base),
           tiles_(tiles),
@@ -72,7 +73,7 @@ public:
         seconds.push_back(0.5 * (plan_s_ + render_s_ * wanted / drawn));
     }
 
-    const RenderOption* option;  // null: the settings themselves
+    Estimator option;  // null: the settings themselves
     std::vector<PicturePair> pairs;
     std::vector<double> seconds;  // of the whole picture, by each pair
 
@@ -92,13 +93,6 @@ double mean_luminance(const PicturePair& pair)
     return sum;
 }
 
-RenderSettings switched_over(RenderSettings settings, const RenderOption& option)
-{
-    bool& value = settings.*std::get<SwitchField>(option.field).member;
-    value = !value;
-    return settings;
-}
-
 RatioInterval ratios(const std::vector<double>& of) { return {median(of), median_interval(of)}; }
 
 }  // namespace
@@ -110,9 +104,9 @@ TuneResult tune(const Renderer& base, const CameraDescription& camera, const Tun
     const std::vector<Tile> tiles = choose_tiles(settings.size);
     contestants.emplace_back(base, camera, request, tiles, settings, nullptr);
     const Film usual = contestants[0].draw(settings.seed, 1);
-    for (const RenderOption& option : render_options()) {
-        if (!option.is_switch() || !option.bias.effect.empty() || request.is_stopped()) continue;
-        Contestant other(base, camera, request, tiles, switched_over(settings, option), &option);
+    for (const Estimator estimator : estimators()) {
+        if (request.is_stopped()) break;
+        Contestant other(base, camera, request, tiles, switched_over(settings, estimator), estimator);
         if (differing_pixels(usual, other.draw(settings.seed, 1)) > 0) contestants.push_back(std::move(other));
     }
 
@@ -157,8 +151,8 @@ TuneResult tune(const Renderer& base, const CameraDescription& camera, const Tun
             error[r] /= usual_errors[r];
             both.push_back(time[r] * error[r]);
         }
-        const bool value = switched_over(settings, *c.option).*std::get<SwitchField>(c.option->field).member;
-        result.rows.push_back({c.option, value, ratios(mean_ratio), ratios(time), ratios(error), ratios(both)});
+        result.rows.push_back(
+            {c.option, !is_on(settings, c.option), ratios(mean_ratio), ratios(time), ratios(error), ratios(both)});
     }
     return result;
 }

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "report/estimator_switches.h"
 #include "report/metrics/statistics.h"
 #include "scene/camera.h"
-#include "scene/description/render_options.h"
 
 namespace lancer {
 
@@ -28,7 +28,7 @@ struct RatioInterval {
 
 // An estimator with the other value, over the value of the settings.
 struct TuneRow {
-    const RenderOption* option = nullptr;
+    Estimator option = nullptr;
     bool value = false;               // the other one
     RatioInterval mean;               // of the picture: 1 unless the other value misses light
     RatioInterval time, error, both;  // both: error times time
