@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"
+#include "app/options/option_values.h"
 #include "app/options/options.h"
 #include "app/paths.h"
 #include "app/picture_memory.h"
@@ -242,6 +243,9 @@ int print_scene(const InfoOptions& options)
     Diagnostics diagnostics;
     const SceneDescription description = load_scene(options.scene, diagnostics);
     const RenderSettings settings = resolve_settings({}, description.render);
+    const RendererConfig config = configure(settings, 1);
+    if (options.plan && !std::holds_alternative<Path>(config.integrator))
+        fail_usage("--plan: the integrator of the scene has no pilot; only path has one, without legacy");
     const unsigned threads = options.threads.value_or(available_threads());
     SceneDescription completed = description;  // what is added is not told of, nor is that it lacks
     with_threads(threads, [&] {
@@ -249,8 +253,8 @@ int print_scene(const InfoOptions& options)
         ImageSource images(threads, memory.ahead);
         serve(memory, images);
         complete_scene(completed, options.scene, aspect_of(settings.size), images.source(), memory);
-        const Renderer renderer(SceneBuilder(completed, settings, diagnostics, images.source(), memory),
-                                configure(settings, 1), diagnostics);
+        const Renderer renderer(SceneBuilder(completed, settings, diagnostics, images.source(), memory), config,
+                                diagnostics);
         SceneInfo(description, renderer.scene(), renderer.accelerator()).print();
         print_field("kernel", std::string(name_of(renderer.profile())));
         print_field("unused", "");
@@ -269,8 +273,7 @@ int run_info(int argc, char** argv)
 {
     const auto options = parse_info(argc, argv);
     if (!options) return exit_done;
-    const std::string extension = extension_of(options->scene.file);
-    if (extension == ".toml" || extension == ".obj") return print_scene(*options);
+    if (is_scene(options->scene.file)) return print_scene(*options);
     print_picture(options->scene.file);
     return exit_done;
 }

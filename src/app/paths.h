@@ -17,5 +17,6 @@ inline std::string extension_of(const std::string& path)
 
 // Whether it is a bare mesh, not a scene file.
 inline bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
+inline bool is_scene(const std::string& path) { return is_mesh(path) || extension_of(path) == ".toml"; }
 
 }  // namespace lancer

@@ -71,6 +71,13 @@ TEST_F(Info, OfTheSamplingPlan)
     expect_words(run({"info", "q.png"}).out, "size          48x36\n");
     EXPECT_EQ(run({"info", "plan.toml", "--plan-map", "q.jpg"}).code, 2);
     EXPECT_NE(run({"info", "plan.toml", "--plan-map", "none/q.png"}).code, 0);
+    // Integrators without a pilot have no plan.
+    for (const char* other : {"render.integrator=\"ao\"", "render.legacy=true"}) {
+        EXPECT_EQ(run({"info", "plan.toml", "-D", other}).code, 0) << other;
+        const Said refused = run({"info", "plan.toml", "--plan", "-D", other});
+        EXPECT_EQ(refused.code, 2) << other;
+        expect_words(refused.err, "error: --plan: the integrator of the scene has no pilot");
+    }
 }
 
 TEST_F(Info, OfPictures)
@@ -86,6 +93,18 @@ TEST_F(Info, OfPictures)
     EXPECT_EQ(png.code, 0);
     for (const char* line : {"size          8x6\n", "channels      3 of 8 bits\n", "seed          7\n"})
         expect_words(png.out, line);
+    // What is of scenes is refused, rather than left out.
+    for (const std::vector<std::string>& of_scenes : std::vector<std::vector<std::string>>{
+             {"--plan"}, {"--plan-map", "q.png"}, {"--camera", "close"}, {"-D", "camera.fov=3"}, {"--no-ground"}}) {
+        std::vector<std::string> arguments{"info", "a.png", "--threads", "1"};
+        arguments.insert(arguments.end(), of_scenes.begin(), of_scenes.end());
+        const Said refused = run(arguments);
+        EXPECT_EQ(refused.code, 2) << of_scenes[0];
+        EXPECT_EQ(refused.out, "");
+        expect_words(refused.err,
+                     "error: " + of_scenes[0] + ": is for scenes, and 'a.png' does not end in .toml or .obj");
+    }
+    EXPECT_EQ(run({"info", "a.png", "--threads", "1", "--memory", "1G"}).code, 0);
     write("broken.png", "\x89PNG\r\n\x1a\nbroken");
     EXPECT_EQ(run({"info", "broken.png"}).code, 65);
     const Said missing = run({"info", "none.exr"});

@@ -64,6 +64,14 @@ bool OptionParser::parse(int argc, char** argv)
     return true;
 }
 
+std::vector<std::string> OptionParser::given() const
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app_->get_options())
+        if (option->count() > 0 && !option->get_positional()) names.push_back(option->get_name());
+    return names;
+}
+
 CLI::Option* OptionParser::add(const std::string& names, const std::string& help, const Take& take)
 {
     const auto all = [take](const CLI::results_t& texts) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -36,6 +37,8 @@ public:
 
     // False if help or version was asked for and printed. Throws Error (usage).
     bool parse(int argc, char** argv);
+    // After it: the options that were given, by their long names where they have one; arguments are none.
+    std::vector<std::string> given() const;
 
 private:
     CLI::Option* add(const std::string& names, const std::string& help, const Take& take);

@@ -156,6 +156,11 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
                 o.plan = true, o.plan_map = t;
             });
     if (!p.parse(argc, argv)) return {};
+    // What a picture says takes one thread and little memory, whatever a script allows.
+    if (!is_scene(o.scene.file))
+        for (const std::string& name : p.given())
+            if (name != "--threads" && name != "--memory")
+                fail_usage(name + ": is for scenes, and " + in_quotes(o.scene.file) + " does not end in .toml or .obj");
     take_environment(o.threads);
     return o;
 }
