@@ -82,6 +82,8 @@ struct Scene {
     std::vector<DeltaLight> delta_lights;                     // type by type, as the description lists them
 
     std::vector<PlanarMirror> mirrors;  // at most 255
+    // Per triangle of each instance, as MeshShading::mirror_of; empty if no instance has a mirror.
+    std::vector<std::vector<uint8_t>> instance_mirror_of;
 
     std::string file;  // of the description
     UnusedFeatures unused_features;
@@ -128,8 +130,10 @@ struct Scene {
     // The mirror that a ray has hit, as its index in `mirrors` plus 1; else 0.
     uint8_t mirror_at(const Hit& hit) const
     {
-        if (hit.kind != Kind::triangle || hit.instance != Hit::no_instance) return 0;
-        const std::vector<uint8_t>& of = shading[hit.geometry].mirror_of;
+        if (hit.kind != Kind::triangle) return 0;
+        const bool is_placed = hit.instance != Hit::no_instance;
+        if (is_placed && instance_mirror_of.empty()) return 0;
+        const std::vector<uint8_t>& of = is_placed ? instance_mirror_of[hit.instance] : shading[hit.geometry].mirror_of;
         return of.empty() ? uint8_t{0} : of[hit.primitive];
     }
     // Whether the only light is a constant environment, which is sampled by the cosine.

@@ -27,6 +27,17 @@ SceneDescription floor_beside_mirror(const LightDescription& light, bool shaded 
 }
 constexpr Vec3d lamp{0, 2, 0}, image{4, 2, 0};
 
+// The same mirror as an instance of a square, whose other instance is too small to be one.
+SceneDescription with_instanced_mirror(SceneDescription d)
+{
+    d.meshes[1] =
+        make_mesh(make_quad({-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}, mirror()), {{}, {}, {1.0 / 3, 1.0 / 3, 1}});
+    d.meshes[1].name = "square";
+    d.instances = {instance_of("square", {{-7, 0.1, 7}, {0, 20, 0}, {0.05, 0.05, 1}}),
+                   instance_of("square", {{2, 2, 0}, {0, -90, 0}, {4, 2, 1}})};
+    return d;
+}
+
 // The floor at the origin by a point or a direction, without noise.
 TEST(MirroredLight, IsThatOfTheImageBehindTheMirror)
 {
@@ -40,18 +51,21 @@ TEST(MirroredLight, IsThatOfTheImageBehindTheMirror)
             request.settings.integrator = Path{.max_depth = 2};
             request.settings.accel = accel;
             if (by_one) request.settings.kernel.profile = Profile::all;
-            const auto seen = [&](const LightDescription& light) {
-                SceneDescription d = floor_beside_mirror(light);
-                d.camera->fov_deg = 0.01;
-                return render(d, request).film.at(2, 2).mean();
-            };
-            const Color point = seen(light_of(LightType::point, {60, 60, 60}, lamp));
-            const double expected = 0.5 / pi_d * 60 * cos / d2;
-            EXPECT_NEAR(point.r, 0.9 * expected, 1e-3 * expected);
-            EXPECT_NEAR(point.g, 0.8 * expected, 1e-3 * expected);
-            EXPECT_NEAR(point.b, 0.5 * expected, 1e-3 * expected);
-            const Color sun = seen(directional_of({3, 3, 3}, -from));
-            EXPECT_NEAR(sun.g, (1 + 0.8) * 0.5 / pi_d * 3 * from.y, 1e-4);
+            for (const bool instanced : {false, true}) {
+                const auto seen = [&](const LightDescription& light) {
+                    SceneDescription d = floor_beside_mirror(light);
+                    if (instanced) d = with_instanced_mirror(d);
+                    d.camera->fov_deg = 0.01;
+                    return render(d, request).film.at(2, 2).mean();
+                };
+                const Color point = seen(light_of(LightType::point, {60, 60, 60}, lamp));
+                const double expected = 0.5 / pi_d * 60 * cos / d2;
+                EXPECT_NEAR(point.r, 0.9 * expected, 1e-3 * expected) << instanced;
+                EXPECT_NEAR(point.g, 0.8 * expected, 1e-3 * expected) << instanced;
+                EXPECT_NEAR(point.b, 0.5 * expected, 1e-3 * expected) << instanced;
+                const Color sun = seen(directional_of({3, 3, 3}, -from));
+                EXPECT_NEAR(sun.g, (1 + 0.8) * 0.5 / pi_d * 3 * from.y, 1e-4) << instanced;
+            }
         }
 }
 
@@ -79,6 +93,7 @@ TEST(MirroredLight, CountsTheMirrorAsAVertex)
 
 SceneDescription lit_by(const std::string& lamp_kind)
 {
+    if (lamp_kind == "ball beside an instance") return with_instanced_mirror(lit_by("ball"));
     if (lamp_kind == "ball") return floor_beside_mirror(light_of(LightType::sphere, {20, 20, 20}, lamp, 0.3), false);
     SceneDescription d = floor_beside_mirror(sky_of({0.3f, 0.3f, 0.4f}), false);
     if (lamp_kind == "sky") return d;
@@ -103,7 +118,7 @@ std::vector<MaterialDescription> floors()
 // BSDF sampling finds the same light, and so do both, weighed or not.
 TEST(MirroredLight, IsWhatBsdfSamplingFinds)
 {
-    for (const char* kind : {"ball", "quads and sky", "many"})
+    for (const char* kind : {"ball", "ball beside an instance", "quads and sky", "many"})
         for (const MaterialDescription& floor : floors()) {
             SceneDescription d = lit_by(kind);
             d.materials.push_back(floor);
@@ -141,7 +156,7 @@ TEST(MirroredLight, HasLessNoise)
 // Kernels, accelerators, passes and tiles.
 TEST(MirroredLight, HasTheSameBitsHoweverItIsTraced)
 {
-    for (const char* kind : {"ball", "quads and sky", "many"})
+    for (const char* kind : {"ball", "ball beside an instance", "quads and sky", "many"})
         for (const MaterialDescription& floor : floors()) {
             SceneDescription d = lit_by(kind);
             d.materials.push_back(floor);
@@ -190,6 +205,13 @@ TEST(MirroredLight, IsLookedForInLargeFlatMirrors)
     d = lit_by("ball");
     d.meshes.push_back(make_mesh(make_cube(mirror()), {{-4, 2, 0}, {20, 30, 40}, {1, 1, 1}}));
     EXPECT_EQ(count(d), 4u);
+    // Each instance is looked at as it is placed.
+    d = lit_by("ball beside an instance");
+    EXPECT_EQ(count(d), 1u);
+    d.instances.push_back(instance_of("square", {{-6, 3, 0}, {0, 70, 10}, {3, 3, 2}}));
+    EXPECT_EQ(count(d), 2u);
+    d.instances.erase(d.instances.begin() + 1, d.instances.end());
+    EXPECT_EQ(count(d), 0u);
 }
 
 }  // namespace

@@ -32,15 +32,20 @@ struct Triangle {
     Vec3d n{};
     double area = 0;
 
-    Triangle(const Mesh& mesh, uint32_t id)
+    // placed: of an instance; null: as the mesh has it.
+    Triangle(const Mesh& mesh, uint32_t id, const Transform* placed = nullptr)
     {
-        for (size_t i = 0; i < 3; ++i) corner[i] = to_double(mesh.positions[mesh.triangles[id][i]]);
+        for (size_t i = 0; i < 3; ++i) {
+            corner[i] = to_double(mesh.positions[mesh.triangles[id][i]]);
+            if (placed) corner[i] = placed->point(corner[i]);
+        }
         const Vec3d c = cross(corner[1] - corner[0], corner[2] - corner[0]);
         const double twice = length(c);
         if (twice > 0) n = c / twice, area = 0.5 * twice;
     }
 };
 
+// n: of the triangle in the mesh's own space, where an instance is as flat.
 bool is_flat(const MeshShading& shading, const Mesh& mesh, uint32_t id, Vec3d n)
 {
     const CornerNormals::Corners* const named = shading.normals.find(mesh, id);
@@ -58,10 +63,11 @@ double area_of(const Bounds& b)
 
 // Triangles of a mesh in a plane.
 struct Group {
-    uint32_t mesh = 0;
+    uint32_t mesh = 0, instance = Hit::no_instance;
     std::vector<uint32_t> triangles;
     double area = 0;
 };
+bool is_larger(const Group& a, const Group& b) { return a.area > b.area; }
 
 // The plane of a triangle in whole steps of the grain; a plane and its reverse are one.
 std::tuple<int64_t, int64_t, int64_t, int64_t> key_of(const Triangle& t, double extent)
@@ -72,35 +78,66 @@ std::tuple<int64_t, int64_t, int64_t, int64_t> key_of(const Triangle& t, double 
     return {steps(n.x), steps(n.y), steps(n.z), steps(dot(n, t.corner[0]) / extent)};
 }
 
-std::vector<Group> groups_of(const Scene& scene, const std::vector<bool>& mirrors, double extent)
+// The largest groups of a mesh, in its own space.
+std::vector<Group> groups_of(const Scene& scene, uint32_t m, const std::vector<bool>& mirrors)
 {
+    const MeshShading& shading = scene.shading[m];
+    const Mesh& mesh = scene.geometry.meshes[m];
+    if (!shading.uses([&](uint32_t id) { return mirrors[id]; })) return {};
+    // An instanced mesh is in a frame of its own, of an extent from 1 to 2.
+    const double extent = mesh.instanced ? 1 : scene.bounds.extent();
+    std::map<std::tuple<int64_t, int64_t, int64_t, int64_t>, Group> by_plane;
+    for (uint32_t id = 0; id < mesh.triangles.size(); ++id) {
+        if (!mirrors[shading.material_of(id)]) continue;
+        const Triangle t(mesh, id);
+        if (t.area == 0 || !is_flat(shading, mesh, id, t.n)) continue;
+        Group& group = by_plane[key_of(t, extent)];
+        group.mesh = m, group.area += t.area;
+        group.triangles.push_back(id);
+    }
     std::vector<Group> all;
-    for (uint32_t m = 0; m < scene.shading.size(); ++m) {
-        const MeshShading& shading = scene.shading[m];
-        const Mesh& mesh = scene.geometry.meshes[m];
-        if (mesh.instanced || !shading.uses([&](uint32_t id) { return mirrors[id]; })) continue;
-        std::map<std::tuple<int64_t, int64_t, int64_t, int64_t>, Group> by_plane;
-        for (uint32_t id = 0; id < mesh.triangles.size(); ++id) {
-            if (!mirrors[shading.material_of(id)]) continue;
-            const Triangle t(mesh, id);
-            if (t.area == 0 || !is_flat(shading, mesh, id, t.n)) continue;
-            Group& group = by_plane[key_of(t, extent)];
-            group.mesh = m, group.area += t.area;
-            group.triangles.push_back(id);
+    for (auto& [key, group] : by_plane) all.push_back(std::move(group));
+    std::stable_sort(all.begin(), all.end(), is_larger);
+    if (all.size() > most_mirrors) all.resize(most_mirrors);
+    return all;
+}
+
+// Those of all meshes, and of instances where they are placed, that are large enough.
+std::vector<Group> groups_of(const Scene& scene, const std::vector<bool>& mirrors)
+{
+    const double least = least_of_bounds * area_of(scene.bounds);
+    std::vector<Group> all;
+    std::vector<std::vector<Group>> of_instanced(scene.shading.size());
+    for (uint32_t m = 0; m < scene.shading.size(); ++m)
+        for (Group& group : groups_of(scene, m, mirrors)) {
+            if (scene.geometry.meshes[m].instanced)
+                of_instanced[m].push_back(std::move(group));
+            else if (group.area >= least)
+                all.push_back(std::move(group));
         }
-        for (auto& [key, group] : by_plane) all.push_back(std::move(group));
+    for (uint32_t i = 0; i < scene.geometry.instances.size(); ++i) {
+        const Instance& placed = scene.geometry.instances[i];
+        for (const Group& group : of_instanced[placed.mesh]) {
+            const Triangle first(scene.geometry.meshes[group.mesh], group.triangles[0]);
+            const double area = group.area * std::abs(placed.to_world.determinant()) *
+                                length(placed.to_mesh.normal_by_inverse(first.n));
+            if (area >= least) all.push_back({group.mesh, i, group.triangles, area});
+        }
     }
     return all;
 }
 
-PlanarMirror mirror_of(const Mesh& mesh, const Group& group)
+PlanarMirror mirror_of(const Geometry& geometry, const Group& group)
 {
-    const Triangle first(mesh, group.triangles[0]);
+    const Mesh& mesh = geometry.meshes[group.mesh];
+    const Transform* const placed =
+        group.instance == Hit::no_instance ? nullptr : &geometry.instances[group.instance].to_world;
+    const Triangle first(mesh, group.triangles[0], placed);
     const Vec3d n = first.n, u = normalize(first.corner[1] - first.corner[0]), v = cross(n, u);
     PlanarMirror m{
         .p = to_float(first.corner[0]), .n = to_float(n), .u = to_float(u), .v = to_float(v), .low = {}, .high = {}};
     for (const uint32_t id : group.triangles)
-        for (const Vec3d& corner : Triangle(mesh, id).corner) {
+        for (const Vec3d& corner : Triangle(mesh, id, placed).corner) {
             const Vec3 at = to_float(corner) - m.p;
             const float x = dot(at, m.u), y = dot(at, m.v);
             m.low = {std::min(m.low.x, x), std::min(m.low.y, y)};
@@ -124,15 +161,16 @@ void find_planar_mirrors(Scene& scene)
     for (uint32_t id = 0; id < scene.materials.size(); ++id) mirrors.push_back(is_mirror(scene, id));
     if (std::find(mirrors.begin(), mirrors.end(), true) == mirrors.end()) return;
 
-    std::vector<Group> groups = groups_of(scene, mirrors, scene.bounds.extent());
-    std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.area > b.area; });
+    std::vector<Group> groups = groups_of(scene, mirrors);
+    std::stable_sort(groups.begin(), groups.end(), is_larger);
     for (const Group& group : groups) {
-        if (scene.mirrors.size() == most_mirrors || group.area < least_of_bounds * area_of(scene.bounds) ||
-            group.area < least_of_largest * groups[0].area)
-            break;
-        std::vector<uint8_t>& of = scene.shading[group.mesh].mirror_of;
+        if (scene.mirrors.size() == most_mirrors || group.area < least_of_largest * groups[0].area) break;
+        const bool is_placed = group.instance != Hit::no_instance;
+        if (is_placed) scene.instance_mirror_of.resize(scene.geometry.instances.size());
+        std::vector<uint8_t>& of =
+            is_placed ? scene.instance_mirror_of[group.instance] : scene.shading[group.mesh].mirror_of;
         of.resize(scene.geometry.meshes[group.mesh].triangles.size());
-        scene.mirrors.push_back(mirror_of(scene.geometry.meshes[group.mesh], group));
+        scene.mirrors.push_back(mirror_of(scene.geometry, group));
         for (const uint32_t id : group.triangles) of[id] = static_cast<uint8_t>(scene.mirrors.size());
     }
 }
