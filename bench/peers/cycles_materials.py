@@ -135,6 +135,19 @@ def lambert(nodes, m, normal):
     return nodes.add("BsdfDiffuse", {"Color": nodes.color(m, "base_color", "texture"), "Normal": normal}).outputs[0]
 
 
+def translucent(nodes, m, normal):
+    """Two diffuse lobes. Where together they exceed 1 in some channel, both are divided by the largest sum."""
+    reflected = nodes.color(m, "base_color", "texture")
+    through = nodes.color(m, "transmittance", "transmittance_texture")
+    if max(r + t for r, t in zip(m["base_color"], m["transmittance"])) > 1:
+        axes = nodes.add("SeparateXYZ", {0: nodes.vector("ADD", reflected, through)}).outputs
+        most = nodes.math("MAXIMUM", nodes.math("MAXIMUM", axes["X"], axes["Y"]), axes["Z"])
+        most = nodes.math("MAXIMUM", most, 1.0)
+        reflected, through = (nodes.vector("DIVIDE", color, most) for color in (reflected, through))
+    return nodes.sum(nodes.add("BsdfDiffuse", {"Color": reflected, "Normal": normal}).outputs[0],
+                     nodes.add("BsdfTranslucent", {"Color": through, "Normal": normal}).outputs[0])
+
+
 def glossy(nodes, color, roughness, normal):
     is_smooth = roughness == 0 and not IS_4
     return nodes.add("BsdfGlossy", {"Color": color, "Roughness": roughness, "Normal": normal},
@@ -245,7 +258,7 @@ def mix(nodes, m, normal, materials):
     return nodes.mixed(nodes.number(m, "weight", "weight_texture"), *parts)
 
 
-KINDS = {"lambert": lambert, "mirror": mirror, "metal": metal, "glass": glass, "plastic": plastic}
+KINDS = {"lambert": lambert, "translucent": translucent, "mirror": mirror, "metal": metal, "glass": glass, "plastic": plastic}
 
 
 def surface(nodes, m, normal, materials):

@@ -12,10 +12,11 @@
 #include "materials/metal.h"
 #include "materials/mirror.h"
 #include "materials/plastic.h"
+#include "materials/translucent.h"
 
 namespace lancer {
 
-using Material = std::variant<Lambert, Mirror, Metal, Glass, Plastic, Interface>;
+using Material = std::variant<Lambert, Translucent, Mirror, Metal, Glass, Plastic, Interface>;
 
 // Any BSDF.
 template <class... M>

@@ -185,6 +185,18 @@ TEST_F(Export, TexturesAreWrittenAsLinearNumbers)
     EXPECT_TRUE(same_pixels(image("out/" + number["file"].get<std::string>()), numbers));
 }
 
+TEST_F(Export, TranslucentSheetsHaveTwoColours)
+{
+    const Json j = exported(std::string(lit) +
+                            "[[sphere]]\nmaterial = \"x\"\n[material.x]\ntype = \"translucent\"\nbase_color = 0.5\n"
+                            "transmittance = [0.25, 0.5, 0.125]\ntransmittance_texture = { type = \"checker\" }\n");
+    const Json& x = j["materials"][0];
+    EXPECT_EQ(x["type"], "translucent");
+    EXPECT_EQ(x["base_color"], (Json{0.5, 0.5, 0.5}));
+    EXPECT_EQ(x["transmittance"], (Json{0.25, 0.5, 0.125}));
+    EXPECT_EQ(j["textures"][x["transmittance_texture"].get<size_t>()]["type"], "checker");
+}
+
 TEST_F(Export, TexturesByFormulaAreSaid)
 {
     const Json j = exported(std::string(lit) +

@@ -46,6 +46,7 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
 }
 
 TEST(LightChoice, LeaveTheMeanOfARoomBehindAWindow) { expect_same_light(room_with_hole(0.3), 0.03, "window"); }
+TEST(LightChoice, LeaveTheMeanOfARoomBehindACurtain) { expect_same_light(room_behind_a_curtain(), 0.03, "curtain"); }
 TEST(LightChoice, LeaveTheMeanOfARoomBehindAKeyhole) { expect_same_light(room_with_hole(0.2), 0.1, "keyhole"); }
 TEST(LightChoice, LeaveTheMeanOfALampThatOnePlaceSees) { expect_same_light(room_with_niche(), 0.15, "niche"); }
 

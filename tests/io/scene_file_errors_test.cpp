@@ -45,8 +45,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "band_width"},
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
-          "roughness, roughness_texture, metallic, metallic_texture, ior, thin, absorption, priority, eta, k, "
-          "specular, first, second, weight, weight_texture, ambient and 13 more"},
+          "transmittance, transmittance_texture, roughness, roughness_texture, metallic, metallic_texture, ior, thin, "
+          "absorption, priority, eta, k, specular, first, second, weight and 15 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate"},
@@ -194,8 +194,8 @@ TEST_F(SceneMistakes, UnknownChoices)
             "2:8: error: unknown type 'pinhol' in [camera]; did you mean 'pinhole'? known: pinhole, thin_lens"},
            {"[camera]\nup = \"x\"", "2:6: error: unknown up 'x' in [camera]; known: y, z"},
            {"[material.a]\ntype = \"galss\"\nior = 2",
-            "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, mirror, metal, "
-            "glass, plastic, interface, mix"},
+            "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, translucent, "
+            "mirror, metal, glass, plastic, interface, mix"},
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
@@ -316,7 +316,7 @@ s.toml:5:7: error: 'spp' in [render] must be from 1 to 2147483647, not 0
 s.toml:6:1: error: [[light]] of type 'point' needs 'position'
 s.toml:8:13: error: 'intensity' in [[light]] must be finite, not nan
 s.toml:10:7: error: 'fov' in [camera] must be greater than 0 and less than 180, not 200
-s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, mirror, metal, glass, plastic, interface, mix)");
+s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, translucent, mirror, metal, glass, plastic, interface, mix)");
 }
 
 TEST_F(SceneMistakes, NamesCannotForgeLinesOrColours)

@@ -57,7 +57,22 @@ thin = true
 type = "glass"
 thin = false
 [material.f]
-type = "glass")");
+type = "glass"
+[material.g]
+type = "translucent"
+texture = "c.png"
+transmittance = [0.3, 0.2, 0.1]
+transmittance_texture = "r.png"
+[material.h]
+type = "translucent"
+transmittance_texture = "r.png")");
+    const MaterialDescription &g = s.materials.at(6), &h = s.materials.at(7);
+    EXPECT_EQ(g.type, MaterialType::translucent);
+    EXPECT_EQ(g.base_color, (Color{1, 1, 1})) << "a texture alone is not dimmed";
+    EXPECT_EQ(g.transmittance, (Color{0.3f, 0.2f, 0.1f}));
+    EXPECT_EQ(file_of(g.transmittance_map), "r.png");
+    EXPECT_EQ(h.base_color, (Color{0.4f, 0.4f, 0.4f}));
+    EXPECT_EQ(h.transmittance, (Color{1, 1, 1}));
     EXPECT_EQ(s.materials.at(3).thin, true);
     EXPECT_EQ(s.materials.at(4).thin, false);
     EXPECT_FALSE(s.materials.at(5).thin.has_value()) << "the shape decides";
@@ -396,8 +411,10 @@ TEST_F(SceneMaterials, MistakesAreNamed)
          "2:13: error: 'roughness' in [material.a] needs type 'metal' or 'glass' or 'plastic', not 'lambert'"},
         {"[material.a]\ntype = \"mix\"\nfirst = \"b\"\nbase_color = 1\n[material.b]",
          "1:1: error: [material.a] of type 'mix' needs 'second'\n"
-         "s.toml:4:14: error: 'base_color' in [material.a] needs type 'lambert' or 'mirror' or 'metal' or 'glass' or "
-         "'plastic' or 'interface', not 'mix'"},
+         "s.toml:4:14: error: 'base_color' in [material.a] needs type 'lambert' or 'translucent' or 'mirror' or "
+         "'metal' or 'glass' or 'plastic' or 'interface', not 'mix'"},
+        {"[material.a]\ntransmittance = 0.5",
+         "2:17: error: 'transmittance' in [material.a] needs type 'translucent', not 'lambert'"},
         {"[material.a]\ntype = \"mix\"\nfirst = \"a\"\nsecond = \"bb\"\n[material.b]",
          "4:10: error: unknown material 'bb'; did you mean 'b'? known: a, b, white_plastic, red_plastic, bronze, "
          "emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},

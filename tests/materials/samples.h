@@ -58,6 +58,19 @@ inline std::vector<Sample<Lambert>> samples<Lambert>()
     return {{"white", {{1, 1, 1}}, true}, {"coloured", {{0.8f, 0.3f, 0.05f}}}, {"black", {{0, 0, 0}}}};
 }
 template <>
+inline std::vector<Sample<Translucent>> samples<Translucent>()
+{
+    return {{"white", {{0.25f, 0.25f, 0.25f}, {0.75f, 0.75f, 0.75f}}, true, true},
+            {"white of two hues", {{1, 0.25f, 0.5f}, {0, 0.75f, 0.5f}}, true, true},
+            {"white by scaling", {{1, 1, 1}, {0.6f, 0.6f, 0.6f}}, true, true},
+            {"coloured", {{0.5f, 0.3f, 0.05f}, {0.1f, 0.6f, 0.3f}}, false, true},
+            {"of too much light", {{1, 0.5f, 0.2f}, {0.6f, 1, 0.1f}}, false, true},
+            {"that lets nothing through", {{0.8f, 0.3f, 0.05f}, {0, 0, 0}}},
+            {"that reflects nothing", {{0, 0, 0}, {0.8f, 0.3f, 0.05f}}, false, true},
+            {"that hardly reflects", {{1e-6f, 1e-6f, 1e-6f}, {0.8f, 0.3f, 0.05f}}, false, true},
+            {"black", {{0, 0, 0}, {0, 0, 0}}}};
+}
+template <>
 inline std::vector<Sample<Mirror>> samples<Mirror>()
 {
     return {{"white", {{1, 1, 1}}, true}, {"gold", {{0.9f, 0.7f, 0.2f}}}};

@@ -71,6 +71,36 @@ inline SceneDescription sheets_scene(float roughness)
     d.meshes.back().material = "b";
     return d;
 }
+// Sheets that let light through diffusely: two balls and a box, a ball of it and of metal, and a leaf that is lit from
+// behind. Of the box the two lobes together would make light; of the leaf both are patterned, it is partly transparent,
+// and its normals are tilted.
+inline SceneDescription translucent_scene()
+{
+    SceneDescription d = on_stage(make_translucent("", {0.1f, 0.3f, 0.6f}, {0.8f, 0.5f, 0.2f}),
+                                  make_translucent("", {0, 0, 0}, {0.9f, 0.8f, 0.7f}),
+                                  make_translucent("", {0.9f, 0.5f, 0.2f}, {0.4f, 0.6f, 0.6f}));
+    MaterialDescription leaf = make_translucent("leaf", {0.6f, 0.7f, 0.5f}, {0.5f, 0.6f, 0.4f});
+    leaf.base_color_map.emplace();
+    leaf.base_color_map->type = TextureType::checker;
+    leaf.base_color_map->even = {0.9f, 0.9f, 0.9f}, leaf.base_color_map->odd = {0.1f, 0.3f, 0.2f};
+    leaf.base_color_map->use.scale = {3, 3};
+    leaf.transmittance_map = leaf.base_color_map;
+    leaf.transmittance_map->use.offset = {0.5f, 0.2f};
+    leaf.bump_map.emplace();
+    leaf.bump_map->type = TextureType::waves;
+    leaf.bump_map->waves = {{0.05, 0.4, 2, 0.3}};
+    leaf.opacity = 0.8f;
+    MaterialDescription half = make_lambert("half", {});
+    half.type = MaterialType::mix;
+    half.first = "a", half.second = "steel", half.weight = 0.3f;
+    d.materials.push_back(half);
+    d.materials.push_back(make_glossy("steel", MaterialType::metal, {0.6f, 0.6f, 0.7f}, 0.5f));
+    d.spheres.push_back(sphere_of({-0.3, 0.6, -0.3}, 0.3, "half"));
+    d.meshes.push_back(
+        make_mesh(make_mapped_quad({-0.5, 0.2, 1.4}, {0.6, 0.2, 1}, {0.6, 0.9, 0.8}, {-0.5, 0.9, 1.2}, {1, 1}, leaf)));
+    d.lights.push_back(light_of(LightType::sphere, {4, 3, 2}, {-1, 1, -0.2}, 0.4));
+    return d;
+}
 inline SceneDescription metal_scene()
 {
     MaterialDescription polished = make_copper("", 0);

@@ -56,9 +56,11 @@ size_t MaterialList::add(const MaterialDescription& m)
         material.weight = texture(m.weight_map);
     } else {
         material.base = texture(m.base_color_map);
+        material.transmittance = texture(m.transmittance_map);
         material.roughness = texture(m.roughness_map);
-        material.mirrors = m.type == MaterialType::interface ? m.phong.reflexion > 0 || m.phong.refraction > 0
-                                                             : m.type != MaterialType::lambert;
+        const bool is_diffuse = m.type == MaterialType::lambert || m.type == MaterialType::translucent;
+        material.mirrors =
+            m.type == MaterialType::interface ? m.phong.reflexion > 0 || m.phong.refraction > 0 : !is_diffuse;
         if (is_plastic) {
             if (material.roughness) throw std::invalid_argument("the reference knows no textured roughness of plastic");
             const auto roughness = double{m.roughness};

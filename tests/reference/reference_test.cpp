@@ -40,6 +40,8 @@ std::vector<std::pair<std::string, Bsdf>> lobes(std::deque<reference::CoatAlbedo
         return all.back().second;
     };
     add("lambert", Bsdf::Kind::lambert);
+    Bsdf& leaf = add("translucent", Bsdf::Kind::translucent);
+    leaf.diffuse = {0.5, 0.2, 0.1}, leaf.through = {0.1, 0.6, 0.3};
     for (const double alpha : {0.1, 0.6}) {
         add("metal", Bsdf::Kind::metal).alpha = alpha;
         Bsdf& copper = add("copper", Bsdf::Kind::metal);

@@ -97,6 +97,7 @@ bool Bsdf::only_delta() const
 {
     switch (kind) {
         case Kind::lambert:
+        case Kind::translucent:
             return false;
         case Kind::plastic:
             return alpha == 0 && black(color);
@@ -122,6 +123,7 @@ Rgb Bsdf::eval(Vec wo, Vec wi) const
     if (wo.z <= 0) return {};
     if (kind == Kind::glass) return alpha > 0 ? eval_glass(wo, wi) : Rgb{};
     if (kind == Kind::sheet) return alpha > 0 ? eval_sheet(wo, wi) : Rgb{};
+    if (kind == Kind::translucent) return (wi.z > 0 ? diffuse : through) * (std::abs(wi.z) / pi);
     if (wi.z <= 0) return {};
     const double lambertian = wi.z / pi;
     if (kind == Kind::lambert) return color * lambertian;
@@ -168,6 +170,12 @@ std::optional<Scattered> Bsdf::sample(Vec wo, Random& random) const
     switch (kind) {
         case Kind::lambert:
             return Scattered{cosine_direction(random), color};
+        case Kind::translucent: {
+            // One half of the samples each.
+            const Vec wi = cosine_direction(random);
+            const bool passes = random.next() < 0.5;
+            return Scattered{{wi.x, wi.y, passes ? -wi.z : wi.z}, (passes ? through : diffuse) * 2};
+        }
         case Kind::glass:
             return sample_glass(wo, random);
         case Kind::sheet:

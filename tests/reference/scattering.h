@@ -46,7 +46,7 @@ struct Scattered {
 
 // What a place scatters with; which members count depends on the kind.
 struct Bsdf {
-    enum class Kind { lambert, mirror, metal, glass, sheet, plastic, interface };
+    enum class Kind { lambert, translucent, mirror, metal, glass, sheet, plastic, interface };
     Kind kind = Kind::lambert;
     Rgb color{};       // albedo, tint, F0
     double alpha = 0;  // 0: smooth
@@ -54,12 +54,11 @@ struct Bsdf {
     std::optional<std::array<Rgb, 2>> conductor{};  // metal: eta and k
     Rgb coat{};                                     // plastic: tint of what the coat reflects
     const CoatAlbedo* coat_albedo = nullptr;        // plastic
-    Rgb diffuse{}, gloss{}, mirror{}, through{};    // interface
+    Rgb diffuse{}, gloss{}, mirror{}, through{};    // interface; translucent: diffuse and through
     double shininess = 0;
     bool refracts = false;
 
     bool only_delta() const;
-    bool transmits() const { return (kind == Kind::glass || kind == Kind::sheet) && alpha > 0; }
     Rgb eval(Vec wo, Vec wi) const;  // f |cos(wi)|, without what is sharp
     std::optional<Scattered> sample(Vec wo, Random& random) const;
 

@@ -149,6 +149,14 @@ Bsdf bsdf_at(const World& world, const Surface& s, double index, Random& random)
     const double rough = std::clamp(double{what.roughness} * (m->roughness ? m->roughness->eval(s.uv).r : 1), 0.0, 1.0);
     b.alpha = rough * rough < 1e-5 ? 0 : rough * rough;
     switch (what.type) {
+        case lancer::MaterialType::translucent: {
+            b.kind = Bsdf::Kind::translucent;
+            Rgb through = rgb(what.transmittance);
+            if (m->transmittance) through = through * m->transmittance->eval(s.uv);
+            const double scale = 1 / std::max(1.0, largest(b.color + through));
+            b.diffuse = b.color * scale, b.through = through * scale;
+            break;
+        }
         case lancer::MaterialType::mirror:
             b.kind = Bsdf::Kind::mirror;
             b.alpha = 0;

@@ -17,8 +17,8 @@ namespace reference {
 // Parameters beside their textures; a mix has its two parts by number.
 struct Material {
     lancer::MaterialDescription what;
-    const Texture *base = nullptr, *roughness = nullptr, *opacity = nullptr, *bump = nullptr, *normals = nullptr,
-                  *emission = nullptr, *weight = nullptr;
+    const Texture *base = nullptr, *transmittance = nullptr, *roughness = nullptr, *opacity = nullptr, *bump = nullptr,
+                  *normals = nullptr, *emission = nullptr, *weight = nullptr;
     size_t first = 0, second = 0;              // mix
     bool mirrors = false;                      // it, or a part of it, has a lobe about the mirror direction
     std::shared_ptr<const CoatAlbedo> coat{};  // plastic

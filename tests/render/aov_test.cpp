@@ -91,6 +91,22 @@ TEST(Aovs, TellWhatCanBeTold)
         }
 }
 
+// The albedo is all light that it scatters, on both sides; the base colour what it reflects.
+TEST(Aovs, OfATranslucentSheetCountBothSides)
+{
+    SceneDescription d = half_a_wall();
+    d.meshes[0].data = make_quad({-50, 0, -3}, {50, 0, -3}, {50, 50, -3}, {-50, 50, -3},
+                                 make_translucent("leaf", {0.5f, 0.25f, 0.125f}, {0.25f, 0.5f, 0.5f}));
+    RenderRequest r;
+    r.width = 9, r.height = 8, r.aovs = all_aovs();
+    r.settings.kernel.filter = Filter(FilterKind::box);
+    const auto planes = planes_of(d, r);
+    EXPECT_EQ(values(planes, "albedo.R")[4], 0.75f);
+    EXPECT_EQ(values(planes, "albedo.B")[4], 0.625f);
+    EXPECT_EQ(values(planes, "flat.R")[4], 0.5f);
+    EXPECT_EQ(values(planes, "flat.B")[4], 0.125f);
+}
+
 TEST(Aovs, VarianceIsThatOfTheMean)
 {
     Film film(1, 1, {0, 0, 1, 1});

@@ -48,8 +48,9 @@ TEST(Specialisation, APictureOfOneValueIsItsValue)
         return promise.get_future().share();
     };
     constexpr float value = 153 / 255.0f;
-    for (const MaterialType type : {MaterialType::lambert, MaterialType::mirror, MaterialType::metal,
-                                    MaterialType::glass, MaterialType::plastic, MaterialType::interface}) {
+    for (const MaterialType type :
+         {MaterialType::lambert, MaterialType::translucent, MaterialType::mirror, MaterialType::metal,
+          MaterialType::glass, MaterialType::plastic, MaterialType::interface}) {
         SceneDescription with = lights_scene();
         MaterialDescription m = make_lambert("m", {0.7f, 0.8f, 0.9f});
         m.type = type;
@@ -64,6 +65,10 @@ TEST(Specialisation, APictureOfOneValueIsItsValue)
             plain.roughness *= value;
         }
         with.spheres.push_back(sphere_of({-0.9, -0.2, 0.4}, 0.5, "m"));
+        if (type == MaterialType::translucent) {
+            m.transmittance_map = grey;
+            plain.transmittance *= value;
+        }
         SceneDescription without = with;
         with.materials.push_back(m);
         without.materials.push_back(plain);

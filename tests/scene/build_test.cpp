@@ -144,6 +144,23 @@ TEST(Build, WarnsOfUnusedMaterialsAndOfDarkness)
     EXPECT_EQ(warnings_of(d).size(), 1u);
 }
 
+// What it says by its numbers alone; textures can only dim.
+TEST(Build, WarnsOnceOfASheetThatWouldMakeLight)
+{
+    SceneDescription d = lit_sphere();
+    d.materials[0] = make_translucent("chalk", {0.5f, 0.25f, 0.7f}, {0.5f, 0.75f, 0.3f});
+    d.materials[0].where = {"s.toml", 3, 1};
+    EXPECT_THAT(warnings_of(d), testing::IsEmpty());
+    d.materials[0].transmittance = {0.6f, 0.75f, 0.7f};
+    d.spheres.push_back(d.spheres[0]);
+    EXPECT_THAT(warnings_of(d),
+                testing::ElementsAre("s.toml:3:1: warning: the 'base_color' and 'transmittance' of 'chalk' add up to "
+                                     "more than 1 in some channel; both are divided by the largest sum"));
+    d.materials[0].base_color_map.emplace();
+    d.materials[0].base_color_map->type = TextureType::checker;
+    EXPECT_THAT(warnings_of(d), testing::IsEmpty());
+}
+
 TEST(Build, LightsWithoutPowerAreLeftOut)
 {
     SceneDescription d = lit_sphere();

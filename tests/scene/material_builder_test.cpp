@@ -52,6 +52,17 @@ TEST(MaterialBuilder, LambertAndMirrorHaveTheirColour)
     expect_base(made<Mirror>(description(MaterialType::mirror)).tint);
 }
 
+TEST(MaterialBuilder, TranslucentSheetsHaveTwoColours)
+{
+    MaterialDescription m = description(MaterialType::translucent);
+    m.transmittance = {0.7f, 0.8f, 0.9f};
+    m.transmittance_map = picture("5");
+    const Translucent sheet = made<Translucent>(m);
+    expect_base(sheet.reflectance);
+    EXPECT_EQ(sheet.transmittance.value, m.transmittance);
+    EXPECT_EQ(sheet.transmittance.texture, 5u);
+}
+
 TEST(MaterialBuilder, MetalByItsColourOrItsIndex)
 {
     MaterialDescription m = description(MaterialType::metal);

@@ -125,9 +125,9 @@ struct Classic {
     static constexpr std::array biases{
         IntegratorBias{
             "no_diffuse_bounces",
-            "light goes from surface to surface by mirrors and smooth glass only; `ambient` of a material "
-            "stands for the rest. What shines without being in the list of lights (planes, the far inside of "
-            "half-open lamps) lights no diffuse surface"},
+            "light goes from surface to surface by mirrors and smooth glass only, and none through translucent "
+            "sheets; `ambient` of a material stands for the rest. What shines without being in the list of lights "
+            "(planes, the far inside of half-open lamps) lights no diffuse surface"},
         IntegratorBias{"straight_shadows",
                        "light of lamps goes straight through what refracts, tinted and without caustics"}};
 

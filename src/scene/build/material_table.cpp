@@ -21,6 +21,17 @@ void check_indices(const MaterialDescription& m, Diagnostics& diagnostics)
                                    " are too far apart: their ratio is no number of 32 bits");
 }
 
+// A translucent sheet is scaled where its two colours exceed 1 (materials/translucent.h). Textures may dim them, so
+// that only numbers without one are known to do so.
+void warn_of_gain(const MaterialDescription& m, Diagnostics& diagnostics)
+{
+    if (m.base_color_map || m.transmittance_map) return;
+    if (max_component(m.base_color + m.transmittance) <= 1 + gamma(2)) return;
+    diagnostics.warning(m.where, NamedProblem{"the 'base_color' and 'transmittance' of", m.name,
+                                              " add up to more than 1 in some channel; both are divided by the "
+                                              "largest sum"});
+}
+
 // A texture that is not an image.
 Texture make_formula(const TextureDescription& t, bool legacy)
 {
@@ -162,6 +173,7 @@ uint32_t MaterialTable::make(const MaterialDescription& m)
     if (m.type == MaterialType::mix)
         return add_mix(m, named(m.first, m.where), named(m.second, m.where), {m.weight, texture(m.weight_map)});
     if (m.type == MaterialType::interface) check_indices(m, diagnostics_);
+    if (m.type == MaterialType::translucent) warn_of_gain(m, diagnostics_);
     const std::optional<float> usual = default_description(m.type).metallic;
     const float metallic = m.metallic.value_or(usual.value_or(0));
     if (!usual || (metallic == *usual && !m.metallic_map)) return add_plain(m, builder_.make(m, id_of));

@@ -29,8 +29,11 @@ struct MaterialDescription {
     std::string name;
     Location where;
     MaterialType type = MaterialType::lambert;
-    Color base_color{0.8f, 0.8f, 0.8f};  // albedo (lambert, plastic), F0 (metal), tint (mirror, glass); in [0, 1]
+    // Albedo (lambert, plastic, of what a translucent sheet reflects), F0 (metal), tint (mirror, glass); in [0, 1].
+    Color base_color{0.8f, 0.8f, 0.8f};
     TextureUse base_color_map{};
+    Color transmittance{0.4f, 0.4f, 0.4f};  // translucent: albedo of what it lets through; in [0, 1]
+    TextureUse transmittance_map{};
     float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
     std::optional<bool> thin{};         // glass: a sheet without an inside; nothing: its shape decides
     Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
@@ -132,6 +135,8 @@ inline constexpr auto specular = [](auto& m) -> auto&
 
 inline constexpr std::tuple all{
     mapped("base_color", &M::base_color, unit, "texture", &M::base_color_map, TextureRole::color),
+    mapped("transmittance", &M::transmittance, unit, "transmittance_texture", &M::transmittance_map,
+           TextureRole::color),
     mapped("roughness", &M::roughness, unit, "roughness_texture", &M::roughness_map, TextureRole::number),
     mapped("metallic", &M::metallic, unit, "metallic_texture", &M::metallic_map, TextureRole::number),
     number("ior", ior, positive),

@@ -46,6 +46,14 @@ SceneDescription room_with_hole(double hole)
     return d;
 }
 
+SceneDescription room_behind_a_curtain()
+{
+    SceneDescription d = room_with_hole(0.3);
+    d.meshes.push_back(make_mesh(make_quad({0.97, -0.4, -0.4}, {0.97, 0.4, -0.4}, {0.97, 0.4, 0.4}, {0.97, -0.4, 0.4},
+                                           make_translucent("curtain", {0.3f, 0.3f, 0.2f}, {0.6f, 0.5f, 0.4f}))));
+    return d;
+}
+
 SceneDescription room_with_niche()
 {
     SceneDescription d = room_with_hole(0.1);

@@ -11,6 +11,8 @@ namespace lancer {
 // The inside of a box from -1 to 3 along x, divided at x = 1 by a wall with a square hole of the given half width. The
 // lamp hangs behind it, the camera looks at the room before it.
 SceneDescription room_with_hole(double hole);
+// The same with a translucent curtain before the hole.
+SceneDescription room_behind_a_curtain();
 
 // The camera's room without a hole to the lamp's, but with a lamp of its own in a niche that only the place opposite
 // sees.

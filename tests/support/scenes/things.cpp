@@ -169,4 +169,11 @@ MaterialDescription make_copper(std::string name, float roughness)
     return m;
 }
 
+MaterialDescription make_translucent(std::string name, Color reflected, Color transmitted)
+{
+    MaterialDescription m = make_glossy(std::move(name), MaterialType::translucent, reflected, 0);
+    m.transmittance = transmitted;
+    return m;
+}
+
 }  // namespace lancer

@@ -64,5 +64,6 @@ MaterialDescription make_gauze(std::string name, Color albedo, float opacity, fl
 // roughness: perceptual.
 MaterialDescription make_glossy(std::string name, MaterialType type, Color base_color, float roughness);
 MaterialDescription make_copper(std::string name, float roughness);
+MaterialDescription make_translucent(std::string name, Color reflected, Color transmitted);
 
 }  // namespace lancer

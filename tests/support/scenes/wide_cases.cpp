@@ -132,6 +132,8 @@ SceneDescription all_materials()
     d.materials.push_back(make_interface("gleaming", course_material("red_plastic")));
     d.materials.push_back(make_gauze("gauze", {0.7f, 0.6f, 0.3f}, 0.5f));
     d.materials.back().type = MaterialType::plastic;
+    d.materials.push_back(make_translucent("paper", {0.3f, 0.4f, 0.5f}, {0.6f, 0.5f, 0.3f}));
+    d.spheres.push_back(sphere_of({-0.3, -0.4, 1}, 0.2, "paper"));
     d.spheres.push_back(sphere_of({-0.8, -0.3, 0.9}, 0.2, "mirror"));
     d.spheres.push_back(sphere_of({0.3, -0.3, 0.8}, 0.2, "glass"));
     d.spheres.push_back(sphere_of({0.1, 0.4, 0.3}, 0.2, "classic"));
@@ -198,6 +200,11 @@ SceneDescription pictured_materials()
     half.roughness_map = picture_of("waves", Encoding::linear, Channel::red);
     d.meshes.push_back(make_mesh(
         make_mapped_quad({-0.5, -0.6, 0.9}, {0.6, -0.6, 0.8}, {0.6, 0.3, 0.8}, {-0.5, 0.3, 0.9}, {2, 3}, half)));
+    MaterialDescription leaf = make_translucent("leaf", {0.9f, 0.9f, 0.9f}, {0.5f, 0.6f, 0.3f});
+    leaf.base_color_map = leaf.transmittance_map = picture_of("colours", Encoding::srgb);
+    leaf.bump_map = heights_of("waves");
+    d.meshes.push_back(
+        make_mesh(make_mapped_quad({0.7, -0.7, 1}, {1.5, -0.7, 0.9}, {1.4, 0.1, 0.6}, {0.6, 0.1, 0.7}, {1, 2}, leaf)));
     return d;
 }
 
@@ -265,6 +272,14 @@ SceneDescription materials_and_many_lights()
     return d;
 }
 
+// The room before the curtain has a light as well.
+SceneDescription curtain_between_lights()
+{
+    SceneDescription d = room_behind_a_curtain();
+    d.lights = {light_of(LightType::sphere, {2, 2, 2}, {0, 0.5, 0}, 0.3)};
+    return d;
+}
+
 std::vector<WideCase> wide_cases()
 {
     std::vector<WideCase> cases{{"smooth", smooth_scene()},
@@ -286,6 +301,7 @@ std::vector<WideCase> wide_cases()
                                 {"balls", balls_of_light()},
                                 {"balls beside a sky", balls_beside_a_sky()},
                                 {"behind a window", room_with_hole(0.3)},
+                                {"behind a curtain", curtain_between_lights()},
                                 {"under a sun", room_under_a_sun()},
                                 {"beside a brighter room", room_beside_a_brighter_one()},
                                 {"glossy under a sky", glossy_room_under_a_sky()},
