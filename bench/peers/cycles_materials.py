@@ -258,7 +258,8 @@ def mix(nodes, m, normal, materials):
     return nodes.mixed(nodes.number(m, "weight", "weight_texture"), *parts)
 
 
-KINDS = {"lambert": lambert, "translucent": translucent, "mirror": mirror, "metal": metal, "glass": glass, "plastic": plastic}
+KINDS = {"lambert": lambert, "translucent": translucent, "mirror": mirror, "metal": metal, "glass": glass,
+         "plastic": plastic}
 
 
 def surface(nodes, m, normal, materials):

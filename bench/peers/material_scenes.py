@@ -57,7 +57,7 @@ MATERIALS = {
     "lambert_texture": of("lambert", base_color=[1, 0.8, 0.6], texture="pieces") + PIECES,
     "lambert_checker": of("lambert", texture="squares") + PIECES,
     "translucent": of("translucent", base_color=[0.2, 0.3, 0.5], transmittance=[0.7, 0.5, 0.2]),
-    "translucent_texture": of("translucent", base_color=[0.6, 0.7, 0.5], texture="pieces", transmittance=[0.9, 0.8, 0.4],
+    "translucent_texture": of("translucent", base_color=[0.3, 0.35, 0.5], texture="pieces", transmittance=[0.6, 0.5, 0.4],
                               transmittance_texture="squares") + PIECES,
     "translucent_normal_map": of("translucent", base_color=0.3, transmittance=0.5, normal_texture="normal.png"),
     "mirror": of("mirror", base_color=[0.9, 0.8, 0.7]),

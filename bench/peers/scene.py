@@ -7,9 +7,9 @@ from array import array
 
 # Of materials; what else there may be is not understood, and no peer may go past it.
 MATERIAL_KEYS = {
-    "name", "type", "base_color", "texture", "transmittance", "transmittance_texture", "roughness", "roughness_texture", "ior", "thin", "eta", "k", "specular", "coat",
-    "sheet", "first", "second", "weight", "weight_texture", "emission", "emission_texture", "emission_both_sides", "opacity",
-    "opacity_texture", "normal_texture", "bumps"}
+    "name", "type", "base_color", "texture", "transmittance", "transmittance_texture", "roughness", "roughness_texture", "ior",
+    "thin", "eta", "k", "specular", "coat", "sheet", "first", "second", "weight", "weight_texture", "emission",
+    "emission_texture", "emission_both_sides", "opacity", "opacity_texture", "normal_texture", "bumps"}
 NO_NORMAL = NO_UV = 0xFFFFFFFF
 
 
