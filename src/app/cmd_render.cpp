@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/prepare.h"
+#include "app/render/checkpoints.h"
 #include "app/render/error_log.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
@@ -27,6 +28,7 @@
 #include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
 #include "scene/camera.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -75,6 +77,10 @@ private:
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
+    RenderIdentity identity() const;
+    void go_on_from(const RenderState& state, const Film& film, RenderLimits& limits);
+    bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
+                          const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
     void write(const Film& film);
     void write_stats();
@@ -92,6 +98,7 @@ private:
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
+    bool can_go_on_ = false;       // a checkpoint of the unfinished picture is written
     Normalisation normalisation_;  // of the scene, once it is built
 };
 
@@ -191,6 +198,53 @@ std::string Run::hash_with(uint32_t spp) const
     return settings_hash(settings, options_.picture.scene.camera + view_options_text(options_.picture.scene));
 }
 
+// All that decides the bits of the picture. The number of samples does only where it decides where they are taken.
+RenderIdentity Run::identity() const
+{
+    RenderIdentity all{{"lancer", std::string(LANCER_VERSION) + ", " + compiler_text() + ", " + instruction_text()},
+                       {"embree", embree_version()},
+                       {"scene", to_hex(prepared_.description.content_hash)},
+                       {"view", options_.picture.scene.camera + view_options_text(options_.picture.scene)},
+                       {"crop", format_text("%u,%u,%u,%u", crop_.x0, crop_.y0, crop_.x1, crop_.y1)}};
+    for (const RenderOption& option : render_options())
+        if (option.name != "spp" || settings_.stop) all.emplace_back(option.name, value_text(settings_, option));
+    std::string& aovs = all.emplace_back("aov", "").second;
+    for (const Aov aov : options_.aovs) aovs += (aovs.empty() ? "" : ",") + std::string(name_of(aov));
+    return all;
+}
+
+void Run::go_on_from(const RenderState& state, const Film& film, RenderLimits& limits)
+{
+    const uint32_t reached = state.pass.end;
+    if (reached > settings_.spp)
+        throw Error(ErrorKind::usage, {},
+                    format_text("--resume: the checkpoint has up to %u samples per pixel, more than the %u of --spp",
+                                reached, settings_.spp));
+    limits.begin_with(state.wall_s, state.cpu_s);
+    stats_.passes = state.passes;
+    halves_ = state.halves;
+    if (!state.error_log.empty()) log_->begin_with(state.error_log);
+    add_samples(film, state.counters, limits);
+    if (state.left.empty()) estimate_error(film);
+    if (!options_.quiet)
+        print_note(format_text("going on after %.1f samples per pixel",
+                               static_cast<double>(stats_.samples) / static_cast<double>(film.pixels.size())));
+}
+
+bool Run::write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
+                           const RenderLimits& limits) const
+{
+    return to.write({.pass = pass,
+                     .left = left,
+                     .counters = stats_.counters,
+                     .wall_s = limits.wall_seconds(),
+                     .cpu_s = limits.cpu_seconds(),
+                     .passes = stats_.passes,
+                     .halves = halves_,
+                     .error_log = log_->is_wanted() ? log_->text() : ""},
+                    film);
+}
+
 void Run::estimate_error(const Film& film)
 {
     if (settings_.spp > 1) halves_.look(film);
@@ -247,7 +301,14 @@ void Run::render(const Renderer& renderer)
     LiveView live_view(options_, film, stats_.scene.warnings);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
-    if (limits.has_stop_rule()) film.keep_blocks_open();
+    Checkpoints checkpoints(options_, identity());
+    if (limits.has_stop_rule() || checkpoints.are_wanted()) film.keep_blocks_open();
+    SampleRange range;
+    std::vector<Tile> left;
+    if (std::optional<RenderState> before = checkpoints.resume(film)) {
+        go_on_from(*before, film, limits);
+        range = before->pass, left = std::move(before->left);
+    }
     timed("render", [&] {
         Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp == unlimited_spp ? 0 : s.spp,
                           film.pixels.size(), options_.time);
@@ -260,23 +321,26 @@ void Run::render(const Renderer& renderer)
             progress.tile_done();
         };
         signals_.poll();
-        SampleRange range;
-        while (range.end < s.spp) {
-            range = {range.end, limits.next_end(range.end)};
-            progress.begin_pass(range, tiles.size());
+        while (!left.empty() || range.end < s.spp) {
+            if (left.empty()) range = {range.end, limits.next_end(range.end)}, left = tiles;
+            progress.begin_pass(range, left.size());
             limits.begin_pass();
-            std::vector<Tile> left = tiles;
             while (!left.empty() && !enough.stop_requested()) {
                 if (has_samples() && signals_.take_snapshot_request()) {
                     limits.pause();
                     write_snapshot(film, progress);
                     limits.resume();
                 }
+                if (has_samples() && checkpoints.are_due()) {
+                    limits.pause();
+                    write_checkpoint(checkpoints, range, left, film, limits);
+                    limits.resume();
+                }
                 std::stop_source halt;
                 const std::stop_callback on_enough(enough.get_token(), [&] { halt.request_stop(); });
                 PassResult result = renderer.pass(camera, film, left, range, halt.get_token(), [&](const Tile& tile) {
                     tile_done(tile);
-                    if (signals_.snapshot_requested()) halt.request_stop();
+                    if (signals_.snapshot_requested() || checkpoints.are_due()) halt.request_stop();
                 });
                 add_samples(film, result.counters, limits);
                 left = std::move(result.left);
@@ -301,6 +365,7 @@ void Run::render(const Renderer& renderer)
         progress.clear();
         if (options_.verbose) print_sampling_plan(renderer.integrator(), *renderer.plan(camera, width, height));
     });
+    if (has_samples()) can_go_on_ = write_checkpoint(checkpoints, range, left, film, limits);
     if (options_.outliers > 0 && !signals_.interrupted())
         stats_.error_sources =
             timed("find outliers", [&] { return find_error_sources(renderer, camera, film, options_.outliers); });
@@ -374,9 +439,10 @@ int Run::execute()
     for (const std::string& path : options_.outputs) print_result(path);
     if (!stats_.partial) return exit_done;
     print_problem(format_text(
-        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)",
-        static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp));
-    return exit_interrupted;
+        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s",
+        static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp,
+        can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
+    return can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 
 }  // namespace

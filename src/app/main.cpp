@@ -50,7 +50,7 @@ const char* const help =
     "  lancer --version                          the versions of the program and its libraries\n\n"
     "Results go to the standard output, everything else to the standard error.\n"
     "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
-    "130 interrupted (the picture so far is written, marked partial).\n\n"
+    "75 interrupted, to go on with --resume; 130 interrupted (both write the picture so far, marked partial).\n\n"
     "Examples:\n"
     "  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
     "  lancer mesh.obj --size 640x360";

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 
@@ -18,6 +19,12 @@ void on_interrupt(int)
 {
     if (interrupts.fetch_add(1) > 0) _exit(exit_interrupted);
 }
+// Batch systems send several of these, as a warning: none ends the program while it writes.
+void on_request(int)
+{
+    int none = 0;
+    interrupts.compare_exchange_strong(none, 1);
+}
 void on_snapshot(int) { snapshot = true; }
 
 void handle(int number, void (*handler)(int))
@@ -29,12 +36,23 @@ void handle(int number, void (*handler)(int))
     sigaction(number, &action, nullptr);
 }
 
+// As nohup leaves SIGHUP.
+bool is_ignored(int number)
+{
+    struct sigaction action = {};
+    return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+constexpr std::array requests{SIGHUP, SIGXCPU, SIGUSR2};
+
 }  // namespace
 
 Signals::Signals()
 {
     handle(SIGINT, on_interrupt);
     handle(SIGTERM, on_interrupt);
+    for (const int number : requests)
+        if (!is_ignored(number)) handle(number, on_request);
     handle(SIGUSR1, on_snapshot);
 }
 
@@ -43,6 +61,8 @@ Signals::~Signals()
     // On the way out after an interrupt the next one still ends the program with its code, not by the signal.
     if (interrupted()) return;
     for (const int number : {SIGINT, SIGTERM, SIGUSR1}) handle(number, SIG_DFL);
+    for (const int number : requests)
+        if (!is_ignored(number)) handle(number, SIG_DFL);
 }
 
 void Signals::poll()

@@ -6,7 +6,7 @@
 namespace lancer {
 
 // From the constructor on, the first SIGINT or SIGTERM asks to stop and the second one ends the program at once;
-// SIGUSR1 asks for a snapshot. One object in a program.
+// SIGHUP, SIGXCPU and SIGUSR2 ask to stop; SIGUSR1 asks for a snapshot. One object in a program.
 class Signals {
 public:
     Signals();

@@ -14,7 +14,19 @@ namespace {
 
 const char* const exit_codes =
     "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
-    "71 the pictures need more than --memory; 130 interrupted (the picture so far is written, marked partial).\n";
+    "71 the pictures need more than --memory; 75 interrupted, to go on with --resume; 130 interrupted without\n"
+    "--checkpoint. Both write the picture so far, marked partial.\n";
+
+// FILE or FILE,T; a comma that no duration follows belongs to the name.
+void take_checkpoint(const std::string& text, RenderOptions& o)
+{
+    o.checkpoint = text;
+    const size_t comma = text.rfind(',');
+    if (comma == std::string::npos || comma + 1 == text.size() || text[comma + 1] < '0' || text[comma + 1] > '9')
+        return;
+    o.checkpoint = text.substr(0, comma);
+    o.checkpoint_interval = to_seconds("--checkpoint", text.substr(comma + 1));
+}
 
 void add_render_options(OptionParser& p, RenderOptions& o)
 {
@@ -70,6 +82,15 @@ void add_render_options(OptionParser& p, RenderOptions& o)
                 o.write_scene = t;
             });
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
+    p.value(
+        "--checkpoint", "FILE[,T]",
+        "Every T (60s), first after 10 s, and at the end write what --resume needs; the one before stays as FILE.old",
+        [&](const std::string& t) { take_checkpoint(t, o); });
+    p.value(
+        "--resume", "FILE|auto",
+        "Go on from a checkpoint, with the same bits; also with more samples. auto: from the one of --checkpoint, if "
+        "it is there",
+        [&](const std::string& t) { o.resume = t; });
 }
 
 // With links followed as far as there are files: two names of one file are equal. Absolute first: of a relative path
@@ -96,7 +117,8 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     RenderOptions o;
     OptionParser p(
         "lancer render", "Render a scene into pictures.",
-        exit_codes + std::string("Signals: a second interrupt exits at once; SIGUSR1 writes a snapshot and goes on.\n\n"
+        exit_codes + std::string("Signals: SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR2 interrupt; a second SIGINT or "
+                                 "SIGTERM exits at once;\nSIGUSR1 writes a snapshot and goes on.\n\n"
                                  "Examples:\n  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
                                  "  lancer mesh.obj --size 640x360\n"));
     add_render_options(p, o);
@@ -110,6 +132,8 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     if (!o.stats.empty()) files.push_back(o.stats);
     if (!o.error_log.empty()) files.push_back(o.error_log);
     if (!o.write_scene.empty()) files.push_back(o.write_scene);
+    if (!o.checkpoint.empty()) files.push_back(o.checkpoint);
+    if (o.resume == "auto" && o.checkpoint.empty()) fail_usage("--resume: auto needs --checkpoint FILE");
     refuse_doubles(files);
     if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
     for (const std::string& reference : {o.reference, o.reference2})

@@ -53,6 +53,8 @@ struct RenderOptions {
     bool dither = false;
     bool ascii_ppm = false;
     std::string write_scene;            // empty: none
+    std::string checkpoint, resume;     // likewise; resume may be "auto"
+    double checkpoint_interval = 60;    // seconds
     std::string stats;                  // empty: none
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise

@@ -26,6 +26,9 @@ public:
     // Adds a row, which is written at once, so that it survives a crash. stats: the present figures; rendering time
     // does not advance meanwhile.
     void add(const Image& picture, const RunStats& stats, double cpu_seconds);
+    // The log so far, and the same for a render that goes on from another.
+    const std::string& text() const { return text_; }
+    void begin_with(const std::string& text) { text_ = text; }
     // Metrics of the last row against the reference; nothing without one.
     const std::optional<Metrics>& last() const { return last_; }
 

@@ -32,6 +32,8 @@ public:
     // Whether errors are looked at that are known only there.
     bool is_mark(uint32_t samples) const;
 
+    // What the passes before have taken of which this render goes on.
+    void begin_with(double wall_s, double cpu_s) { wall_ = wall_s, cpu_ = cpu_s, passes_ = 1; }
     void begin_pass() { ++passes_, resume(); }
     void end_pass() { pause(); }
     // Within a pass: no rays are traced from one to the other.

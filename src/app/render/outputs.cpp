@@ -56,6 +56,7 @@ void probe_outputs(const RenderOptions& options)
     if (!options.stats.empty()) const AtomicFile probe(options.stats);
     if (!options.error_log.empty()) const AtomicFile probe(options.error_log);
     if (!options.write_scene.empty()) const AtomicFile probe(options.write_scene);
+    if (!options.checkpoint.empty()) const AtomicFile probe(options.checkpoint);
 }
 
 void refuse_input_as_output(const RenderOptions& options, const SceneDescription& scene)
@@ -72,6 +73,7 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
     if (!options.stats.empty()) check("--stats", options.stats);
     if (!options.error_log.empty()) check("--error-log", options.error_log);
     if (!options.write_scene.empty()) check("--write-scene", options.write_scene);
+    if (!options.checkpoint.empty()) check("--checkpoint", options.checkpoint);
 }
 
 Image to_image(const Film& film)

@@ -18,18 +18,23 @@ namespace lancer {
 // Rousselle, Knaus, Zwicker, "Adaptive Rendering with Non-Local Means Filtering", 2012, section 5, uses such buffers.
 class HalfBuffers {
 public:
-    // Must be called each time the number of samples has doubled; other calls are allowed. Pixels with less than twice
-    // the samples of their half keep the last estimate, scaled by 1 / samples.
-    void look(const Film& film);
-    // Relative mean squared error; nothing before the second call of look().
-    std::optional<double> rel_mse() const { return error_; }
-
-private:
     struct Half {
         Color mean;
         uint32_t n = 0;
         float error = -1;  // of the pixel at that time; negative: unknown
     };
+    HalfBuffers() = default;
+    // As halves() and rel_mse() of others were.
+    HalfBuffers(std::vector<Half> halves, std::optional<double> error) : halves_(std::move(halves)), error_(error) {}
+    // Must be called each time the number of samples has doubled; other calls are allowed. Pixels with less than twice
+    // the samples of their half keep the last estimate, scaled by 1 / samples.
+    void look(const Film& film);
+    // Relative mean squared error; nothing before the second call of look().
+    std::optional<double> rel_mse() const { return error_; }
+    // Parallel to the pixels; empty before the first call.
+    const std::vector<Half>& halves() const { return halves_; }
+
+private:
     std::vector<Half> halves_;
     std::optional<double> error_;
 };
