@@ -397,7 +397,11 @@ void Run::write(const Film& film)
 void Run::write_snapshot(const Film& film, Progress& progress)
 {
     progress.clear();
-    write(film);
+    try {
+        write(film);
+    } catch (const Error& problem) {
+        return print_as_warning(problem, "the render goes on without this snapshot");
+    }
     print_note(format_text("snapshot written at %.1f spp",
                            static_cast<double>(stats_.samples) / static_cast<double>(film.pixels.size())));
 }
@@ -437,7 +441,9 @@ int Run::execute()
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
     if (!options_.write_scene.empty()) print_result(options_.write_scene);
     for (const std::string& path : options_.outputs) print_result(path);
-    if (!stats_.partial) return exit_done;
+    const bool is_behind = log_->is_behind();
+    if (is_behind) print_problem("error: the error log could not be written");
+    if (!stats_.partial) return is_behind ? exit_failed : exit_done;
     print_problem(format_text(
         "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s",
         static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp,

@@ -99,6 +99,14 @@ void print_problem(const std::string& lines)
     print_raw(text);
 }
 
+void print_as_warning(const Error& failure, const std::string& consequence)
+{
+    constexpr std::string_view error = "error: ";
+    std::string text = failure.what();
+    if (const size_t at = text.find(error); at != std::string::npos) text.replace(at, error.size(), "warning: ");
+    print_problem(text + "; " + consequence);
+}
+
 void print_note(const std::string& line) { print_raw("lancer: " + line + "\n"); }
 
 bool stderr_is_terminal()

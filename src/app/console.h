@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/error.h"
+
 namespace lancer {
 
 // Formats as printf, into a string.
@@ -23,6 +25,8 @@ void flush_results();
 // Lines "place: error: message" or "place: warning: message"; those without a place get the program's name. The words
 // error and warning are coloured on a terminal, unless NO_COLOR is set.
 void print_problem(const std::string& lines);
+// A failure that costs nothing but what `consequence` says: its message as a warning.
+void print_as_warning(const Error& failure, const std::string& consequence);
 void print_note(const std::string& line);
 
 // Whether stderr is a terminal that can redraw a line.

@@ -42,6 +42,27 @@ std::vector<std::map<std::string, std::string>> rows_of(const std::string& csv)
     return rows;
 }
 
+// A disk may be full, a folder removed: hours of rendering are not lost for that.
+TEST_F(ErrorLog, OneThatCannotBeWrittenCostsNoPicture)
+{
+    for (const bool is_interrupted : {false, true}) {
+        std::filesystem::create_directory(file("logs"));
+        Program program(folder_, {"scene.toml", "-s", is_interrupted ? "2000000000" : "20000", "--size", "32x32", "-o",
+                                  "a.exr", "--error-log", "logs/e.csv", "--progress", "json"});
+        ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
+        std::filesystem::remove_all(file("logs"));
+        if (is_interrupted) {
+            ASSERT_TRUE(program.wait_for_message("goes on without its log"));
+            program.send(SIGTERM);
+        }
+        const Said said = program.wait();
+        EXPECT_EQ(said.code, is_interrupted ? 130 : 1) << said.err;
+        expect_words(said.err, "logs/e.csv: warning: cannot write");
+        expect_words(said.err, "error: the error log could not be written");
+        EXPECT_EQ(metadata("a.exr", "partial"), is_interrupted ? "1" : "0");
+    }
+}
+
 TEST_F(ErrorLog, HasARowAtEveryDoublingAndNoOtherBits)
 {
     ASSERT_EQ(render({"-o", "reference.exr", "-s", "300", "--seed", "5"}).code, 0);

@@ -41,6 +41,21 @@ TEST_F(Running, ASnapshotIsWrittenWithoutStopping)
     EXPECT_EQ(kill(program.pid(), 0), 0);
 }
 
+TEST_F(Running, ASnapshotThatCannotBeWrittenEndsNothing)
+{
+    std::filesystem::create_directory(file("out"));
+    Program program(folder_, {"scene.toml", "-s", "2000000000", "--size", "32x32", "-o", "out/a.exr", "--checkpoint",
+                              "c.lancer", "--progress", "json"});
+    ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
+    std::filesystem::remove_all(file("out"));
+    program.send(SIGUSR1);
+    ASSERT_TRUE(program.wait_for_message("goes on without this snapshot"));
+    std::filesystem::create_directory(file("out"));
+    program.send(SIGTERM);
+    EXPECT_EQ(program.wait().code, 75);
+    EXPECT_TRUE(exists("out/a.exr"));
+}
+
 // A pass of eight samples of a million pixels is under way long before it ends: the snapshot has less.
 TEST_F(Running, ASnapshotNeedNotWaitForThePass)
 {

@@ -58,9 +58,7 @@ bool Checkpoints::write(const RenderState& state, const Film& film)
         write_checkpoint(path_, identity_, state, film);
     } catch (const Error& problem) {
         is_written = false;
-        std::string text = problem.what();
-        if (const size_t at = text.find("error: "); at != std::string::npos) text.replace(at, 7, "warning: ");
-        print_problem(text + "; the render goes on without this checkpoint");
+        print_as_warning(problem, "the render goes on without this checkpoint");
     }
     due_ = wall_seconds() + interval_;
     return is_written;

@@ -61,7 +61,13 @@ void ErrorLog::add(const Image& picture, const RunStats& stats, double cpu_secon
                                !path_.empty());
     text_ += to_csv(row);
     if (path_.empty()) return;
-    write_text(path_, text_);
+    try {
+        write_text(path_, text_);
+        is_behind_ = false;
+    } catch (const Error& problem) {
+        if (!is_behind_) print_as_warning(problem, "the render goes on without its log");
+        is_behind_ = true;
+    }
 }
 
 }  // namespace lancer

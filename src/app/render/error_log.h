@@ -23,12 +23,15 @@ public:
     void require_size(const Image& picture) const;
     // Warns of references with the same random numbers as a picture of that seed, or as each other.
     void warn_of_shared_samples(uint64_t seed) const;
-    // Adds a row, which is written at once, so that it survives a crash. stats: the present figures; rendering time
+    // Adds a row, which is written at once, so that it survives a crash. If that fails, a warning says so, as the
+    // picture is worth more. stats: the present figures; rendering time
     // does not advance meanwhile.
     void add(const Image& picture, const RunStats& stats, double cpu_seconds);
     // The log so far, and the same for a render that goes on from another.
     const std::string& text() const { return text_; }
     void begin_with(const std::string& text) { text_ = text; }
+    // Whether the file lacks rows because it could not be written. The next row that can be written brings them along.
+    bool is_behind() const { return is_behind_; }
     // Metrics of the last row against the reference; nothing without one.
     const std::optional<Metrics>& last() const { return last_; }
 
@@ -36,6 +39,7 @@ private:
     std::string path_;
     std::optional<ComparedPicture> reference_, reference2_;
     std::string text_;
+    bool is_behind_ = false;
     std::optional<Metrics> last_;
 };
 
