@@ -1,0 +1,120 @@
+#include "render/denoise/denoise.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/denoise/bandwidth_choice.h"
+#include "render/denoise/cross_error.h"
+#include "render/denoise/james_stein.h"
+#include "render/denoise/non_local_means.h"
+#include "render/denoise/outliers.h"
+
+namespace lancer {
+namespace {
+
+using namespace denoise;
+
+// The mean of planes of both halves.
+Plane mean_of(const Plane& a, const Plane& b, float part_of_b)
+{
+    Plane mean(a.width(), a.height());
+    for_rows(a.height(), [&](int y) {
+        for (int x = 0; x < a.width(); ++x) mean.row(y)[x] = a.row(y)[x] + part_of_b * (b.row(y)[x] - a.row(y)[x]);
+    });
+    mean.mirror_edges();
+    return mean;
+}
+
+FilteredHalves filter_halves(Halves& halves, const ColorPlanes& variance)
+{
+    filter_features(halves);
+    const auto& [a, b] = halves.half;
+    // Weights come from noise that is independent of what they weight. They compare noisy patches, whose variance
+    // counts twice.
+    constexpr float variance_factor = 2;
+    Fitted of_a = fit_first_order(a.color, b.features, {b.color, variance, variance_factor});
+    Fitted of_b = fit_first_order(b.color, a.features, {a.color, variance, variance_factor});
+    return choose_bandwidth(halves, variance, std::move(of_a), std::move(of_b));
+}
+
+// Half of a variance: that of the mean of two.
+Plane halved(const Plane& variance)
+{
+    Plane half(variance.width(), variance.height());
+    for_rows(half.height(), [&](int y) {
+        for (int x = 0; x < half.width(); ++x) half.row(y)[x] = 0.5f * variance.row(y)[x];
+    });
+    half.mirror_edges();
+    return half;
+}
+
+// The squared error of the mean of both filtered halves in a channel, over a square of pixels.
+Plane filter_error(const Halves& halves, const FilteredHalves& filtered, const Plane& variance, size_t c)
+{
+    Plane error(variance.width(), variance.height());
+    for_rows(error.height(), [&](int y) {
+        for (int x = 0; x < error.width(); ++x)
+            error.row(y)[x] =
+                squared_error_and_noise(halves.half[0].color[c].row(y)[x], halves.half[1].color[c].row(y)[x],
+                                        filtered.a[c].row(y)[x], filtered.b[c].row(y)[x]) -
+                variance.row(y)[x];
+    });
+    error.mirror_edges();
+    return box_mean(error, blend_radius);
+}
+
+// Fits may fall below 0 in the dark, light may not; a pixel filter with negative lobes may.
+void forbid_negative_light(Plane& filtered, const Plane& noisy)
+{
+    for_rows(filtered.height(), [&](int y) {
+        for (int x = 0; x < filtered.width(); ++x) {
+            float& v = filtered.row(y)[x];
+            v = std::max(v, std::min(0.0f, noisy.row(y)[x]));
+        }
+    });
+    filtered.mirror_edges();
+}
+
+float& channel(Color& color, size_t c) { return c == 0 ? color.r : c == 1 ? color.g : color.b; }
+
+// Blends one channel and adds its error to the map.
+void finish_channel(const Halves& halves, const FilteredHalves& filtered, const Plane& variance, size_t c,
+                    Denoised& out)
+{
+    const Plane noisy = mean_of(halves.half[0].color[c], halves.half[1].color[c], halves.part_of_b);
+    Plane mean = mean_of(filtered.a[c], filtered.b[c], halves.part_of_b);
+    forbid_negative_light(mean, noisy);
+    const Plane own = halved(variance), noise = box_mean(own, blend_radius), part = noisy_part(mean, noisy, own);
+    const Plane error = filter_error(halves, filtered, variance, c);
+    const double black = 0.01 * double{halves.scale} * double{halves.scale};  // see Denoised::error
+    constexpr float largest = std::numeric_limits<float>::max();
+    for_rows(mean.height(), [&](int y) {
+        const size_t first = static_cast<size_t>(y) * static_cast<size_t>(mean.width());
+        for (int x = 0; x < mean.width(); ++x) {
+            const float p = part.row(y)[x], f = mean.row(y)[x];
+            const float value = f + p * (noisy.row(y)[x] - f);
+            channel(out.pixels[first + static_cast<size_t>(x)], c) =
+                std::clamp(value / halves.scale, -largest, largest);
+            const float e = (1 - p) * (1 - p) * std::max(0.0f, error.row(y)[x]) + p * p * noise.row(y)[x];
+            const double square = double{value} * double{value};
+            out.error[first + static_cast<size_t>(x)] += static_cast<float>(double{e} / (square + black) / 3);
+        }
+    });
+}
+
+}  // namespace
+
+Denoised denoise_picture(const DenoiseInput& input)
+{
+    if (input.width == 0 || input.height == 0) return {};
+    Halves halves = load_halves(input);
+    spread_outliers(halves);
+    const ColorPlanes variance = variance_of_half(halves);
+    const FilteredHalves filtered = filter_halves(halves, variance);
+    const size_t size = size_t{input.width} * input.height;
+    Denoised out{std::vector<Color>(size), std::vector<float>(size)};
+    for (size_t c = 0; c < 3; ++c) finish_channel(halves, filtered, variance[c], c, out);
+    return out;
+}
+
+}  // namespace lancer
