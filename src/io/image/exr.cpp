@@ -280,23 +280,31 @@ ExrInfo read_exr_info(const std::string& path)
     });
 }
 
-std::vector<float> read_exr_channel(const std::string& path, const std::string& name)
+std::vector<std::vector<float>> read_exr_channels(const std::string& path, std::span<const std::string> names)
 {
     return with_parts(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
         const Imf::Header& header = parts.header(0);
-        const Imf::Channel* const channel = header.channels().findChannel(name);
-        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
-            throw file.invalid("has no channel " + name);
         const Window data = to_window(header.dataWindow());
-        std::vector<float> values(data.area());
+        std::vector<std::vector<float>> channels;
         Imf::FrameBuffer buffer;
-        buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float),
-                                             sizeof(float) * static_cast<size_t>(data.width())));
+        for (const std::string& name : names) {
+            const Imf::Channel* const channel = header.channels().findChannel(name);
+            if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
+                throw file.invalid("has no channel " + name);
+            std::vector<float>& values = channels.emplace_back(data.area());
+            buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float),
+                                                 sizeof(float) * static_cast<size_t>(data.width())));
+        }
         Imf::InputPart part(parts, 0);
         part.setFrameBuffer(buffer);
         part.readPixels(data.y0, data.y1 - 1);
-        return values;
+        return channels;
     });
+}
+
+std::vector<float> read_exr_channel(const std::string& path, const std::string& name)
+{
+    return std::move(read_exr_channels(path, {&name, 1})[0]);
 }
 
 Raster read_exr_raster(const std::string& path) { return with_parts(path, read_raster_part); }

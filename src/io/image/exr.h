@@ -59,7 +59,9 @@ struct ExrInfo {
     Metadata metadata;
 };
 ExrInfo read_exr_info(const std::string& path);
-// Reads one channel as floats, rows of the data window. Throws as read_exr, also if there is no such channel.
+// Reads channels as floats, rows of the data window. Throws as read_exr, also if there is no such channel. A file is
+// decompressed as a whole: many channels are read at once.
+std::vector<std::vector<float>> read_exr_channels(const std::string& path, std::span<const std::string> names);
 std::vector<float> read_exr_channel(const std::string& path, const std::string& name);
 
 // Version of the library at compile time: "3.1.5".
