@@ -25,8 +25,10 @@
 #include "io/atomic_file.h"
 #include "io/scene/scene_file.h"
 #include "render/aov.h"
+#include "render/denoise/film_halves.h"
 #include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
+#include "report/metrics/held_out_error.h"
 #include "scene/camera.h"
 #include "scene/description/render_options.h"
 
@@ -77,12 +79,14 @@ private:
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
-    RenderIdentity identity() const;
+    RenderIdentity identity(const Film& film) const;
     void go_on_from(const RenderState& state, const Film& film, RenderLimits& limits);
     bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
                           const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
-    void write(const Film& film);
+    Denoised denoise(const Film& film);
+    // denoised: empty where only the noisy picture is written.
+    void write(const Film& film, const Denoised& denoised);
     void write_stats();
     void read_output_settings();
     void write_scene();
@@ -121,6 +125,7 @@ void Run::load()
     write_scene();
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
+    if (options_.denoise || options_.denoise_sets) require_denoisable(settings_);
     const uint32_t width = settings_.size.width, height = settings_.size.height;
     crop_ = options_.crop.value_or(Tile{0, 0, width, height});
     if (crop_.x1 > width || crop_.y1 > height)
@@ -198,8 +203,14 @@ std::string Run::hash_with(uint32_t spp) const
     return settings_hash(settings, options_.picture.scene.camera + view_options_text(options_.picture.scene));
 }
 
+// How the halves are dealt: with a given number of samples it counts.
+std::string halves_text(const SetDeal& deal)
+{
+    return deal.second_half == 0 ? "of any number of samples" : format_text("of %u samples each", deal.second_half);
+}
+
 // All that decides the bits of the picture. The number of samples does only where it decides where they are taken.
-RenderIdentity Run::identity() const
+RenderIdentity Run::identity(const Film& film) const
 {
     RenderIdentity all{{"lancer", std::string(LANCER_VERSION) + ", " + compiler_text() + ", " + instruction_text()},
                        {"embree", embree_version()},
@@ -210,6 +221,7 @@ RenderIdentity Run::identity() const
         if (option.name != "spp" || settings_.stop) all.emplace_back(option.name, value_text(settings_, option));
     std::string& aovs = all.emplace_back("aov", "").second;
     for (const Aov aov : options_.aovs) aovs += (aovs.empty() ? "" : ",") + std::string(name_of(aov));
+    all.emplace_back("halves to denoise", film.sets.empty() ? "none" : halves_text(film.deal));
     return all;
 }
 
@@ -301,7 +313,9 @@ void Run::render(const Renderer& renderer)
     LiveView live_view(options_, film, stats_.scene.warnings);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
-    Checkpoints checkpoints(options_, identity());
+    if (options_.denoise || options_.denoise_sets)
+        film.keep_sets({.replicates = s.replicates, .second_half = limits.has_stop_rule() ? 0 : s.spp / 2});
+    Checkpoints checkpoints(options_, identity(film));
     if (limits.has_stop_rule() || checkpoints.are_wanted()) film.keep_blocks_open();
     SampleRange range;
     std::vector<Tile> left;
@@ -371,7 +385,24 @@ void Run::render(const Renderer& renderer)
             timed("find outliers", [&] { return find_error_sources(renderer, camera, film, options_.outliers); });
     // Before the first tile there is nothing worth replacing an old picture with.
     if (!has_samples()) return;
-    timed("write", [&] { write(film); });
+    Denoised denoised;
+    if (options_.denoise && !stats_.partial) denoised = denoise(film);
+    timed("write", [&] { write(film, denoised); });
+}
+
+Denoised Run::denoise(const Film& film)
+{
+    Denoised denoised = timed("denoise", [&] { return denoise_film(film); });
+    stats_.denoised = true;
+    if (film.deal.count() != 4) return denoised;
+    timed("error of denoised", [&] {
+        const auto error = held_out_error(film, denoise_film(film, UsedSets::without_held_out).pixels);
+        if (!error) return;
+        const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
+        stats_.denoised_error = root(error->rel_mse);
+        stats_.denoised_interval = {root(error->interval.low), root(error->interval.high)};
+    });
+    return denoised;
 }
 
 // Before the first sample, so that snapshots and interrupted renders have the exposure of the finished picture.
@@ -389,16 +420,27 @@ void Run::choose_curve(const Renderer& renderer)
         print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
 }
 
-void Run::write(const Film& film)
+void Run::write(const Film& film, const Denoised& denoised)
 {
-    write_outputs(options_, curve_, film, aov_planes(film, options_.aovs, normalisation_), make_metadata(stats_));
+    std::vector<ImagePlane> planes = aov_planes(film, options_.aovs, normalisation_);
+    Metadata metadata = make_metadata(stats_);
+    if (options_.denoise_sets) {
+        HalfPlanes halves = halves_of(film);
+        for (size_t h = 0; h < 2; ++h)
+            metadata.push_back({std::string(names_of_samples[h]), double{halves.samples[h]}});
+        for (ImagePlane& p : planes_of(std::move(halves))) planes.push_back(std::move(p));
+    }
+    if (denoised.pixels.empty()) return write_outputs(options_, curve_, rows_of(film), planes, metadata);
+    for (ImagePlane& p : layer_of(to_image(film), "noisy")) planes.push_back(std::move(p));
+    planes.push_back({"denoise_error.V", denoised.error});
+    write_outputs(options_, curve_, rows_of(film, denoised.pixels), planes, metadata);
 }
 
 void Run::write_snapshot(const Film& film, Progress& progress)
 {
     progress.clear();
     try {
-        write(film);
+        write(film, {});
     } catch (const Error& problem) {
         return print_as_warning(problem, "the render goes on without this snapshot");
     }

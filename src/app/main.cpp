@@ -23,15 +23,16 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 9> commands{{{"render", run_render},
-                                           {"check", run_check},
-                                           {"info", run_info},
-                                           {"compare", run_compare},
-                                           {"pixel", run_pixel},
-                                           {"tune", run_tune},
-                                           {"export", run_export},
-                                           {"study", run_study},
-                                           {"options", run_options}}};
+constexpr std::array<Command, 10> commands{{{"render", run_render},
+                                            {"denoise", run_denoise},
+                                            {"check", run_check},
+                                            {"info", run_info},
+                                            {"compare", run_compare},
+                                            {"pixel", run_pixel},
+                                            {"tune", run_tune},
+                                            {"export", run_export},
+                                            {"study", run_study},
+                                            {"options", run_options}}};
 
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
@@ -39,6 +40,7 @@ const char* const help =
     "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj) into .exr and .png files\n"
     "  lancer check SCENE                        print every problem of a scene and its files; nothing is rendered\n"
     "  lancer info FILE                          print what is in a scene, or what a picture says of its making\n"
+    "  lancer denoise PICTURE -o FILE            remove the noise of a picture of lancer render --aov denoise\n"
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
     "  lancer study STUDY -o FOLDER              error against run time: methods on scenes, as one HTML page\n"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +40,49 @@ struct ReplicateSum {
     uint32_t n = 0;
 };
 
+// Sums over one of the sets into which the denoiser divides a pixel's samples.
+struct SampleSet {
+    // Of the first surface that spreads light, seen by way of mirrors and smooth glass; misses are 0: albedo, shading
+    // normal (world space), 1 / distance (scene units).
+    using Features = std::array<float, 7>;
+
+    std::array<double, 3> sum{};  // of radiance
+    Features features{};          // likewise
+    uint32_t n = 0;               // number of finite samples
+    uint32_t seen = 0;            // number of samples that features count
+
+    SampleSet& operator+=(const SampleSet& o)
+    {
+        for (size_t c = 0; c < sum.size(); ++c) sum[c] += o.sum[c];
+        for (size_t i = 0; i < features.size(); ++i) features[i] += o.features[i];
+        n += o.n, seen += o.seen;
+        return *this;
+    }
+};
+
+// How samples are dealt to sets: two halves that are about as good as each other, and as independent as can be. With
+// four replicates and more, the last one of each half is a set of its own, which can be held out.
+struct SetDeal {
+    uint32_t replicates = 1;  // see KernelSettings::replicates
+    // Without replicates: the first sample of the second half, if it is known how many there will be, else 0. Sobol'
+    // points are then cut in the middle, which leaves two low-discrepancy sets; two sets of every second point would
+    // each be worse, and err in opposite ways.
+    uint32_t second_half = 0;
+
+    constexpr uint32_t count() const { return replicates < 4 ? 2 : 4; }
+    // 0: first half, 1: second half; 2, 3: held out of them. path: as in KernelSettings::replicate_of().
+    constexpr uint32_t set_of(uint32_t path) const
+    {
+        if (replicates > 1) {
+            const uint32_t r = path % replicates;
+            return (r & 1) + (replicates >= 4 && r + 2 >= replicates ? 2 : 0);
+        }
+        if (second_half != 0) return path >= second_half ? 1 : 0;
+        // The second half of each interval [2^k, 2^(k+1)), so that the halves are even whenever the number doubles.
+        return path < 2 ? path : (path >> (std::bit_width(path) - 2)) & 1;
+    }
+};
+
 // Half-open rectangle of pixels in the coordinates of the whole picture, y down.
 struct Tile {
     uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -67,6 +111,9 @@ struct Film {
     std::vector<double> open_aovs;
     // Sums of each replicate, pixel by pixel; empty without replicates.
     std::vector<ReplicateSum> replicates;
+    // Sums of each set, pixel by pixel; empty without denoising.
+    SetDeal deal;
+    std::vector<SampleSet> sets;
 
     // Adaptive sampling: number of samples of each pixel, 0 while it is unknown. Parallel to pixels; empty if all
     // pixels get the same number.
@@ -75,6 +122,9 @@ struct Film {
     Film(uint32_t w, uint32_t h, Tile c) : width(w), height(h), crop(c), pixels(size_t{c.width()} * c.height()) {}
     // Allocates sums for AOVs. Must be called before rendering.
     void keep_aovs(const AovLayout& layout) { aov_layout = layout, aovs.assign(pixels.size() * layout.size(), 0); }
+    void keep_sets(const SetDeal& how) { deal = how, sets.resize(pixels.size() * deal.count()); }
+    // The set of a path of a pixel.
+    SampleSet& set_of(size_t pixel, uint32_t path) { return sets[pixel * deal.count() + deal.set_of(path)]; }
     // Allows passes to end after any sample without changing the bits of the picture. AOVs must be allocated before.
     void keep_blocks_open() { open.resize(pixels.size()), open_aovs.resize(aovs.size()); }
     // The sums including partial blocks.

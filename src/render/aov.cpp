@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/blocks.h"
+#include "render/denoise/features.h"
 
 namespace lancer {
 namespace {
@@ -25,13 +26,6 @@ Color base_color_of(const Material& material, const ShadingPoint& point)
 void add(double* sum, double x, double y, double z) { sum[0] += x, sum[1] += y, sum[2] += z; }
 void add(double* sum, Color c) { add(sum, double{c.r}, double{c.g}, double{c.b}); }
 void add(double* sum, Vec3 v) { add(sum, double{v.x}, double{v.y}, double{v.z}); }
-
-double variance_of_mean(const Pixel& p)
-{
-    if (p.n < 2) return 0;
-    const double n = p.n, y = luminance(p.sum[0], p.sum[1], p.sum[2]) / n;
-    return std::max(0.0, p.sum_sq / n - y * y) / (n - 1);
-}
 
 // How the channels of an AOV are computed: a sum, divided by a count if there is one, or from the radiance sums.
 struct Channels {
@@ -82,6 +76,13 @@ double value_of(Aov aov, size_t i, const Film& film, size_t pixel, const Normali
 
 }  // namespace
 
+double variance_of_mean(const Pixel& p)
+{
+    if (p.n < 2) return 0;
+    const double n = p.n, y = luminance(p.sum[0], p.sum[1], p.sum[2]) / n;
+    return std::max(0.0, p.sum_sq / n - y * y) / (n - 1);
+}
+
 Color albedo_at(const Scene& scene, uint32_t material, const ShadingPoint& point)
 {
     return mixed(scene, material, point, [&](const Material& some) {
@@ -113,6 +114,7 @@ AovLayout layout_of(const std::vector<Aov>& which)
 void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
     if (!is_counted(s)) return;
+    if (!film_.sets.empty()) add_features(s, surface);
     const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     if (wants(AovSum::albedo) || wants(AovSum::flat)) {
@@ -129,6 +131,13 @@ void AovListener::vertex(const PathState& s, const Surface& surface) const
     if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{surface.t};
     if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
     if (wants(AovSum::material) && id.sample == 0) *sum_of(id, AovSum::material) = surface.material + 1.0;
+}
+
+void AovListener::add_features(const PathState& s, const Surface& surface) const
+{
+    const SampleSet::Features seen = features_seen(scene_, accel_, s, surface);
+    SampleSet::Features& sum = set_of(w_.slots[s.slot]).features;
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += seen[i];
 }
 
 void AovListener::begin_block(uint32_t first) const

@@ -22,11 +22,14 @@ std::vector<Aov> all_aovs();
 // The sums that these AOVs need. Variance and sample count need none: the radiance sums contain them.
 AovLayout layout_of(const std::vector<Aov>& which);
 
-// Sums AOVs into a film that has room for them.
+// Variance of a pixel's mean luminance, as for independent samples; 0 for less than two.
+double variance_of_mean(const Pixel& pixel);
+
+// Sums AOVs, and the features of the denoiser, into a film that has room for them.
 class AovListener : public NoListener {
 public:
-    AovListener(const Scene& scene, Film& film, const Tile& tile, Workspace& w)
-        : scene_(scene), film_(film), tile_(tile), w_(w)
+    AovListener(const Scene& scene, const Accelerator& accel, Film& film, const Tile& tile, Workspace& w)
+        : scene_(scene), accel_(accel), film_(film), tile_(tile), w_(w)
     {
     }
     void ray(const PathState& s, const Hit&) const
@@ -43,7 +46,10 @@ private:
     void count(const SampleId& id) const
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
+        if (!film_.sets.empty()) ++set_of(id).seen;
     }
+    SampleSet& set_of(const SampleId& id) const { return film_.set_of(film_.index(id.x, id.y), id.sample); }
+    void add_features(const PathState& s, const Surface& surface) const;
     // The sums of the sample's pixel, which must lie in the film.
     double* sum_of(const SampleId& id, AovSum sum) const
     {
@@ -52,6 +58,7 @@ private:
     }
 
     const Scene& scene_;
+    const Accelerator& accel_;
     Film& film_;
     const Tile& tile_;
     Workspace& w_;

@@ -37,6 +37,7 @@ std::string bias_ledger(const RenderSettings& settings, const LedgerEvents& even
     if (clamps_samples(settings)) add("clamp");
     if (!events.stopped_by.empty()) add("stopped_by_" + events.stopped_by);
     if (events.dropped) add("dropped=" + std::to_string(events.dropped));
+    if (events.denoised) add("denoised");
     return ledger.empty() ? "none" : ledger;
 }
 
@@ -64,6 +65,8 @@ std::vector<LedgerEntry> all_ledger_entries()
                    "the render ended by its clock or by its estimated error, which look at the samples that count"});
     all.push_back({"dropped=N", "samples that were not finite numbers",
                    "such a sample does not count; counted, and the first is named"});
+    all.push_back({"denoised", "`--denoise`, `lancer denoise`",
+                   "noise is filtered: details that it hides are smoothed, less with more samples"});
     return all;
 }
 

@@ -14,6 +14,7 @@ namespace lancer {
 struct LedgerEvents {
     std::string stopped_by;  // "time", "error"; empty: neither
     uint64_t dropped = 0;    // samples that were not finite
+    bool denoised = false;
 };
 
 // The entries of a picture, separated by commas; "none" if there are none. settings: resolved.

@@ -140,8 +140,7 @@ std::string to_json(const RunStats& s)
     for (const auto& a : s.analyses) analyses.push_back({{"name", a.name}, {"wall_s", a.wall_s}});
     for (const auto& p : s.passes)
         passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});
-    const Json interval =
-        s.estimated_interval ? Json{s.estimated_interval->low, s.estimated_interval->high} : Json(nullptr);
+    const auto bounds = [](const std::optional<Interval>& i) { return i ? Json{i->low, i->high} : Json(nullptr); };
     Json all{{"schema", "lancer.stats/1"},
              {"context", context_of(s)},
              {"scene", scene_of(s.scene)},
@@ -153,9 +152,10 @@ std::string to_json(const RunStats& s)
              {"samples", samples_of(s)},
              {"passes", passes},
              {"estimated_error", or_null(s.estimated_error)},
-             {"estimated_interval", interval},
+             {"estimated_interval", bounds(s.estimated_interval)},
              {"stopped_by", s.stopped_by.empty() ? Json(nullptr) : Json(s.stopped_by)},
              {"partial", s.partial}};
+    if (s.denoised) all["denoised"] = {{"error", or_null(s.denoised_error)}, {"interval", bounds(s.denoised_interval)}};
     if (s.error_sources) all["error_sources"] = error_sources_of(*s.error_sources);
     // A file name need not be UTF-8; the text must be.
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -70,7 +70,12 @@ struct RunStats {
     std::optional<ErrorSources> error_sources;  // only if asked for
     std::string stopped_by;                     // "time", "error"; empty if neither did
     uint64_t peak_memory_bytes = 0;
+    // Root of the relative mean squared error of the denoised picture, told by samples held out: of one that was made
+    // without these.
+    std::optional<double> denoised_error;
+    std::optional<Interval> denoised_interval;
     bool partial = false;
+    bool denoised = false;  // the picture; what the errors tell is of the noisy one
 
     uint64_t rays() const { return counters.camera_rays + counters.bounce_rays + counters.shadow_rays; }
 };

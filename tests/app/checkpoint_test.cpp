@@ -52,12 +52,14 @@ Arguments operator+(Arguments a, const Arguments& b)
 
 TEST_F(Checkpoint, GoesOnWithTheSameBitsFromAnyNumberOfSamples)
 {
-    const std::vector<std::pair<std::string, Arguments>> ways{{"plain", {}},
-                                                              {"AOVs", {"--aov", "all"}},
-                                                              {"replicates", {"--replicates", "4"}},
-                                                              {"crop", {"--crop", "5,3,20,11"}},
-                                                              {"whitted", {"--integrator", "whitted"}},
-                                                              {"random decision", {"--integrator", "random-decision"}}};
+    const std::vector<std::pair<std::string, Arguments>> ways{
+        {"plain", {}},
+        {"AOVs", {"--aov", "all"}},
+        {"replicates", {"--replicates", "4"}},
+        {"replicates with halves", {"--replicates", "4", "--aov", "denoise"}},
+        {"crop", {"--crop", "5,3,20,11"}},
+        {"whitted", {"--integrator", "whitted"}},
+        {"random decision", {"--integrator", "random-decision"}}};
     for (const auto& [name, way] : ways) {
         const Arguments base = Arguments{"-o", "a.exr", "--stats", "s.json"} + way;
         ASSERT_EQ(render(base + Arguments{"-s", "75", "-o", "whole.exr"}).code, 0) << name;
@@ -93,7 +95,7 @@ TEST_F(Checkpoint, KeepsWhatAdaptiveSamplingDecided)
 
 TEST_F(Checkpoint, ARenderThatIsKilledLosesNoMoreThanAnInterval)
 {
-    const Arguments picture{"scene.toml", "-s", "600", "--size", "64x64", "--aov", "normal,variance", "-q"};
+    const Arguments picture{"scene.toml", "-s", "600", "--size", "64x64", "--aov", "normal,variance,denoise", "-q"};
     ASSERT_EQ(run(picture + Arguments{"-o", "whole.exr"}).code, 0);
     for (const int wait_ms : {0, 3, 20, 50, 90}) {
         const Arguments with = picture + Arguments{"-o", "a.exr", "--checkpoint", "c.lancer,0.05s", "--resume", "auto"};
@@ -150,6 +152,7 @@ TEST_F(Checkpoint, OfAnotherPictureIsRefused)
     expect_refused({"--aov", "depth"}, 65, "aov '' there, 'depth' here");
     expect_refused({"--crop", "0,0,9,9"}, 65, "crop '0,0,24,16' there, '0,0,9,9' here");
     expect_refused({"-s", "2"}, 2, "more than the 2 of --spp");
+    expect_refused({"--denoise"}, 65, "halves to denoise 'none' there, 'of 2 samples each' here");
     write("scene.toml", read_bytes(file("scene.toml")) + "# changed\n");
     expect_refused({}, 65, "scene '");
     EXPECT_EQ(render({"--resume", "auto"}).code, 2);
@@ -191,6 +194,7 @@ Film small_film()
     film.keep_aovs({});
     film.keep_blocks_open();
     film.replicates.resize(12);
+    film.keep_sets({});
     film.wanted.resize(6, 9);
     for (size_t i = 0; i < 6; ++i) film.pixels[i] = {{0.1, 0.2, 1e300}, 5e-324, 7};
     return film;

@@ -21,6 +21,7 @@ Rendered render(const Scene& scene, const SceneDescription& d, const RenderReque
 {
     Rendered out{Film(r.width, r.height, r.crop.value_or(Tile{0, 0, r.width, r.height})), {}};
     out.film.keep_aovs(layout_of(r.aovs));
+    if (r.sets) out.film.keep_sets(*r.sets);
     if (r.settings.kernel.stop != StopRule::never) out.film.wanted.resize(out.film.pixels.size());
     with_threads(r.threads, [&] {
         const Renderer renderer(Scene(scene), r.settings);

@@ -18,6 +18,7 @@ struct RenderRequest {
     unsigned threads = 1;
     uint32_t tile = 16;
     std::vector<Aov> aovs{};
+    std::optional<SetDeal> sets{};  // for the denoiser
     RendererConfig settings{};
     RasterSource images = test_picture;
     bool traces_open_sky = false;  // also the camera rays that are left out where they meet nothing; one thread

@@ -53,8 +53,12 @@ void add_render_options(OptionParser& p, RenderOptions& o)
              [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.values("--aov", "NAME,...", "More channels of EXR pictures: " + listed(enum_names<Aov>) + "|all",
-             [&](const std::string& t) { add_aovs(t, o.aovs); });
+    p.values(
+        "--aov", "NAME,...",
+        "More channels of EXR pictures: " + listed(enum_names<Aov>) + "|all, or denoise: what lancer denoise needs",
+        [&](const std::string& t) { add_aovs(t, o.aovs, o.denoise_sets); });
+    p.flag("--denoise", "The picture is denoised when it is complete; EXR keeps the noisy one as layer noisy",
+           o.denoise);
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
     p.value("--tonemap", listed(enum_names<ToneMap>),
             "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
@@ -126,7 +130,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     take_environment(o.picture.threads);
     if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
     const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
-    if (!o.aovs.empty() && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+    if ((!o.aovs.empty() || o.denoise_sets) && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
@@ -142,6 +146,29 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
                 fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
     o.command_line = "lancer render";
     for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
+    return o;
+}
+
+std::optional<DenoiseOptions> parse_denoise(int argc, char** argv)
+{
+    DenoiseOptions o;
+    OptionParser p("lancer denoise", "Remove the noise of a picture that carries two halves of its samples.",
+                   "Exit codes: 0 done; 2 wrong usage; 65 unreadable or without halves; 66 missing.\n\n"
+                   "Example:\n  lancer render scene.toml -s 16 --aov denoise -o noisy.exr\n"
+                   "  lancer denoise noisy.exr -o picture.exr -o picture.png\n");
+    p.argument("PICTURE", "EXR of lancer render --aov denoise", [&](const std::string& t) { o.picture = t; });
+    p.values("-o,--output", "FILE", "Denoised picture, .exr, .png or .ppm; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+    p.value("--tonemap", listed(enum_names<ToneMap>), "PNG and PPM: as of lancer render (srgb)",
+            [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
+    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)", [&](const std::string& t) {
+        o.exposure = static_cast<float>(to_number<double>("--exposure", t, -100, 100, "a number"));
+    });
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
+    refuse_doubles(o.outputs);
+    take_environment(o.threads);
     return o;
 }
 

@@ -47,6 +47,8 @@ struct RenderOptions {
     uint32_t tile = 16;     // side in pixels
     uint32_t batch = 256;   // paths under way at once
     std::vector<Aov> aovs;  // each once, in the order of Aov
+    bool denoise = false;
+    bool denoise_sets = false;  // what `lancer denoise` needs, as layers of EXR
     bool half = false;
     std::optional<Exposure> exposure;  // else usual_exposure()
     std::optional<ToneMap> tonemap;    // else usual_tonemap()
@@ -64,6 +66,14 @@ struct RenderOptions {
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
     std::string command_line;  // as it was given
+};
+
+struct DenoiseOptions {
+    std::string picture;
+    std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
+    std::optional<uint32_t> threads;
+    float exposure = 0;  // stops; PNG and PPM
+    ToneMap tonemap = ToneMap::srgb;
 };
 
 struct CheckOptions {
@@ -126,6 +136,7 @@ struct CompareOptions {
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);

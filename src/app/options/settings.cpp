@@ -32,6 +32,13 @@ RenderSettings resolve_settings(const RenderSettings& command_line, const Render
     return s;
 }
 
+void require_denoisable(const RenderSettings& s)
+{
+    if (s.legacy || (s.integrator != IntegratorKind::path && s.integrator != IntegratorKind::direct))
+        fail_usage("denoise: works with the integrators path and direct, and not with legacy");
+    if (s.spp < 2) fail_usage("denoise: needs two halves of the samples; --spp must be at least 2");
+}
+
 PixelGrid pixel_grid(const RenderSettings& s)
 {
     if (!s.legacy) return PixelGrid::centres;

@@ -15,6 +15,9 @@ namespace lancer {
 // build lacks what is asked for.
 RenderSettings resolve_settings(const RenderSettings& command_line, const RenderSettings& scene);
 
+// Throws Error (usage) where the denoiser has no use: it needs two samples per pixel, of path or direct.
+void require_denoisable(const RenderSettings& settings);
+
 // What else depends on the settings: where pixels lie, and the tone map unless --tonemap gives another.
 PixelGrid pixel_grid(const RenderSettings& settings);
 ToneMap usual_tonemap(const RenderSettings& settings);

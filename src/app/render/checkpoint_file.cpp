@@ -133,6 +133,13 @@ void visit_pixel(Number& p, const Visit& visit)
     if constexpr (requires { p.sum_sq; }) visit(p.sum_sq);
     visit(p.n);
 }
+template <class Set, class Visit>
+void visit_set(Set& s, const Visit& visit)
+{
+    visit_pixel(s, visit);
+    for (auto& feature : s.features) visit(feature);
+    visit(s.seen);
+}
 template <class Counts, class Visit>
 void visit_counters(Counts& c, const Visit& visit)
 {
@@ -223,6 +230,7 @@ void visit_film(AnyFilm& film, const All& all, const Visit& visit)
     all(film.pixels, pixel), all(film.open, pixel);
     all(film.aovs, visit), all(film.open_aovs, visit);
     all(film.replicates, pixel);
+    all(film.sets, [&](auto& set) { visit_set(set, visit); });
     all(film.wanted, visit);
 }
 

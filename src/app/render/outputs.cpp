@@ -24,12 +24,13 @@ Window window_of(const Tile& t)
             static_cast<int32_t>(t.y1)};
 }
 
-ImageRows rows_of(const Film& film)
+Image to_image(const ImageRows& rows)
 {
-    return {window_of({0, 0, film.width, film.height}), window_of(film.crop), [&film](int32_t y, std::span<Color> row) {
-                const size_t first = film.index(film.crop.x0, static_cast<uint32_t>(y));
-                for (size_t i = 0; i < row.size(); ++i) row[i] = film.whole(first + i).mean();
-            }};
+    Image image = make_image(rows.display, rows.data);
+    const auto width = static_cast<size_t>(rows.data.width());
+    for (int32_t y = rows.data.y0; y < rows.data.y1; ++y)
+        rows.fill(y, std::span(image.pixels).subspan(static_cast<size_t>(y - rows.data.y0) * width, width));
+    return image;
 }
 
 bool is_for_displays(const std::string& path) { return extension_of(path) != ".exr"; }
@@ -76,13 +77,37 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
     if (!options.checkpoint.empty()) check("--checkpoint", options.checkpoint);
 }
 
-Image to_image(const Film& film)
+ImageRows rows_of(const Film& film)
 {
-    const ImageRows rows = rows_of(film);
-    Image image = make_image(rows.display, rows.data);
-    for (size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i] = film.whole(i).mean();
-    return image;
+    return {window_of({0, 0, film.width, film.height}), window_of(film.crop), [&film](int32_t y, std::span<Color> row) {
+                const size_t first = film.index(film.crop.x0, static_cast<uint32_t>(y));
+                for (size_t i = 0; i < row.size(); ++i) row[i] = film.whole(first + i).mean();
+            }};
 }
+
+ImageRows rows_of(const Film& film, const std::vector<Color>& pixels)
+{
+    ImageRows rows = rows_of(film);
+    rows.fill = [&film, &pixels](int32_t y, std::span<Color> row) {
+        const size_t first = film.index(film.crop.x0, static_cast<uint32_t>(y));
+        std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(first), row.size(), row.begin());
+    };
+    return rows;
+}
+
+std::vector<ImagePlane> layer_of(const Image& image, const std::string& name)
+{
+    std::vector<ImagePlane> planes{{name + ".R", {}}, {name + ".G", {}}, {name + ".B", {}}};
+    for (ImagePlane& p : planes) p.values.reserve(image.pixels.size());
+    for (const Color& c : image.pixels) {
+        planes[0].values.push_back(c.r);
+        planes[1].values.push_back(c.g);
+        planes[2].values.push_back(c.b);
+    }
+    return planes;
+}
+
+Image to_image(const Film& film) { return to_image(rows_of(film)); }
 
 Metadata make_metadata(const RunStats& s)
 {
@@ -102,12 +127,14 @@ Metadata make_metadata(const RunStats& s)
         {"seconds", s.render_s},
         {"rays", integer(s.rays())},
         {"dropped_samples", integer(s.counters.dropped)},
-        {"bias", bias_ledger(s.settings.render, {.stopped_by = s.stopped_by, .dropped = s.counters.dropped})},
+        {"bias", bias_ledger(s.settings.render,
+                             {.stopped_by = s.stopped_by, .dropped = s.counters.dropped, .denoised = s.denoised})},
         {"partial", integer(s.partial ? 1 : 0)},
         {"embree", s.context.embree},
         {"command_line", s.context.command_line}};
     all.insert(all.end(), run.begin(), run.end());
     if (s.estimated_error) all.push_back({"estimated_error", *s.estimated_error});
+    if (s.denoised_error) all.push_back({"denoised_error", *s.denoised_error});
     return all;
 }
 
@@ -116,7 +143,7 @@ bool has_display_output(const RenderOptions& options)
     return std::any_of(options.outputs.begin(), options.outputs.end(), is_for_displays);
 }
 
-void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const Film& film,
+void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const ImageRows& image,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata)
 {
     Metadata of_display = metadata;
@@ -128,11 +155,11 @@ void write_outputs(const RenderOptions& options, const DisplayCurve& curve, cons
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
         if (extension_of(path) == ".png") {
-            write_png(file, to_image(film), of_display, bytes);
+            write_png(file, to_image(image), of_display, bytes);
         } else if (extension_of(path) == ".ppm") {
-            write_ppm(file, to_image(film), of_display, bytes, options.ascii_ppm);
+            write_ppm(file, to_image(image), of_display, bytes, options.ascii_ppm);
         } else {
-            write_exr(file, rows_of(film), metadata, {.half = options.half}, planes);
+            write_exr(file, image, metadata, {.half = options.half}, planes);
         }
         file.finish();
     }

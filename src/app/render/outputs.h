@@ -3,7 +3,7 @@
 
 #include "app/options/options.h"
 #include "core/image.h"
-#include "io/image/metadata.h"
+#include "io/image/exr.h"
 #include "report/stats_json.h"
 #include "scene/description/description.h"
 
@@ -17,6 +17,16 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
 
 // The mean of each pixel's samples; pixels without samples are black.
 Image to_image(const Film& film);
+// The same, row by row; the film must outlive the result.
+ImageRows rows_of(const Film& film);
+// Other pixels in the film's place, which must outlive the result.
+ImageRows rows_of(const Film& film, const std::vector<Color>& pixels);
+
+// The channels NAME.R, NAME.G and NAME.B.
+std::vector<ImagePlane> layer_of(const Image& image, const std::string& name);
+
+// Where the header of a picture with halves says how many samples of a pixel they have, on average.
+inline constexpr std::array<std::string_view, 2> names_of_samples{"denoise_samples_a", "denoise_samples_b"};
 
 // The metadata of a picture. Pixels are the same for the same scene and settings; metadata are not.
 Metadata make_metadata(const RunStats& stats);
@@ -32,7 +42,7 @@ struct DisplayCurve {
 
 // Writes the pictures. Planes are written to EXR only. The curve applies to the other formats, whose headers tell of
 // it.
-void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const Film& film,
+void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const ImageRows& image,
                    const std::vector<ImagePlane>& planes, const Metadata& metadata);
 
 }  // namespace lancer

@@ -98,6 +98,14 @@ void print_summary(const RunStats& stats, const RenderOptions& options, const st
     print_note(format_text("%zu rays: %zu camera, %zu bounce, %zu shadow; %.2f Mrays/s", stats.rays(), c.camera_rays,
                            c.bounce_rays, c.shadow_rays, stats.render_s > 0 ? 1e-6 * rays / stats.render_s : 0) +
                error);
+    if (const auto& interval = stats.denoised_interval)
+        print_note(
+            format_text("denoised: error %.3g [%.3g, %.3g], told by samples held out; of the noisy picture: above",
+                        *stats.denoised_error, interval->low, interval->high));
+    else if (stats.denoised)
+        print_note("denoised: --replicates 8 would tell the error of this picture; the noisy one's is above");
+    else if (options.denoise)
+        print_note("not denoised: the picture is partial");
     if (const uint64_t hidden = stats.scene.hidden_lights)
         print_note(format_text("%zu light%s do%s not reach the picture; the warnings say which and why", size_t{hidden},
                                hidden == 1 ? "" : "s", hidden == 1 ? "es" : ""));

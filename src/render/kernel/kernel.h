@@ -46,10 +46,14 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         const double y = luminance(c);
         p += {{c.r, c.g, c.b}, y * y, 1};
         if (!w.last.empty()) w.last[index(id)] = c;
-        if (film.replicates.empty() || w.is_pilot) return;
-        const uint32_t replicate = settings.replicate_of(id.sample / view.plan.samples_per_path());
-        ReplicateSum& r = film.replicates[film.index(id.x, id.y) * settings.replicates + replicate];
-        r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
+        if ((film.replicates.empty() && film.sets.empty()) || w.is_pilot) return;
+        const auto add_to = [c](auto& r) {
+            r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
+        };
+        const uint32_t path = id.sample / view.plan.samples_per_path();
+        if (!film.replicates.empty())
+            add_to(film.replicates[film.index(id.x, id.y) * settings.replicates + settings.replicate_of(path)]);
+        if (!film.sets.empty()) add_to(film.set_of(film.index(id.x, id.y), path));
     };
     const auto flush = [&] {
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
@@ -163,12 +167,13 @@ void render_tile(const V& view, const Accelerator& accel, const Camera& camera, 
     }
 }
 
-// Calls render(listener) with the listener that fills the film's AOVs, if it has any.
+// Calls render(listener) with the listener that fills the film's AOVs and features, if it has any.
 template <class Render>
-void for_listener(const Scene& scene, Film& film, const Tile& tile, Workspace& w, const Render& render)
+void for_listener(const Scene& scene, const Accelerator& accel, Film& film, const Tile& tile, Workspace& w,
+                  const Render& render)
 {
-    if (film.aovs.empty()) return render(NoListener{});
-    render(AovListener(scene, film, tile, w));
+    if (film.aovs.empty() && film.sets.empty()) return render(NoListener{});
+    render(AovListener(scene, accel, film, tile, w));
 }
 
 template <class Integrator>
@@ -176,7 +181,7 @@ void Kernels<Integrator>::render(const View& view, const Accelerator& accel, con
                                  const KernelSettings& settings, const Integrator& integrator, Film& film, Tile tile,
                                  SampleRange samples, Workspace& w, Counters& counters)
 {
-    for_listener(view.scene, film, tile, w, [&](const auto& listener) {
+    for_listener(view.scene, accel, film, tile, w, [&](const auto& listener) {
         render_tile(view, accel, camera, settings, integrator, film, tile, samples, w, counters, listener);
     });
 }

@@ -1,0 +1,108 @@
+// lancer denoise: a saved picture that carries the halves of its samples.
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/options/options.h"
+#include "app/paths.h"
+#include "app/render/outputs.h"
+#include "core/names.h"
+#include "core/parallel.h"
+#include "io/atomic_file.h"
+#include "io/image/exr.h"
+#include "io/image/png.h"
+#include "io/image/ppm.h"
+#include "render/denoise/film_halves.h"
+
+namespace lancer {
+namespace {
+
+double number_of(const Metadata& metadata, std::string_view name, double otherwise)
+{
+    for (const auto& [key, value] : metadata)
+        if (const double* number = std::get_if<double>(&value); number && key == name) return *number;
+    return otherwise;
+}
+
+HalfPlanes read_halves(const std::string& path, const Metadata& metadata)
+{
+    const ExrInfo info = read_exr_info(path);
+    const std::vector<std::string> names = names_of_halves();
+    for (const std::string& name : names)
+        if (std::none_of(info.channels.begin(), info.channels.end(), [&](const auto& c) { return c.name == name; }))
+            throw Error(ErrorKind::invalid_input, {path},
+                        "has no channel " + in_quotes(name) + ": render it with --aov denoise");
+    const auto samples = [&](size_t half) {
+        return static_cast<float>(number_of(metadata, names_of_samples[half], 1));
+    };
+    return halves_from(read_exr_channels(path, names), {samples(0), samples(1)});
+}
+
+// The header of the picture, and that it was denoised.
+Metadata denoised_metadata(Metadata metadata)
+{
+    std::erase_if(metadata,
+                  [](const auto& m) { return m.first == names_of_samples[0] || m.first == names_of_samples[1]; });
+    for (auto& [name, value] : metadata) {
+        if (name != "bias") continue;
+        const std::string before = to_string(value);
+        value = before == "none" ? "denoised" : before + ", denoised";
+    }
+    return metadata;
+}
+
+void check_outputs(const DenoiseOptions& options)
+{
+    for (const std::string& path : options.outputs) {
+        std::error_code absent;
+        if (std::filesystem::equivalent(path, options.picture, absent))
+            throw Error(ErrorKind::usage, {}, "--output: " + in_quotes(path) + " would overwrite the picture");
+        const AtomicFile probe(path);
+    }
+}
+
+void write_pictures(const DenoiseOptions& options, const Image& noisy, const Denoised& denoised,
+                    const Metadata& metadata)
+{
+    Image image = noisy;
+    image.pixels = denoised.pixels;
+    std::vector<ImagePlane> planes = layer_of(noisy, "noisy");
+    planes.push_back({"denoise_error.V", denoised.error});
+    const ByteOptions bytes{.exposure_stops = options.exposure, .tonemap = options.tonemap};
+    std::deque<AtomicFile> files;
+    for (const std::string& path : options.outputs) {
+        AtomicFile& file = files.emplace_back(path);
+        if (extension_of(path) == ".exr")
+            write_exr(file, rows_of(image), metadata, {}, planes);
+        else if (extension_of(path) == ".png")
+            write_png(file, image, metadata, bytes);
+        else
+            write_ppm(file, image, metadata, bytes, false);
+        file.finish();
+    }
+    for (AtomicFile& file : files) file.commit();
+}
+
+}  // namespace
+
+int run_denoise(int argc, char** argv)
+{
+    const auto options = parse_denoise(argc, argv);
+    if (!options) return exit_done;
+    Metadata metadata;
+    const Image noisy = read_exr(options->picture, &metadata);
+    const HalfPlanes halves = read_halves(options->picture, metadata);
+    check_outputs(*options);
+    Denoised denoised;
+    with_threads(options->threads.value_or(available_threads()), [&] {
+        denoised = denoise_picture(
+            halves.input(static_cast<uint32_t>(noisy.data.width()), static_cast<uint32_t>(noisy.data.height())));
+    });
+    write_pictures(*options, noisy, denoised, denoised_metadata(std::move(metadata)));
+    for (const std::string& path : options->outputs) print_result(path);
+    return exit_done;
+}
+
+}  // namespace lancer

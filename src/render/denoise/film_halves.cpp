@@ -1,0 +1,105 @@
+#include "render/denoise/film_halves.h"
+
+#include <algorithm>
+
+#include "render/aov.h"
+
+namespace lancer {
+namespace {
+
+// The samples of one half of a pixel.
+SampleSet half_of(const Film& film, size_t pixel, size_t half, UsedSets used)
+{
+    const SampleSet* const sets = &film.sets[pixel * film.deal.count()];
+    SampleSet sum = sets[half];
+    if (used == UsedSets::all && film.deal.count() == 4) sum += sets[2 + half];
+    return sum;
+}
+
+void add_means(const SampleSet& set, std::array<std::vector<float>, HalfPlanes::of_half>& planes)
+{
+    const double n = std::max(set.n, 1u);
+    for (size_t c = 0; c < 3; ++c) planes[c].push_back(static_cast<float>(set.sum[c] / n));
+    const float seen = static_cast<float>(std::max(set.seen, 1u));
+    for (size_t k = 0; k < set.features.size(); ++k) planes[3 + k].push_back(set.features[k] / seen);
+    // The harmonic mean of distances; 0 where nothing is hit.
+    float& distance = planes.back().back();
+    if (distance > 0) distance = 1 / distance;
+}
+
+}  // namespace
+
+DenoiseInput HalfPlanes::input(uint32_t width, uint32_t height) const
+{
+    DenoiseInput in{.width = width, .height = height, .halves = {}, .variance = variance};
+    for (size_t h = 0; h < 2; ++h) {
+        DenoiseHalf& half = in.halves[h];
+        for (size_t c = 0; c < 3; ++c) {
+            half.color[c] = halves[h][c];
+            half.albedo[c] = halves[h][3 + c];
+            half.normal[c] = halves[h][6 + c];
+        }
+        half.depth = halves[h][9];
+        half.samples = samples[h];
+    }
+    return in;
+}
+
+HalfPlanes halves_of(const Film& film, UsedSets used)
+{
+    HalfPlanes planes;
+    for (size_t h = 0; h < 2; ++h) {
+        uint64_t samples = 0;
+        for (auto& plane : planes.halves[h]) plane.reserve(film.pixels.size());
+        for (size_t i = 0; i < film.pixels.size(); ++i) {
+            SampleSet set = half_of(film, i, h, used);
+            samples += set.n;
+            if (set.n == 0) set = half_of(film, i, 1 - h, used);  // a half without a sample is as good as the other
+            add_means(set, planes.halves[h]);
+        }
+        planes.samples[h] = static_cast<float>(static_cast<double>(samples) / static_cast<double>(film.pixels.size()));
+    }
+    planes.variance.reserve(film.pixels.size());
+    for (size_t i = 0; i < film.pixels.size(); ++i)
+        planes.variance.push_back(static_cast<float>(variance_of_mean(film.whole(i))));
+    return planes;
+}
+
+Denoised denoise_film(const Film& film, UsedSets used)
+{
+    return denoise_picture(halves_of(film, used).input(film.crop.width(), film.crop.height()));
+}
+
+std::vector<std::string> names_of_halves()
+{
+    std::vector<std::string> names;
+    for (const std::string half : {"denoise.a.", "denoise.b."})
+        for (const char* name :
+             {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"})
+            names.push_back(half + name);
+    names.push_back("denoise.variance.V");
+    return names;
+}
+
+std::vector<ImagePlane> planes_of(HalfPlanes halves)
+{
+    std::vector<ImagePlane> planes;
+    const std::vector<std::string> names = names_of_halves();
+    for (auto& half : halves.halves)
+        for (auto& values : half) planes.push_back({names[planes.size()], std::move(values)});
+    planes.push_back({names.back(), std::move(halves.variance)});
+    return planes;
+}
+
+HalfPlanes halves_from(std::vector<std::vector<float>> planes, const std::array<float, 2>& samples)
+{
+    HalfPlanes halves;
+    halves.samples = samples;
+    size_t i = 0;
+    for (auto& half : halves.halves)
+        for (auto& values : half) values = std::move(planes[i++]);
+    halves.variance = std::move(planes[i]);
+    return halves;
+}
+
+}  // namespace lancer
