@@ -206,7 +206,8 @@ std::string Run::hash_with(uint32_t spp) const
 // How the halves are dealt: with a given number of samples it counts.
 std::string halves_text(const SetDeal& deal)
 {
-    return deal.second_half == 0 ? "of any number of samples" : format_text("of %u samples each", deal.second_half);
+    return deal.replicates > 1 || deal.second_half == 0 ? "of any number of samples"
+                                                        : format_text("of %u samples each", deal.second_half);
 }
 
 // All that decides the bits of the picture. The number of samples does only where it decides where they are taken.
