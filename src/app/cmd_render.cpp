@@ -85,8 +85,9 @@ private:
                           const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
     Denoised denoise(const Film& film);
-    // denoised: empty where only the noisy picture is written.
-    void write(const Film& film, const Denoised& denoised);
+    // Both arguments must outlive the result. denoised: empty where only the noisy picture is written.
+    PictureContent picture_of(const Film& film, const Denoised& denoised) const;
+    void write(const PictureContent& picture);
     void write_stats();
     void read_output_settings();
     void write_scene();
@@ -102,8 +103,10 @@ private:
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
-    bool can_go_on_ = false;       // a checkpoint of the unfinished picture is written
-    Normalisation normalisation_;  // of the scene, once it is built
+    std::vector<std::string> written_;  // pictures
+    bool has_failed_ = false;           // something could not be written as it was asked for
+    bool can_go_on_ = false;            // a checkpoint of the unfinished picture is written
+    Normalisation normalisation_;       // of the scene, once it is built
 };
 
 template <class F>
@@ -388,7 +391,7 @@ void Run::render(const Renderer& renderer)
     if (!has_samples()) return;
     Denoised denoised;
     if (options_.denoise && !stats_.partial) denoised = denoise(film);
-    timed("write", [&] { write(film, denoised); });
+    timed("write", [&] { write(picture_of(film, denoised)); });
 }
 
 Denoised Run::denoise(const Film& film)
@@ -421,7 +424,7 @@ void Run::choose_curve(const Renderer& renderer)
         print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
 }
 
-void Run::write(const Film& film, const Denoised& denoised)
+PictureContent Run::picture_of(const Film& film, const Denoised& denoised) const
 {
     std::vector<ImagePlane> planes = aov_planes(film, options_.aovs, normalisation_);
     Metadata metadata = make_metadata(stats_);
@@ -431,17 +434,33 @@ void Run::write(const Film& film, const Denoised& denoised)
             metadata.push_back({std::string(names_of_samples[h]), double{halves.samples[h]}});
         for (ImagePlane& p : planes_of(std::move(halves))) planes.push_back(std::move(p));
     }
-    if (denoised.pixels.empty()) return write_outputs(options_, curve_, rows_of(film), planes, metadata);
+    if (denoised.pixels.empty()) return {rows_of(film), std::move(planes), curve_, std::move(metadata)};
     for (ImagePlane& p : layer_of(to_image(film), "noisy")) planes.push_back(std::move(p));
     planes.push_back({"denoise_error.V", denoised.error});
-    write_outputs(options_, curve_, rows_of(film, denoised.pixels), planes, metadata);
+    return {rows_of(film, denoised.pixels), std::move(planes), curve_, std::move(metadata)};
+}
+
+// The picture is worth more than its place: where it cannot be written, others are tried.
+void Run::write(const PictureContent& picture)
+{
+    try {
+        write_outputs(options_, picture);
+        written_ = options_.outputs;
+    } catch (const Error& problem) {
+        has_failed_ = true;
+        written_ = rescue_outputs(options_, picture);
+        std::erase(written_, "");
+        if (written_.empty()) throw;
+        print_problem(problem.what());
+        for (const std::string& name : written_) print_note("the picture is rescued as " + in_quotes(name));
+    }
 }
 
 void Run::write_snapshot(const Film& film, Progress& progress)
 {
     progress.clear();
     try {
-        write(film, {});
+        write_outputs(options_, picture_of(film, {}));
     } catch (const Error& problem) {
         return print_as_warning(problem, "the render goes on without this snapshot");
     }
@@ -453,7 +472,12 @@ void Run::write_stats()
 {
     if (options_.stats.empty()) return;
     stats_.peak_memory_bytes = peak_memory_bytes();
-    write_text(options_.stats, to_json(stats_));
+    try {
+        write_text(options_.stats, to_json(stats_));
+    } catch (const Error& problem) {
+        has_failed_ = true;
+        print_problem(problem.what());
+    }
 }
 
 int Run::execute()
@@ -483,15 +507,17 @@ int Run::execute()
         print_error_sources(*stats_.error_sources, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
     if (!options_.write_scene.empty()) print_result(options_.write_scene);
-    for (const std::string& path : options_.outputs) print_result(path);
-    const bool is_behind = log_->is_behind();
-    if (is_behind) print_problem("error: the error log could not be written");
-    if (!stats_.partial) return is_behind ? exit_failed : exit_done;
+    for (const std::string& path : written_) print_result(path);
+    if (log_->is_behind()) {
+        has_failed_ = true;
+        print_problem("error: the error log could not be written");
+    }
+    if (!stats_.partial) return has_failed_ ? exit_failed : exit_done;
     print_problem(format_text(
         "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s",
         static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp,
         can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
-    return can_go_on_ ? exit_unfinished : exit_interrupted;
+    return has_failed_ ? exit_failed : can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 
 }  // namespace

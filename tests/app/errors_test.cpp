@@ -139,17 +139,25 @@ TEST_F(Wrong, OutputsAreTriedFirst)
 TEST_F(Wrong, AFullDeviceIsAFailure)
 {
     std::filesystem::create_symlink("/dev/full", file("full.exr"));
-    expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-o", "full.exr", "--progress", "none"}, 1,
-                 "full.exr: error: cannot write: No space left on device");
+    const Said said = run({"scene.toml", "--size", "64x64", "-s", "1", "-o", "full.exr", "--progress", "none"});
+    EXPECT_EQ(said.code, 1);
+    expect_words(said.err, "full.exr: error: cannot write: No space left on device");
+    expect_words(said.err, "the picture is rescued as 'full-rescued.exr'");
+    EXPECT_EQ(said.out, "full-rescued.exr\n");
+    EXPECT_EQ(image("full-rescued.exr").pixels.size(), 64u * 64);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"full-rescued.exr", "full.exr", "quad.obj", "scene.toml"}));
 }
 
 TEST_F(Wrong, AFailureOfOneOutputLeavesAllOldOnes)
 {
     write("old.exr", "an old picture");
     std::filesystem::create_symlink("/dev/full", file("full.png"));
-    expect_fault({"scene.toml", "--size", "64x64", "-s", "1", "-o", "old.exr", "-o", "full.png", "--progress", "none"},
-                 1, "full.png: error: cannot write: No space left on device");
+    const Said said =
+        run({"scene.toml", "--size", "64x64", "-s", "1", "-o", "old.exr", "-o", "full.png", "--progress", "none"});
+    EXPECT_EQ(said.code, 1);
+    expect_words(said.err, "full.png: error: cannot write: No space left on device");
     EXPECT_EQ(read_bytes(file("old.exr")), "an old picture");
+    EXPECT_EQ(said.out, "old-rescued.exr\nfull-rescued.png\n");
 }
 
 TEST_F(Wrong, AnOutputThatIsAnInput)

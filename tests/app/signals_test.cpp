@@ -56,6 +56,29 @@ TEST_F(Running, ASnapshotThatCannotBeWrittenEndsNothing)
     EXPECT_TRUE(exists("out/a.exr"));
 }
 
+// The folder is removed while the picture is rendered.
+TEST_F(Running, APictureThatCannotBeWrittenIsRescued)
+{
+    for (const char* const folder : {"out", "spare"}) std::filesystem::create_directory(file(folder));
+    write("spare/a-rescued.exr", "precious");
+    Program program(folder_,
+                    {"scene.toml", "-s", "2000000000", "--size", "32x32", "-o", "out/a.exr", "-o", "b.png", "--stats",
+                     "out/s.json", "--progress", "json"},
+                    {"TMPDIR=" + file("spare")});
+    ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
+    std::filesystem::remove_all(file("out"));
+    program.send(SIGTERM);
+    const Said said = program.wait();
+    EXPECT_EQ(said.code, 1) << said.err;
+    expect_words(said.err, "out/a.exr: error: cannot write");
+    expect_words(said.err, "out/s.json: error: cannot write");
+    expect_words(said.err, "interrupted: the pictures are partial");
+    EXPECT_EQ(said.out, file("spare/a-rescued-2.exr") + "\nb-rescued.png\n");
+    EXPECT_EQ(read_bytes(file("spare/a-rescued.exr")), "precious");
+    EXPECT_GT(image("spare/a-rescued-2.exr").at(0, 0).b, 0);
+    EXPECT_TRUE(exists("b-rescued.png"));
+}
+
 // A pass of eight samples of a million pixels is under way long before it ends: the snapshot has less.
 TEST_F(Running, ASnapshotNeedNotWaitForThePass)
 {

@@ -49,6 +49,41 @@ MetadataValue value_of(const RenderSettings& settings, const RenderOption& optio
         option.field);
 }
 
+void write_picture(AtomicFile& file, const RenderOptions& options, const PictureContent& picture)
+{
+    const DisplayCurve& curve = picture.curve;
+    const std::string extension = extension_of(file.path());
+    if (extension == ".exr")
+        return write_exr(file, picture.image, picture.metadata, {.half = options.half}, picture.planes);
+    Metadata of_display = picture.metadata;
+    of_display.emplace_back("exposure", shortest(curve.exposure_stops));
+    of_display.emplace_back("tonemap", std::string(name_of(curve.tonemap)));
+    const ByteOptions bytes{.exposure_stops = curve.exposure_stops, .dither = options.dither, .tonemap = curve.tonemap};
+    if (extension == ".png")
+        write_png(file, to_image(picture.image), of_display, bytes);
+    else
+        write_ppm(file, to_image(picture.image), of_display, bytes, options.ascii_ppm);
+}
+
+std::filesystem::path temporary_folder()
+{
+    std::error_code unknown;
+    return std::filesystem::temp_directory_path(unknown);
+}
+
+// A name in a folder that is like that of the path, and that no file has; "" if there is none.
+std::string unused_name(const std::string& path, const std::filesystem::path& folder)
+{
+    const std::filesystem::path given(path);
+    for (int i = 1; i <= 100; ++i) {
+        const std::string number = i == 1 ? "" : "-" + std::to_string(i);
+        const auto name = folder / (given.stem().string() + "-rescued" + number + given.extension().string());
+        std::error_code unknown;
+        if (!std::filesystem::exists(name, unknown)) return name.string();
+    }
+    return "";
+}
+
 }  // namespace
 
 void probe_outputs(const RenderOptions& options)
@@ -143,27 +178,41 @@ bool has_display_output(const RenderOptions& options)
     return std::any_of(options.outputs.begin(), options.outputs.end(), is_for_displays);
 }
 
-void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const ImageRows& image,
-                   const std::vector<ImagePlane>& planes, const Metadata& metadata)
+void write_outputs(const RenderOptions& options, const PictureContent& picture)
 {
-    Metadata of_display = metadata;
-    of_display.emplace_back("exposure", shortest(curve.exposure_stops));
-    of_display.emplace_back("tonemap", std::string(name_of(curve.tonemap)));
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
-    const ByteOptions bytes{.exposure_stops = curve.exposure_stops, .dither = options.dither, .tonemap = curve.tonemap};
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
-        if (extension_of(path) == ".png") {
-            write_png(file, to_image(image), of_display, bytes);
-        } else if (extension_of(path) == ".ppm") {
-            write_ppm(file, to_image(image), of_display, bytes, options.ascii_ppm);
-        } else {
-            write_exr(file, image, metadata, {.half = options.half}, planes);
-        }
+        write_picture(file, options, picture);
         file.finish();
     }
     for (AtomicFile& file : files) file.commit();
+}
+
+std::vector<std::string> rescue_outputs(const RenderOptions& options, const PictureContent& picture)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : options.outputs) {
+        const auto is_written_as = [&](const std::string& name) {
+            try {
+                AtomicFile file(name);
+                write_picture(file, options, picture);
+                file.commit();
+                return true;
+            } catch (const Error&) {
+                return false;
+            }
+        };
+        std::string& name = names.emplace_back();
+        for (const std::string& candidate :
+             {unused_name(path, std::filesystem::path(path).parent_path()), unused_name(path, temporary_folder())})
+            if (!candidate.empty() && is_written_as(candidate)) {
+                name = candidate;
+                break;
+            }
+    }
+    return names;
 }
 
 }  // namespace lancer

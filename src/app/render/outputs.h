@@ -40,9 +40,18 @@ struct DisplayCurve {
     ToneMap tonemap = ToneMap::srgb;
 };
 
-// Writes the pictures. Planes are written to EXR only. The curve applies to the other formats, whose headers tell of
-// it.
-void write_outputs(const RenderOptions& options, const DisplayCurve& curve, const ImageRows& image,
-                   const std::vector<ImagePlane>& planes, const Metadata& metadata);
+// What a picture file holds.
+struct PictureContent {
+    ImageRows image;
+    std::vector<ImagePlane> planes;  // in EXR only
+    DisplayCurve curve;              // in the other formats, whose headers tell of it
+    Metadata metadata;
+};
+
+// Writes the pictures, all or none. Throws Error (failed).
+void write_outputs(const RenderOptions& options, const PictureContent& picture);
+// For pictures that write_outputs() could not write: each is written under a new name beside its own, else in the folder
+// for temporary files. No file is replaced. Returns the names, "" for a picture that could not be written anywhere.
+std::vector<std::string> rescue_outputs(const RenderOptions& options, const PictureContent& picture);
 
 }  // namespace lancer
