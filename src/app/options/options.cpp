@@ -14,8 +14,11 @@ namespace {
 
 const char* const exit_codes =
     "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
-    "71 the pictures need more than --memory; 75 interrupted, to go on with --resume; 130 interrupted without\n"
-    "--checkpoint. Both write the picture so far, marked partial.\n";
+    "71 the pictures need more than --memory; ";
+const char* const interrupted = "130 interrupted.\n";
+const char* const interrupted_render =
+    "75 interrupted, to go on with --resume; 130 interrupted without\n--checkpoint. Both write the picture so far, "
+    "marked partial.\n";
 
 // FILE or FILE,T; a comma that no duration follows belongs to the name.
 void take_checkpoint(const std::string& text, RenderOptions& o)
@@ -119,12 +122,12 @@ void refuse_doubles(const std::vector<std::string>& files)
 std::optional<RenderOptions> parse_render(int argc, char** argv)
 {
     RenderOptions o;
-    OptionParser p(
-        "lancer render", "Render a scene into pictures.",
-        exit_codes + std::string("Signals: SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR2 interrupt; a second SIGINT or "
-                                 "SIGTERM exits at once;\nSIGUSR1 writes a snapshot and goes on.\n\n"
-                                 "Examples:\n  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
-                                 "  lancer mesh.obj --size 640x360\n"));
+    OptionParser p("lancer render", "Render a scene into pictures.",
+                   exit_codes + std::string(interrupted_render) +
+                       "Signals: SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGUSR2 interrupt; a second SIGINT or "
+                       "SIGTERM exits at once;\nSIGUSR1 writes a snapshot and goes on.\n\n"
+                       "Examples:\n  lancer render scene.toml -s 256 -o picture.exr -o picture.png\n"
+                       "  lancer mesh.obj --size 640x360\n");
     add_render_options(p, o);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.picture.threads);
@@ -241,7 +244,7 @@ std::optional<TuneOptions> parse_tune(int argc, char** argv)
     OptionParser p("lancer tune",
                    "Measure what each estimator gives on a scene: small pictures with it and without it, in turns. "
                    "Ratios are of the other value to that of the settings, with 95 % intervals.",
-                   exit_codes + std::string("\nExample:\n  lancer tune scene.toml --time 2m\n"));
+                   exit_codes + std::string(interrupted) + "\nExample:\n  lancer tune scene.toml --time 2m\n");
     add_picture_options(p, o.picture);
     p.value("--time", "T", "No round begins after T: 60s, 5m, 2h; at least three are drawn (30s)",
             [&](const std::string& t) { o.seconds = to_seconds("--time", t); });
@@ -254,8 +257,9 @@ std::optional<TuneOptions> parse_tune(int argc, char** argv)
 std::optional<PixelOptions> parse_pixel(int argc, char** argv)
 {
     PixelOptions o;
-    OptionParser p("lancer pixel", "Trace one sample of a pixel again, with the same bits, and print every vertex.",
-                   exit_codes + std::string("\nExample:\n  lancer pixel scene.toml 231 40 17 --seed 3\n"));
+    OptionParser p(
+        "lancer pixel", "Trace one sample of a pixel again, with the same bits, and print every vertex.",
+        exit_codes + std::string(interrupted) + "\nExample:\n  lancer pixel scene.toml 231 40 17 --seed 3\n");
     add_picture_options(p, o.picture);
     p.argument("X", "Pixel, from the left of the whole picture",
                [&](const std::string& t) { o.x = to_count("X", t, 0); });
