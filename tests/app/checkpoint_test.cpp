@@ -234,5 +234,21 @@ TEST_F(Checkpoint, EveryDamagedByteAndEveryLengthIsNoticed)
     expect_noticed(whole + '\0', "longer");
 }
 
+// Hashes are of pieces: the last one may be as long as all others.
+TEST_F(Checkpoint, MayHaveAnyLength)
+{
+    const Film film = small_film();
+    RenderState state;
+    write_checkpoint(file("c"), {}, state, film);
+    constexpr size_t piece = size_t{1} << 20;
+    const size_t rest = piece + sizeof(uint64_t) - read_bytes(file("c")).size();
+    for (const size_t length : {rest - 1, rest, rest + 1, rest + piece}) {
+        state.error_log.assign(length, '7');
+        write_checkpoint(file("c"), {}, state, film);
+        Film read = small_film();
+        EXPECT_EQ(read_checkpoint(file("c"), {}, read).error_log, state.error_log) << length;
+    }
+}
+
 }  // namespace
 }  // namespace lancer

@@ -22,23 +22,26 @@ constexpr size_t hashed_at_once = size_t{1} << 20;  // bytes
 // Appends numbers as they are in memory, and their hash at the end.
 class Writer {
 public:
-    explicit Writer(AtomicFile& file) : file_(file) { buffer_.reserve(hashed_at_once); }
+    explicit Writer(AtomicFile& file) : file_(file), buffer_(hashed_at_once) {}
 
     void put_bytes(const void* from, size_t count)
     {
         const auto* next = static_cast<const char*>(from);
         while (count > 0) {
-            const size_t n = std::min(count, hashed_at_once - buffer_.size());
-            buffer_.append(next, n);
-            next += n, count -= n;
-            if (buffer_.size() == hashed_at_once) flush();
+            const size_t n = std::min(count, hashed_at_once - used_);
+            std::memcpy(&buffer_[used_], next, n);
+            next += n, count -= n, used_ += n;
+            if (used_ == hashed_at_once) flush();
         }
     }
     template <class T>
     void put(const T& x)
     {
         static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
-        put_bytes(&x, sizeof x);
+        // The usual case, without a loop: there are millions of numbers.
+        if (used_ + sizeof x >= hashed_at_once) return put_bytes(&x, sizeof x);
+        std::memcpy(&buffer_[used_], &x, sizeof x);
+        used_ += sizeof x;
     }
     void put(const std::string& text)
     {
@@ -54,20 +57,21 @@ public:
     }
     void end()
     {
-        flush();
+        if (used_ > 0) flush();
         file_.write(&hash_, sizeof hash_);
     }
 
 private:
     void flush()
     {
-        hash_ = hash_bytes(buffer_, hash_);
-        file_.write(buffer_.data(), buffer_.size());
-        buffer_.clear();
+        hash_ = hash_bytes({buffer_.data(), used_}, hash_);
+        file_.write(buffer_.data(), used_);
+        used_ = 0;
     }
 
     AtomicFile& file_;
-    std::string buffer_;
+    std::vector<char> buffer_;
+    size_t used_ = 0;
     uint64_t hash_ = 0;
 };
 
