@@ -1,19 +1,15 @@
 // lancer denoise: a saved picture that carries the halves of its samples.
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
-#include "app/paths.h"
 #include "app/render/outputs.h"
 #include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/image/exr.h"
-#include "io/image/png.h"
-#include "io/image/ppm.h"
 #include "render/denoise/film_halves.h"
 
 namespace lancer {
@@ -63,28 +59,6 @@ void check_outputs(const DenoiseOptions& options)
     }
 }
 
-void write_pictures(const DenoiseOptions& options, const Image& noisy, const Denoised& denoised,
-                    const Metadata& metadata)
-{
-    Image image = noisy;
-    image.pixels = denoised.pixels;
-    std::vector<ImagePlane> planes = layer_of(noisy, "noisy");
-    planes.push_back({"denoise_error.V", denoised.error});
-    const ByteOptions bytes{.exposure_stops = options.exposure, .tonemap = options.tonemap};
-    std::deque<AtomicFile> files;
-    for (const std::string& path : options.outputs) {
-        AtomicFile& file = files.emplace_back(path);
-        if (extension_of(path) == ".exr")
-            write_exr(file, rows_of(image), metadata, {}, planes);
-        else if (extension_of(path) == ".png")
-            write_png(file, image, metadata, bytes);
-        else
-            write_ppm(file, image, metadata, bytes, false);
-        file.finish();
-    }
-    for (AtomicFile& file : files) file.commit();
-}
-
 }  // namespace
 
 int run_denoise(int argc, char** argv)
@@ -100,7 +74,12 @@ int run_denoise(int argc, char** argv)
         denoised = denoise_picture(
             halves.input(static_cast<uint32_t>(noisy.data.width()), static_cast<uint32_t>(noisy.data.height())));
     });
-    write_pictures(*options, noisy, denoised, denoised_metadata(std::move(metadata)));
+    Image image = noisy;
+    image.pixels = denoised.pixels;
+    write_outputs(options->outputs, {.image = rows_of(image),
+                                     .planes = layers_of_denoised(noisy, denoised),
+                                     .metadata = denoised_metadata(std::move(metadata)),
+                                     .style = {.curve = {options->exposure, options->tonemap}}});
     for (const std::string& path : options->outputs) print_result(path);
     return exit_done;
 }

@@ -30,7 +30,6 @@
 #include "report/metrics/error_estimate.h"
 #include "report/metrics/held_out_error.h"
 #include "scene/camera.h"
-#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -74,12 +73,15 @@ private:
     void render(const Renderer& renderer);
     void add_samples(const Film& film, const Counters& counters, const RenderLimits& limits);
     void end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits);
+    double samples_per_pixel() const
+    {
+        return static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height());
+    }
     bool has_samples() const { return stats_.samples + stats_.counters.dropped > 0; }
     void write_snapshot(const Film& film, Progress& progress);
     void estimate_error(const Film& film);
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
-    RenderIdentity identity(const Film& film) const;
     void go_on_from(const RenderState& state, const Film& film, RenderLimits& limits);
     bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
                           const RenderLimits& limits) const;
@@ -87,6 +89,10 @@ private:
     Denoised denoise(const Film& film);
     // Both arguments must outlive the result. denoised: empty where only the noisy picture is written.
     PictureContent picture_of(const Film& film, const Denoised& denoised) const;
+    PictureStyle file_style() const
+    {
+        return {.curve = curve_, .dither = options_.dither, .ascii_ppm = options_.ascii_ppm, .half = options_.half};
+    }
     void write(const PictureContent& picture);
     void write_stats();
     void read_output_settings();
@@ -206,29 +212,6 @@ std::string Run::hash_with(uint32_t spp) const
     return settings_hash(settings, options_.picture.scene.camera + view_options_text(options_.picture.scene));
 }
 
-// How the halves are dealt: with a given number of samples it counts.
-std::string halves_text(const SetDeal& deal)
-{
-    return deal.replicates > 1 || deal.second_half == 0 ? "of any number of samples"
-                                                        : format_text("of %u samples each", deal.second_half);
-}
-
-// All that decides the bits of the picture. The number of samples does only where it decides where they are taken.
-RenderIdentity Run::identity(const Film& film) const
-{
-    RenderIdentity all{{"lancer", std::string(LANCER_VERSION) + ", " + compiler_text() + ", " + instruction_text()},
-                       {"embree", embree_version()},
-                       {"scene", to_hex(prepared_.description.content_hash)},
-                       {"view", options_.picture.scene.camera + view_options_text(options_.picture.scene)},
-                       {"crop", format_text("%u,%u,%u,%u", crop_.x0, crop_.y0, crop_.x1, crop_.y1)}};
-    for (const RenderOption& option : render_options())
-        if (option.name != "spp" || settings_.stop) all.emplace_back(option.name, value_text(settings_, option));
-    std::string& aovs = all.emplace_back("aov", "").second;
-    for (const Aov aov : options_.aovs) aovs += (aovs.empty() ? "" : ",") + std::string(name_of(aov));
-    all.emplace_back("halves to denoise", film.sets.empty() ? "none" : halves_text(film.deal));
-    return all;
-}
-
 void Run::go_on_from(const RenderState& state, const Film& film, RenderLimits& limits)
 {
     const uint32_t reached = state.pass.end;
@@ -242,9 +225,7 @@ void Run::go_on_from(const RenderState& state, const Film& film, RenderLimits& l
     if (!state.error_log.empty()) log_->begin_with(state.error_log);
     add_samples(film, state.counters, limits);
     if (state.left.empty()) estimate_error(film);
-    if (!options_.quiet)
-        print_note(format_text("going on after %.1f samples per pixel",
-                               static_cast<double>(stats_.samples) / static_cast<double>(film.pixels.size())));
+    if (!options_.quiet) print_note(format_text("going on after %.1f samples per pixel", samples_per_pixel()));
 }
 
 bool Run::write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
@@ -319,7 +300,7 @@ void Run::render(const Renderer& renderer)
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
     if (options_.denoise || options_.denoise_sets)
         film.keep_sets({.replicates = s.replicates, .second_half = limits.has_stop_rule() ? 0 : s.spp / 2});
-    Checkpoints checkpoints(options_, identity(film));
+    Checkpoints checkpoints(options_, stats_, film);
     if (limits.has_stop_rule() || checkpoints.are_wanted()) film.keep_blocks_open();
     SampleRange range;
     std::vector<Tile> left;
@@ -434,22 +415,20 @@ PictureContent Run::picture_of(const Film& film, const Denoised& denoised) const
             metadata.push_back({std::string(names_of_samples[h]), double{halves.samples[h]}});
         for (ImagePlane& p : planes_of(std::move(halves))) planes.push_back(std::move(p));
     }
-    if (denoised.pixels.empty()) return {rows_of(film), std::move(planes), curve_, std::move(metadata)};
-    for (ImagePlane& p : layer_of(to_image(film), "noisy")) planes.push_back(std::move(p));
-    planes.push_back({"denoise_error.V", denoised.error});
-    return {rows_of(film, denoised.pixels), std::move(planes), curve_, std::move(metadata)};
+    if (denoised.pixels.empty()) return {rows_of(film), std::move(planes), std::move(metadata), file_style()};
+    for (ImagePlane& p : layers_of_denoised(to_image(film), denoised)) planes.push_back(std::move(p));
+    return {rows_of(film, denoised.pixels), std::move(planes), std::move(metadata), file_style()};
 }
 
 // The picture is worth more than its place: where it cannot be written, others are tried.
 void Run::write(const PictureContent& picture)
 {
     try {
-        write_outputs(options_, picture);
+        write_outputs(options_.outputs, picture);
         written_ = options_.outputs;
     } catch (const Error& problem) {
         has_failed_ = true;
-        written_ = rescue_outputs(options_, picture);
-        std::erase(written_, "");
+        written_ = rescue_outputs(options_.outputs, picture);
         if (written_.empty()) throw;
         print_problem(problem.what());
         for (const std::string& name : written_) print_note("the picture is rescued as " + in_quotes(name));
@@ -460,12 +439,11 @@ void Run::write_snapshot(const Film& film, Progress& progress)
 {
     progress.clear();
     try {
-        write_outputs(options_, picture_of(film, {}));
+        write_outputs(options_.outputs, picture_of(film, {}));
     } catch (const Error& problem) {
         return print_as_warning(problem, "the render goes on without this snapshot");
     }
-    print_note(format_text("snapshot written at %.1f spp",
-                           static_cast<double>(stats_.samples) / static_cast<double>(film.pixels.size())));
+    print_note(format_text("snapshot written at %.1f spp", samples_per_pixel()));
 }
 
 void Run::write_stats()
@@ -514,9 +492,8 @@ int Run::execute()
     }
     if (!stats_.partial) return has_failed_ ? exit_failed : exit_done;
     print_problem(format_text(
-        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s",
-        static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height()), settings_.spp,
-        can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
+        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s", samples_per_pixel(),
+        settings_.spp, can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
     return has_failed_ ? exit_failed : can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 

@@ -284,7 +284,7 @@ void write_checkpoint(const std::string& path, const RenderIdentity& identity, c
     file.finish();
     // Whatever happens in between, one of the two has its name.
     std::error_code absent;
-    if (std::filesystem::is_regular_file(path, absent)) std::filesystem::rename(path, path + ".old", absent);
+    if (std::filesystem::is_regular_file(path, absent)) std::filesystem::rename(path, checkpoint_before(path), absent);
     file.commit();
 }
 

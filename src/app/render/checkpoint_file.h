@@ -2,18 +2,15 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "app/render/identity.h"
 #include "core/film.h"
 #include "render/workspace.h"
 #include "report/metrics/error_estimate.h"
 #include "report/stats_json.h"
 
 namespace lancer {
-
-// What decides the bits of a picture: names and values, the same for a render and for what it goes on from.
-using RenderIdentity = std::vector<std::pair<std::string, std::string>>;
 
 // Where a render has come to, besides its film.
 struct RenderState {
@@ -26,7 +23,11 @@ struct RenderState {
     std::string error_log;  // its text so far
 };
 
-// Writes a whole file and keeps the one before as PATH.old. Throws Error (failed); both are then as they were.
+// Where the file before this one is kept.
+inline std::string checkpoint_before(const std::string& path) { return path + ".old"; }
+
+// Writes a whole file and keeps the one before as checkpoint_before(). Throws Error (failed); both are then as they
+// were.
 void write_checkpoint(const std::string& path, const RenderIdentity& identity, const RenderState& state,
                       const Film& film);
 

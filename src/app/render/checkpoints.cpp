@@ -12,15 +12,13 @@ namespace {
 
 constexpr double first_after = 10;  // seconds
 
-std::string before(const std::string& path) { return path + ".old"; }
-
 }  // namespace
 
-Checkpoints::Checkpoints(const RenderOptions& options, RenderIdentity identity)
+Checkpoints::Checkpoints(const RenderOptions& options, const RunStats& stats, const Film& film)
     : path_(options.checkpoint),
       resume_(options.resume == "auto" ? options.checkpoint : options.resume),
       may_begin_anew_(options.resume == "auto"),
-      identity_(std::move(identity)),
+      identity_(are_wanted() ? identity_of(options, stats, film) : RenderIdentity{}),
       interval_(options.checkpoint_interval),
       due_(wall_seconds() + std::min(first_after, interval_))
 {
@@ -30,7 +28,8 @@ std::optional<RenderState> Checkpoints::resume(Film& film) const
 {
     if (resume_.empty()) return {};
     std::error_code absent;
-    const bool has_before = std::filesystem::exists(before(resume_), absent);
+    const std::string before = checkpoint_before(resume_);
+    const bool has_before = std::filesystem::exists(before, absent);
     if (may_begin_anew_ && !has_before && !std::filesystem::exists(resume_, absent)) return {};
     try {
         return read_checkpoint(resume_, identity_, film);
@@ -38,12 +37,11 @@ std::optional<RenderState> Checkpoints::resume(Film& film) const
         if (!has_before) throw;
         std::optional<RenderState> state;
         try {
-            state = read_checkpoint(before(resume_), identity_, film);
+            state = read_checkpoint(before, identity_, film);
         } catch (const Error&) {
             throw problem;
         }
-        print_problem(std::string(problem.what()) + "\n" + before(resume_) +
-                      ": warning: the render goes on from this one");
+        print_problem(std::string(problem.what()) + "\n" + before + ": warning: the render goes on from this one");
         return state;
     }
 }

@@ -11,8 +11,8 @@ namespace lancer {
 
 class Checkpoints {
 public:
-    // identity: of this render.
-    Checkpoints(const RenderOptions& options, RenderIdentity identity);
+    // stats, film: of this render, before its first sample.
+    Checkpoints(const RenderOptions& options, const RunStats& stats, const Film& film);
 
     // Whether films must be kept so that a render can go on from any pass.
     bool are_wanted() const { return !path_.empty() || !resume_.empty(); }

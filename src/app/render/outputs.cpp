@@ -49,20 +49,21 @@ MetadataValue value_of(const RenderSettings& settings, const RenderOption& optio
         option.field);
 }
 
-void write_picture(AtomicFile& file, const RenderOptions& options, const PictureContent& picture)
+void write_picture(AtomicFile& file, const PictureContent& picture)
 {
-    const DisplayCurve& curve = picture.curve;
+    const PictureStyle& style = picture.style;
     const std::string extension = extension_of(file.path());
     if (extension == ".exr")
-        return write_exr(file, picture.image, picture.metadata, {.half = options.half}, picture.planes);
+        return write_exr(file, picture.image, picture.metadata, {.half = style.half}, picture.planes);
     Metadata of_display = picture.metadata;
-    of_display.emplace_back("exposure", shortest(curve.exposure_stops));
-    of_display.emplace_back("tonemap", std::string(name_of(curve.tonemap)));
-    const ByteOptions bytes{.exposure_stops = curve.exposure_stops, .dither = options.dither, .tonemap = curve.tonemap};
+    of_display.emplace_back("exposure", shortest(style.curve.exposure_stops));
+    of_display.emplace_back("tonemap", std::string(name_of(style.curve.tonemap)));
+    const ByteOptions bytes{
+        .exposure_stops = style.curve.exposure_stops, .dither = style.dither, .tonemap = style.curve.tonemap};
     if (extension == ".png")
         write_png(file, to_image(picture.image), of_display, bytes);
     else
-        write_ppm(file, to_image(picture.image), of_display, bytes, options.ascii_ppm);
+        write_ppm(file, to_image(picture.image), of_display, bytes, style.ascii_ppm);
 }
 
 std::filesystem::path temporary_folder()
@@ -130,15 +131,16 @@ ImageRows rows_of(const Film& film, const std::vector<Color>& pixels)
     return rows;
 }
 
-std::vector<ImagePlane> layer_of(const Image& image, const std::string& name)
+std::vector<ImagePlane> layers_of_denoised(const Image& noisy, const Denoised& denoised)
 {
-    std::vector<ImagePlane> planes{{name + ".R", {}}, {name + ".G", {}}, {name + ".B", {}}};
-    for (ImagePlane& p : planes) p.values.reserve(image.pixels.size());
-    for (const Color& c : image.pixels) {
+    std::vector<ImagePlane> planes{{"noisy.R", {}}, {"noisy.G", {}}, {"noisy.B", {}}};
+    for (ImagePlane& p : planes) p.values.reserve(noisy.pixels.size());
+    for (const Color& c : noisy.pixels) {
         planes[0].values.push_back(c.r);
         planes[1].values.push_back(c.g);
         planes[2].values.push_back(c.b);
     }
+    planes.push_back({"denoise_error.V", denoised.error});
     return planes;
 }
 
@@ -178,41 +180,36 @@ bool has_display_output(const RenderOptions& options)
     return std::any_of(options.outputs.begin(), options.outputs.end(), is_for_displays);
 }
 
-void write_outputs(const RenderOptions& options, const PictureContent& picture)
+void write_outputs(const std::vector<std::string>& paths, const PictureContent& picture)
 {
     // All are complete before the first takes its name: a disk that is full at the last leaves every old file alone.
     std::deque<AtomicFile> files;
-    for (const std::string& path : options.outputs) {
+    for (const std::string& path : paths) {
         AtomicFile& file = files.emplace_back(path);
-        write_picture(file, options, picture);
+        write_picture(file, picture);
         file.finish();
     }
     for (AtomicFile& file : files) file.commit();
 }
 
-std::vector<std::string> rescue_outputs(const RenderOptions& options, const PictureContent& picture)
+std::vector<std::string> rescue_outputs(const std::vector<std::string>& paths, const PictureContent& picture)
 {
-    std::vector<std::string> names;
-    for (const std::string& path : options.outputs) {
-        const auto is_written_as = [&](const std::string& name) {
+    std::vector<std::string> written;
+    for (const std::string& path : paths)
+        for (const auto& folder : {std::filesystem::path(path).parent_path(), temporary_folder()}) {
+            const std::string name = unused_name(path, folder);
+            if (name.empty()) continue;
             try {
                 AtomicFile file(name);
-                write_picture(file, options, picture);
+                write_picture(file, picture);
                 file.commit();
-                return true;
             } catch (const Error&) {
-                return false;
+                continue;
             }
-        };
-        std::string& name = names.emplace_back();
-        for (const std::string& candidate :
-             {unused_name(path, std::filesystem::path(path).parent_path()), unused_name(path, temporary_folder())})
-            if (!candidate.empty() && is_written_as(candidate)) {
-                name = candidate;
-                break;
-            }
-    }
-    return names;
+            written.push_back(name);
+            break;
+        }
+    return written;
 }
 
 }  // namespace lancer

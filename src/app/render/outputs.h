@@ -4,6 +4,7 @@
 #include "app/options/options.h"
 #include "core/image.h"
 #include "io/image/exr.h"
+#include "render/denoise/denoise.h"
 #include "report/stats_json.h"
 #include "scene/description/description.h"
 
@@ -22,8 +23,8 @@ ImageRows rows_of(const Film& film);
 // Other pixels in the film's place, which must outlive the result.
 ImageRows rows_of(const Film& film, const std::vector<Color>& pixels);
 
-// The channels NAME.R, NAME.G and NAME.B.
-std::vector<ImagePlane> layer_of(const Image& image, const std::string& name);
+// What the file of a denoised picture has besides: the noisy one, and the error to expect.
+std::vector<ImagePlane> layers_of_denoised(const Image& noisy, const Denoised& denoised);
 
 // Where the header of a picture with halves says how many samples of a pixel they have, on average.
 inline constexpr std::array<std::string_view, 2> names_of_samples{"denoise_samples_a", "denoise_samples_b"};
@@ -40,18 +41,24 @@ struct DisplayCurve {
     ToneMap tonemap = ToneMap::srgb;
 };
 
+// How pictures become files.
+struct PictureStyle {
+    DisplayCurve curve;  // in all formats but EXR; their headers tell of it
+    bool dither = false, ascii_ppm = false;
+    bool half = false;  // EXR
+};
 // What a picture file holds.
 struct PictureContent {
     ImageRows image;
     std::vector<ImagePlane> planes;  // in EXR only
-    DisplayCurve curve;              // in the other formats, whose headers tell of it
     Metadata metadata;
+    PictureStyle style;
 };
 
-// Writes the pictures, all or none. Throws Error (failed).
-void write_outputs(const RenderOptions& options, const PictureContent& picture);
-// For pictures that write_outputs() could not write: each is written under a new name beside its own, else in the folder
-// for temporary files. No file is replaced. Returns the names, "" for a picture that could not be written anywhere.
-std::vector<std::string> rescue_outputs(const RenderOptions& options, const PictureContent& picture);
+// Writes a picture under each name, all or none. Throws Error (failed).
+void write_outputs(const std::vector<std::string>& paths, const PictureContent& picture);
+// For pictures that write_outputs() could not write: each is written under a new name beside its own, else in the
+// folder for temporary files. No file is replaced. Returns the names of what could be written.
+std::vector<std::string> rescue_outputs(const std::vector<std::string>& paths, const PictureContent& picture);
 
 }  // namespace lancer

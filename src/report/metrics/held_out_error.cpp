@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "report/metrics/metrics.h"
+
 namespace lancer {
 namespace {
 
 constexpr uint32_t block = 16;  // side of the blocks of pixels whose errors count as independent
-
-std::array<double, 3> channels(Color c) { return {double{c.r}, double{c.g}, double{c.b}}; }
 
 // The noisy picture, averaged over 5x5 pixels: denominators of the denoised picture itself would be small where it
 // errs.
@@ -36,7 +36,8 @@ double error_at(const Film& film, uint32_t x, uint32_t y, const Color& denoised,
     const auto value = channels(denoised), around = mean_around(film, x, y);
     double error = 0;
     for (size_t c = 0; c < 3; ++c)
-        error += (value[c] - one.sum[c] / one.n) * (value[c] - two.sum[c] / two.n) / (around[c] * around[c] + 0.01) / 3;
+        error += (value[c] - one.sum[c] / one.n) * (value[c] - two.sum[c] / two.n) /
+                 (around[c] * around[c] + relmse_epsilon) / 3;
     return error;
 }
 

@@ -1,0 +1,37 @@
+#include "app/render/identity.h"
+
+#include "app/console.h"
+#include "scene/description/render_options.h"
+
+namespace lancer {
+namespace {
+
+// How the halves are dealt: with a given number of samples it counts.
+std::string halves_text(const SetDeal& deal)
+{
+    return deal.replicates > 1 || deal.second_half == 0 ? "of any number of samples"
+                                                        : format_text("of %u samples each", deal.second_half);
+}
+
+}  // namespace
+
+RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const Film& film)
+{
+    const RunStats::Context& c = stats.context;
+    const RenderSettings& settings = stats.settings.render;
+    const Tile& crop = stats.settings.crop;
+    const SceneChoice& scene = options.picture.scene;
+    RenderIdentity all{{"lancer", c.version + ", " + c.compiler + ", " + c.instructions},
+                       {"embree", c.embree},
+                       {"scene", to_hex(stats.scene.content_hash)},
+                       {"view", scene.camera + view_options_text(scene)},
+                       {"crop", format_text("%u,%u,%u,%u", crop.x0, crop.y0, crop.x1, crop.y1)}};
+    for (const RenderOption& option : render_options())
+        if (option.name != "spp" || settings.stop) all.emplace_back(option.name, value_text(settings, option));
+    std::string& aovs = all.emplace_back("aov", "").second;
+    for (const Aov aov : options.aovs) aovs += (aovs.empty() ? "" : ",") + std::string(name_of(aov));
+    all.emplace_back("halves to denoise", film.sets.empty() ? "none" : halves_text(film.deal));
+    return all;
+}
+
+}  // namespace lancer
