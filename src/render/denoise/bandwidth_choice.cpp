@@ -10,43 +10,32 @@ namespace {
 // The variance of the halves is the same for both bandwidths.
 Plane difference_of_errors(const Halves& halves, const Fitted& a, const Fitted& b)
 {
-    Plane difference(a[0][0].width(), a[0][0].height());
-    for_rows(difference.height(), [&](int y) {
-        for (int x = 0; x < difference.width(); ++x) {
-            float sum = 0;
-            for (size_t c = 0; c < 3; ++c) {
-                const float in_a = halves.half[0].color[c].row(y)[x], in_b = halves.half[1].color[c].row(y)[x];
-                const auto error = [&](size_t k) {
-                    return squared_error_and_noise(in_a, in_b, a[k][c].row(y)[x], b[k][c].row(y)[x]);
-                };
-                sum += error(0) - error(1);
-            }
-            difference.row(y)[x] = sum;
+    return plane_of(a[0][0].width(), a[0][0].height(), [&](int x, int y) {
+        float sum = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const float in_a = halves.half[0].color[c].row(y)[x], in_b = halves.half[1].color[c].row(y)[x];
+            const auto error = [&](size_t k) {
+                return squared_error_and_noise(in_a, in_b, a[k][c].row(y)[x], b[k][c].row(y)[x]);
+            };
+            sum += error(0) - error(1);
         }
+        return sum;
     });
-    difference.mirror_edges();
-    return difference;
 }
 
 // For each pixel the part of the second bandwidth.
 Plane part_of_second(const Halves& halves, const ColorPlanes& variance, const Fitted& a, const Fitted& b)
 {
-    ColorPlanes mean = halves.half[0].color;
-    for (size_t c = 0; c < 3; ++c) {
-        for_rows(mean[c].height(), [&](int y) {
-            for (int x = 0; x < mean[c].width(); ++x)
-                mean[c].row(y)[x] = 0.5f * (mean[c].row(y)[x] + halves.half[1].color[c].row(y)[x]);
+    const int width = a[0][0].width(), height = a[0][0].height();
+    ColorPlanes mean;
+    for (size_t c = 0; c < 3; ++c)
+        mean[c] = plane_of(width, height, [&](int x, int y) {
+            return 0.5f * (halves.half[0].color[c].row(y)[x] + halves.half[1].color[c].row(y)[x]);
         });
-        mean[c].mirror_edges();
-    }
     const Guide guide{mean, variance, 0.5f};  // the mean of both halves has half of the variance
     const Plane difference = difference_of_errors(halves, a, b);
-    Plane choice = std::move(non_local_means({&difference, 1}, guide, {.patch_radius = 1, .window_radius = 7})[0]);
-    for_rows(choice.height(), [&](int y) {
-        for (int x = 0; x < choice.width(); ++x) choice.row(y)[x] = choice.row(y)[x] > 0 ? 1.0f : 0.0f;
-    });
-    choice.mirror_edges();
-    return box_mean(choice, 3);
+    const Plane even = std::move(non_local_means({&difference, 1}, guide, {.patch_radius = 1, .window_radius = 7})[0]);
+    return box_mean(plane_of(width, height, [&](int x, int y) { return even.row(y)[x] > 0 ? 1.0f : 0.0f; }), 3);
 }
 
 ColorPlanes mixed(Fitted fitted, const Plane& part_of_second)

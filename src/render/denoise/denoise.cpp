@@ -17,12 +17,8 @@ using namespace denoise;
 // The mean of planes of both halves.
 Plane mean_of(const Plane& a, const Plane& b, float part_of_b)
 {
-    Plane mean(a.width(), a.height());
-    for_rows(a.height(), [&](int y) {
-        for (int x = 0; x < a.width(); ++x) mean.row(y)[x] = a.row(y)[x] + part_of_b * (b.row(y)[x] - a.row(y)[x]);
-    });
-    mean.mirror_edges();
-    return mean;
+    return plane_of(a.width(), a.height(),
+                    [&](int x, int y) { return a.row(y)[x] + part_of_b * (b.row(y)[x] - a.row(y)[x]); });
 }
 
 FilteredHalves filter_halves(Halves& halves, const ColorPlanes& variance)
@@ -40,39 +36,25 @@ FilteredHalves filter_halves(Halves& halves, const ColorPlanes& variance)
 // Half of a variance: that of the mean of two.
 Plane halved(const Plane& variance)
 {
-    Plane half(variance.width(), variance.height());
-    for_rows(half.height(), [&](int y) {
-        for (int x = 0; x < half.width(); ++x) half.row(y)[x] = 0.5f * variance.row(y)[x];
-    });
-    half.mirror_edges();
-    return half;
+    return plane_of(variance.width(), variance.height(), [&](int x, int y) { return 0.5f * variance.row(y)[x]; });
 }
 
 // The squared error of the mean of both filtered halves in a channel, over a square of pixels.
 Plane filter_error(const Halves& halves, const FilteredHalves& filtered, const Plane& variance, size_t c)
 {
-    Plane error(variance.width(), variance.height());
-    for_rows(error.height(), [&](int y) {
-        for (int x = 0; x < error.width(); ++x)
-            error.row(y)[x] =
-                squared_error_and_noise(halves.half[0].color[c].row(y)[x], halves.half[1].color[c].row(y)[x],
-                                        filtered.a[c].row(y)[x], filtered.b[c].row(y)[x]) -
-                variance.row(y)[x];
+    const Plane error = plane_of(variance.width(), variance.height(), [&](int x, int y) {
+        return squared_error_and_noise(halves.half[0].color[c].row(y)[x], halves.half[1].color[c].row(y)[x],
+                                       filtered.a[c].row(y)[x], filtered.b[c].row(y)[x]) -
+               variance.row(y)[x];
     });
-    error.mirror_edges();
     return box_mean(error, blend_radius);
 }
 
 // Fits may fall below 0 in the dark, light may not; a pixel filter with negative lobes may.
-void forbid_negative_light(Plane& filtered, const Plane& noisy)
+Plane without_negative_light(const Plane& filtered, const Plane& noisy)
 {
-    for_rows(filtered.height(), [&](int y) {
-        for (int x = 0; x < filtered.width(); ++x) {
-            float& v = filtered.row(y)[x];
-            v = std::max(v, std::min(0.0f, noisy.row(y)[x]));
-        }
-    });
-    filtered.mirror_edges();
+    return plane_of(filtered.width(), filtered.height(),
+                    [&](int x, int y) { return std::max(filtered.row(y)[x], std::min(0.0f, noisy.row(y)[x])); });
 }
 
 float& channel(Color& color, size_t c) { return c == 0 ? color.r : c == 1 ? color.g : color.b; }
@@ -82,8 +64,7 @@ void finish_channel(const Halves& halves, const FilteredHalves& filtered, const 
                     Denoised& out)
 {
     const Plane noisy = mean_of(halves.half[0].color[c], halves.half[1].color[c], halves.part_of_b);
-    Plane mean = mean_of(filtered.a[c], filtered.b[c], halves.part_of_b);
-    forbid_negative_light(mean, noisy);
+    const Plane mean = without_negative_light(mean_of(filtered.a[c], filtered.b[c], halves.part_of_b), noisy);
     const Plane own = halved(variance), noise = box_mean(own, blend_radius), part = noisy_part(mean, noisy, own);
     const Plane error = filter_error(halves, filtered, variance, c);
     const double black = 0.01 * double{halves.scale} * double{halves.scale};  // see Denoised::error

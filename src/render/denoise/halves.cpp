@@ -19,14 +19,10 @@ float feature_of(float x) { return std::clamp(finite_or_zero(x), -100.0f, 100.0f
 template <class F>
 Plane make_plane(std::span<const float> values, int width, int height, const F& f)
 {
-    Plane plane(width, height);
-    if (!values.empty())
-        for_rows(height, [&](int y) {
-            const float* const from = values.data() + static_cast<size_t>(y) * static_cast<size_t>(width);
-            std::transform(from, from + width, plane.row(y), f);
-        });
-    plane.mirror_edges();
-    return plane;
+    if (values.empty()) return Plane(width, height);
+    return plane_of(width, height, [&](int x, int y) {
+        return f(values[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]);
+    });
 }
 
 struct Mean {
@@ -85,14 +81,10 @@ Halves load_halves(const DenoiseInput& input)
 
 Plane variance_of_pair(const Plane& a, const Plane& b, int radius)
 {
-    Plane v(a.width(), a.height());
-    for_rows(a.height(), [&](int y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const float difference = a.row(y)[x] - b.row(y)[x];
-            v.row(y)[x] = 0.5f * difference * difference;
-        }
+    const Plane v = plane_of(a.width(), a.height(), [&](int x, int y) {
+        const float difference = a.row(y)[x] - b.row(y)[x];
+        return 0.5f * difference * difference;
     });
-    v.mirror_edges();
     return box_mean(v, radius);
 }
 
@@ -101,14 +93,11 @@ ColorPlanes variance_of_half(const Halves& halves)
     const Plane near = box_mean(halves.pixel_variance, 1), far = box_mean(halves.pixel_variance, 10);
     ColorPlanes variance;
     for (size_t c = 0; c < 3; ++c) {
-        Plane& v = variance[c] = variance_of_pair(halves.half[0].color[c], halves.half[1].color[c], 10);
-        for_rows(v.height(), [&](int y) {
-            for (int x = 0; x < v.width(); ++x) {
-                const float part = far.row(y)[x] > 0 ? near.row(y)[x] / far.row(y)[x] : 1.0f;
-                v.row(y)[x] = v.row(y)[x] * part + variance_floor;
-            }
+        const Plane pair = variance_of_pair(halves.half[0].color[c], halves.half[1].color[c], 10);
+        variance[c] = plane_of(pair.width(), pair.height(), [&](int x, int y) {
+            const float part = far.row(y)[x] > 0 ? near.row(y)[x] / far.row(y)[x] : 1.0f;
+            return pair.row(y)[x] * part + variance_floor;
         });
-        v.mirror_edges();
     }
     return variance;
 }

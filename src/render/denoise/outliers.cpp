@@ -11,13 +11,9 @@ constexpr float much = 2.0f;  // an outlier exceeds the brightest pixel near it 
 
 Plane luminance_of(const ColorPlanes& color)
 {
-    Plane out(color[0].width(), color[0].height());
-    for_rows(out.height(), [&](int y) {
-        for (int x = 0; x < out.width(); ++x)
-            out.row(y)[x] = luminance({color[0].row(y)[x], color[1].row(y)[x], color[2].row(y)[x]});
+    return plane_of(color[0].width(), color[0].height(), [&](int x, int y) {
+        return luminance({color[0].row(y)[x], color[1].row(y)[x], color[2].row(y)[x]});
     });
-    out.mirror_edges();
-    return out;
 }
 
 float brightest_near(const Plane& plane, int x, int y)
@@ -33,31 +29,19 @@ float brightest_near(const Plane& plane, int x, int y)
 // The part of each pixel's light that it keeps.
 Plane kept_part(const Plane& own, const Plane& other)
 {
-    Plane kept(own.width(), own.height());
-    for_rows(own.height(), [&](int y) {
-        for (int x = 0; x < own.width(); ++x) {
-            const float limit = brightest_near(other, x, y), v = own.row(y)[x];
-            kept.row(y)[x] = v > much * limit ? limit / v : 1.0f;
-        }
+    return plane_of(own.width(), own.height(), [&](int x, int y) {
+        const float limit = brightest_near(other, x, y), v = own.row(y)[x];
+        return v > much * limit ? limit / v : 1.0f;
     });
-    return kept;
 }
 
-void spread_rest(Plane& plane, const Plane& kept)
+Plane with_rest_spread(const Plane& plane, const Plane& kept)
 {
-    Plane rest(plane.width(), plane.height());
-    for_rows(plane.height(), [&](int y) {
-        for (int x = 0; x < plane.width(); ++x) {
-            const float v = plane.row(y)[x], k = kept.row(y)[x];
-            plane.row(y)[x] = v * k, rest.row(y)[x] = v * (1 - k);
-        }
-    });
-    rest.mirror_edges();
+    const Plane rest =
+        plane_of(plane.width(), plane.height(), [&](int x, int y) { return plane.row(y)[x] * (1 - kept.row(y)[x]); });
     const Plane even = box_mean(rest, spread);
-    for_rows(plane.height(), [&](int y) {
-        for (int x = 0; x < plane.width(); ++x) plane.row(y)[x] += even.row(y)[x];
-    });
-    plane.mirror_edges();
+    return plane_of(plane.width(), plane.height(),
+                    [&](int x, int y) { return plane.row(y)[x] * kept.row(y)[x] + even.row(y)[x]; });
 }
 
 }  // namespace
@@ -67,16 +51,13 @@ void spread_outliers(Halves& halves)
     auto& [a, b] = halves.half;
     const Plane of_a = luminance_of(a.color), of_b = luminance_of(b.color);
     const Plane kept_a = kept_part(of_a, of_b), kept_b = kept_part(of_b, of_a);
-    for (Plane& p : a.color) spread_rest(p, kept_a);
-    for (Plane& p : b.color) spread_rest(p, kept_b);
-    Plane& variance = halves.pixel_variance;
-    for_rows(variance.height(), [&](int y) {
-        for (int x = 0; x < variance.width(); ++x) {
-            const float kept = std::min(kept_a.row(y)[x], kept_b.row(y)[x]);
-            variance.row(y)[x] *= kept * kept;
-        }
+    for (Plane& p : a.color) p = with_rest_spread(p, kept_a);
+    for (Plane& p : b.color) p = with_rest_spread(p, kept_b);
+    const Plane& variance = halves.pixel_variance;
+    halves.pixel_variance = plane_of(variance.width(), variance.height(), [&](int x, int y) {
+        const float kept = std::min(kept_a.row(y)[x], kept_b.row(y)[x]);
+        return variance.row(y)[x] * (kept * kept);
     });
-    variance.mirror_edges();
 }
 
 }  // namespace lancer::denoise

@@ -39,6 +39,18 @@ private:
 // Calls f(y) for each row of a picture, in parallel.
 void for_rows(int height, const std::function<void(int y)>& f);
 
+// The plane whose pixels are f(x, y), with mirrored margins.
+template <class F>
+Plane plane_of(int width, int height, const F& f)
+{
+    Plane plane(width, height);
+    for_rows(height, [&](int y) {
+        for (int x = 0; x < width; ++x) plane.row(y)[x] = f(x, y);
+    });
+    plane.mirror_edges();
+    return plane;
+}
+
 // The mean over a square of 2 * radius + 1 pixels; radius <= Plane::margin. The margins of both are mirrored.
 Plane box_mean(const Plane& in, int radius);
 
