@@ -234,14 +234,16 @@ Fitted fit_first_order(const ColorPlanes& color, const Features& features, const
     for (Predictions& p : sums) p.fill(none);
     // First every second pixel of every second row, then those between that are unlike their neighbours: what unlike
     // fits predict of them is worth nothing.
-    for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
-        for_parts_apart(width, height, [&, dx = dx, dy = dy](Part part) {
+    for (const int turn : {0, 1, 2, 3}) {
+        const int dx = turn & 1, dy = turn >> 1;
+        for_parts_apart(width, height, [&](Part part) {
             const int groups = (part.width() + group_width - 1) / group_width;
             part = {part.x0 + dx, part.y0 + dy, part.x0 + dx + groups * group_width, part.y1 + dy};
             const bool is_first = dx == 0 && dy == 0;
             const WantedFits wanted(color[0], is_first ? nullptr : &sums[bandwidths - 1][3], part);
             if (wanted.any()) PartFits(color, features, guide, part, wanted).add_to(sums);
         });
+    }
     Fitted fitted;
     for (size_t k = 0; k < bandwidths; ++k)
         for (size_t c = 0; c < 3; ++c) {
