@@ -5,7 +5,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
-#include "app/render/outputs.h"
+#include "app/render/content.h"
 #include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"

@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/prepare.h"
 #include "app/render/checkpoints.h"
+#include "app/render/content.h"
 #include "app/render/error_log.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
@@ -69,6 +70,7 @@ private:
     template <class F>
     auto timed(const char* phase, F&& f);
     void load();
+    void hold_samples_out();
     void describe(const Renderer& renderer);
     void render(const Renderer& renderer);
     void add_samples(const Film& film, const Counters& counters, const RenderLimits& limits);
@@ -86,12 +88,14 @@ private:
     bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
                           const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
-    Denoised denoise(const Film& film);
+    Film empty_film(bool has_stop_rule) const;
+    std::optional<double> error_to_judge(const Film& film, uint32_t spp, RenderLimits& limits);
+    void tell_error_of_denoised(const Film& film);
     // Both arguments must outlive the result. denoised: empty where only the noisy picture is written.
-    PictureContent picture_of(const Film& film, const Denoised& denoised) const;
-    PictureStyle file_style() const
+    PictureContent picture_of(const Film& film, const Denoised& denoised) const
     {
-        return {.curve = curve_, .dither = options_.dither, .ascii_ppm = options_.ascii_ppm, .half = options_.half};
+        return content_of(film, denoised, options_, make_metadata(stats_, options_.reproducible), curve_,
+                          normalisation_);
     }
     void write(const PictureContent& picture);
     void write_stats();
@@ -134,7 +138,8 @@ void Run::load()
     write_scene();
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
-    if (options_.denoise || options_.denoise_sets) require_denoisable(settings_);
+    if (options_.denoise || options_.denoise_sets || options_.guides) require_denoisable(settings_);
+    if (options_.denoise && options_.error) hold_samples_out();
     const uint32_t width = settings_.size.width, height = settings_.size.height;
     crop_ = options_.crop.value_or(Tile{0, 0, width, height});
     if (crop_.x1 > width || crop_.y1 > height)
@@ -142,6 +147,19 @@ void Run::load()
     log_.emplace(options_);
     if (log_->is_wanted()) log_->require_size(to_image(Film(width, height, crop_)));
     log_->warn_of_shared_samples(settings_.seed);
+}
+
+// --error with --denoise asks for the error of the denoised picture, which samples tell that are held out of it.
+void Run::hold_samples_out()
+{
+    constexpr uint32_t least = 4, usual = 8;
+    if (settings_.replicates >= least) return;
+    if (settings_.replicates > 1)
+        throw Error(ErrorKind::usage, {},
+                    format_text("--error: with --denoise it needs --replicates %u or more", least));
+    settings_.replicates = usual;
+    if (!options_.quiet)
+        print_note(format_text("--replicates %u, so that the error of the denoised picture can be told", usual));
 }
 
 // The command line comes before the scene.
@@ -289,17 +307,12 @@ void Run::render(const Renderer& renderer)
     const RenderSettings& s = settings_;
     const uint32_t width = s.size.width, height = s.size.height;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, width, height, pixel_grid(s));
-    Film film(width, height, crop_);
-    film.keep_aovs(layout_of(options_.aovs));
-    if (s.stop) film.wanted.resize(film.pixels.size());
     normalisation_ = renderer.scene().normalisation;
-    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
     const std::vector<Tile> tiles = make_tiles(crop_, options_.tile);
-    LiveView live_view(options_, film, stats_.scene.warnings);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
-    if (options_.denoise || options_.denoise_sets)
-        film.keep_sets({.replicates = s.replicates, .second_half = limits.has_stop_rule() ? 0 : s.spp / 2});
+    Film film = empty_film(limits.has_stop_rule());
+    LiveView live_view(options_, film, stats_.scene.warnings);
     Checkpoints checkpoints(options_, stats_, film);
     if (limits.has_stop_rule() || checkpoints.are_wanted()) film.keep_blocks_open();
     SampleRange range;
@@ -351,9 +364,7 @@ void Run::render(const Renderer& renderer)
             // If no pixel needs more samples, the render is done.
             if (!stats_.partial) progress.begin_pass(range = {s.spp, s.spp}, tiles.size());
             progress.end_pass(stats_.estimated_error, stats_.rays());
-            // Samples that all agree may all have missed the same light.
-            const std::optional<double> error = stats_.estimated_error > 0.0 ? stats_.estimated_error : std::nullopt;
-            if (const auto stop = limits.reached(range.end, error)) {
+            if (const auto stop = limits.reached(range.end, error_to_judge(film, range.end, limits))) {
                 end_at(*stop, spp);
                 if (*stop != Stop::samples && log_->is_wanted() && !(left.empty() && limits.is_mark(spp)))
                     log_->add(to_image(film), stats_, limits.cpu_seconds());
@@ -371,15 +382,43 @@ void Run::render(const Renderer& renderer)
     // Before the first tile there is nothing worth replacing an old picture with.
     if (!has_samples()) return;
     Denoised denoised;
-    if (options_.denoise && !stats_.partial) denoised = denoise(film);
+    if (options_.denoise && !stats_.partial) {
+        denoised = timed("denoise", [&] { return denoise_film(film); });
+        stats_.denoised = true;
+        tell_error_of_denoised(film);
+    }
     timed("write", [&] { write(picture_of(film, denoised)); });
 }
 
-Denoised Run::denoise(const Film& film)
+Film Run::empty_film(bool has_stop_rule) const
 {
-    Denoised denoised = timed("denoise", [&] { return denoise_film(film); });
-    stats_.denoised = true;
-    if (film.deal.count() != 4) return denoised;
+    Film film(settings_.size.width, settings_.size.height, crop_);
+    film.hides_background = options_.background == BackgroundChoice::transparent;
+    AovLayout layout = layout_of(options_.aovs);
+    if (film.hides_background) layout.add(AovSum::hits), layout.add(AovSum::samples);
+    film.keep_aovs(layout);
+    if (settings_.stop) film.wanted.resize(film.pixels.size());
+    if (settings_.replicates > 1) film.replicates.resize(film.pixels.size() * settings_.replicates);
+    if (options_.denoise || options_.denoise_sets || options_.guides)
+        film.keep_sets({.replicates = settings_.replicates, .second_half = has_stop_rule ? 0 : settings_.spp / 2});
+    return film;
+}
+
+// The error that --error is about; nothing while it is not known.
+std::optional<double> Run::error_to_judge(const Film& film, uint32_t spp, RenderLimits& limits)
+{
+    if (options_.denoise && options_.error) {
+        if (!limits.looks_at_denoised(spp)) return {};
+        tell_error_of_denoised(film);
+        return stats_.denoised_interval ? std::optional(stats_.denoised_error) : std::nullopt;
+    }
+    // Samples that all agree may all have missed the same light.
+    return stats_.estimated_error > 0.0 ? stats_.estimated_error : std::nullopt;
+}
+
+void Run::tell_error_of_denoised(const Film& film)
+{
+    if (film.deal.count() != 4) return;
     timed("error of denoised", [&] {
         const auto error = held_out_error(film, denoise_film(film, UsedSets::without_held_out).pixels);
         if (!error) return;
@@ -387,7 +426,6 @@ Denoised Run::denoise(const Film& film)
         stats_.denoised_error = root(error->rel_mse);
         stats_.denoised_interval = {root(error->interval.low), root(error->interval.high)};
     });
-    return denoised;
 }
 
 // Before the first sample, so that snapshots and interrupted renders have the exposure of the finished picture.
@@ -403,21 +441,6 @@ void Run::choose_curve(const Renderer& renderer)
     });
     if (!options_.quiet)
         print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
-}
-
-PictureContent Run::picture_of(const Film& film, const Denoised& denoised) const
-{
-    std::vector<ImagePlane> planes = aov_planes(film, options_.aovs, normalisation_);
-    Metadata metadata = make_metadata(stats_);
-    if (options_.denoise_sets) {
-        HalfPlanes halves = halves_of(film);
-        for (size_t h = 0; h < 2; ++h)
-            metadata.push_back({std::string(names_of_samples[h]), double{halves.samples[h]}});
-        for (ImagePlane& p : planes_of(std::move(halves))) planes.push_back(std::move(p));
-    }
-    if (denoised.pixels.empty()) return {rows_of(film), std::move(planes), std::move(metadata), file_style()};
-    for (ImagePlane& p : layers_of_denoised(to_image(film), denoised)) planes.push_back(std::move(p));
-    return {rows_of(film, denoised.pixels), std::move(planes), std::move(metadata), file_style()};
 }
 
 // The picture is worth more than its place: where it cannot be written, others are tried.

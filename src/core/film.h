@@ -115,6 +115,9 @@ struct Film {
     SetDeal deal;
     std::vector<SampleSet> sets;
 
+    // Samples whose camera ray hits nothing are black, for a picture with an alpha channel.
+    bool hides_background = false;
+
     // Adaptive sampling: number of samples of each pixel, 0 while it is unknown. Parallel to pixels; empty if all
     // pixels get the same number.
     std::vector<uint32_t> wanted;

@@ -176,4 +176,13 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
     return planes;
 }
 
+ImagePlane alpha_of(const Film& film)
+{
+    ImagePlane alpha{"A", {}};
+    alpha.values.reserve(film.pixels.size());
+    for (size_t i = 0; i < film.pixels.size(); ++i)
+        alpha.values.push_back(static_cast<float>(value_of(Aov::mask, 0, film, i, {})));
+    return alpha;
+}
+
 }  // namespace lancer

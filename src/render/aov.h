@@ -32,9 +32,11 @@ public:
         : scene_(scene), accel_(accel), film_(film), tile_(tile), w_(w)
     {
     }
-    void ray(const PathState& s, const Hit&) const
+    void ray(const PathState& s, const Hit& hit) const
     {
-        if (is_counted(s)) count(w_.slots[s.slot]);
+        if (!is_counted(s)) return;
+        count(w_.slots[s.slot]);
+        if (film_.hides_background && !hit) w_.has_missed[s.slot] = 1;
     }
     void background_only(const SampleId& id) const { count(id); }
     void vertex(const PathState& s, const Surface& surface) const;
@@ -70,5 +72,8 @@ private:
 // the pixel has). Means over samples, misses being 0; depth, position and uv over those that hit.
 // The film must have the sums of `which`.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
+
+// The alpha channel, "A": as mask.A. The film must have its sums.
+ImagePlane alpha_of(const Film& film);
 
 }  // namespace lancer

@@ -75,10 +75,11 @@ struct Workspace {
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
     WideWorkspace wide;
-    std::vector<Pixel> block;       // one per pixel of the tile
-    std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
-    std::vector<Color> last;        // last sample of each pixel, for StopRule::last_sample
-    bool is_pilot = false;          // the samples are those of a pilot, with other random numbers
+    std::vector<Pixel> block;         // one per pixel of the tile
+    std::vector<double> aov_block;    // the sums for AOVs of each, if there are any
+    std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
+    std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
+    bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
     {

@@ -71,6 +71,26 @@ TEST_F(Denoising, TellsItsErrorBySamplesHeldOut)
     EXPECT_GE(stats["denoised"]["interval"][1], stats["denoised"]["error"]);
 }
 
+TEST_F(Denoising, StopsWhenTheDenoisedPictureIsGoodEnough)
+{
+    const Said said = run({"render", "scene.toml", "-o", "a.exr", "--size", "64x48", "--denoise", "--error", "0.01",
+                           "--stats", "a.json"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    expect_words(said.err, "--replicates 8, so that");
+    expect_words(said.err, "stopped by --error at ");
+    const auto stats = nlohmann::json::parse(std::ifstream(file("a.json")));
+    EXPECT_LE(stats["denoised"]["error"], 0.01);
+    ASSERT_EQ(run({"render", "scene.toml", "-o", "b.exr", "--size", "64x48", "--error", "0.01", "--replicates", "8",
+                   "--stats", "b.json"})
+                  .code,
+              0);
+    const auto of_noisy = nlohmann::json::parse(std::ifstream(file("b.json")));
+    EXPECT_LT(stats["samples"]["count"], of_noisy["samples"]["count"]) << "it needs fewer samples than the noisy one";
+    const Said few = render({"-o", "c.exr", "--denoise", "--error", "0.05", "--replicates", "2"});
+    EXPECT_EQ(few.code, 2);
+    expect_words(few.err, "needs --replicates 4 or more");
+}
+
 TEST_F(Denoising, IsRefusedWhereItHasNoUse)
 {
     const Said ao = render({"-o", "a.exr", "--denoise", "--integrator", "ao"});

@@ -167,16 +167,17 @@ DisplayAddress to_display_address(const std::string& text)
     return {host, static_cast<uint16_t>(to_count(option, rest.substr(1), 1, 65535))};
 }
 
-void add_aovs(const std::string& text, std::vector<Aov>& aovs, bool& denoise_sets)
+void add_aovs(const std::string& text, RenderOptions& options)
 {
+    std::vector<Aov>& aovs = options.aovs;
     std::vector<std::string_view> known(enum_names<Aov>.begin(), enum_names<Aov>.end());
-    known.push_back("all");
-    known.push_back("denoise");
+    for (const char* more : {"all", "denoise", "oidn"}) known.push_back(more);
     for (const std::string& part : split(text, ',')) {
         const size_t place = to_choice("--aov", part, known);
         for (size_t i = 0; i < enum_names<Aov>.size(); ++i)
             if (part == "all" || i == place) aovs.push_back(static_cast<Aov>(i));
-        if (part == "denoise") denoise_sets = true;
+        if (part == "denoise") options.denoise_sets = true;
+        if (part == "oidn") options.guides = true;
     }
     std::sort(aovs.begin(), aovs.end());
     aovs.erase(std::unique(aovs.begin(), aovs.end()), aovs.end());

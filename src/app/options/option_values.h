@@ -64,8 +64,8 @@ Tile to_crop(const std::string& text);                                          
 double to_seconds(const std::string& option, const std::string& text);          // "90", "90s", "1.5m", "2h", "500ms"
 MemorySize to_memory_size(const std::string& option, const std::string& text);  // "4G", "500M", "80%"
 std::string to_output(const std::string& path);                                 // ends in .exr, .png or .ppm
-// "albedo,normal" or "all"; "denoise", which is not among all, sets the last.
-void add_aovs(const std::string& text, std::vector<Aov>& aovs, bool& denoise_sets);
+// "albedo,normal" or "all"; "denoise" and "oidn", which are not among all.
+void add_aovs(const std::string& text, RenderOptions& options);
 ViewDirection to_view(const std::string& text);                            // "front" or "30,15"
 std::string listed_views();                                                // "front|...|AZIMUTH,ELEVATION"
 Exposure to_exposure(const std::string& option, const std::string& text);  // "auto", "-0.5"

@@ -56,13 +56,22 @@ void add_render_options(OptionParser& p, RenderOptions& o)
              [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
-    p.values(
-        "--aov", "NAME,...",
-        "More channels of EXR pictures: " + listed(enum_names<Aov>) + "|all, or denoise: what lancer denoise needs",
-        [&](const std::string& t) { add_aovs(t, o.aovs, o.denoise_sets); });
+    p.values("--aov", "NAME,...",
+             "More channels of EXR pictures: " + listed(enum_names<Aov>) +
+                 "|all; also denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
+             [&](const std::string& t) { add_aovs(t, o); });
+    p.value("--background", listed(enum_names<BackgroundChoice>),
+            "transparent: an alpha channel in EXR and PNG, and black where camera rays hit nothing (keep)",
+            [&](const std::string& t) { o.background = to_enum<BackgroundChoice>("--background", t); });
     p.flag("--denoise", "The picture is denoised when it is complete; EXR keeps the noisy one as layer noisy",
            o.denoise);
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
+    p.value("--exr-compression", listed(enum_names<ExrCompression>),
+            "EXR: how it is compressed; dwaa and dwab lose what is hardly seen (zip)",
+            [&](const std::string& t) { o.compression = to_enum<ExrCompression>("--exr-compression", t); });
+    p.flag("--reproducible",
+           "Pictures without times, threads and command line in their headers: of two runs the same bytes",
+           o.reproducible);
     p.value("--tonemap", listed(enum_names<ToneMap>),
             "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
             "curve with steps that round down (srgb; with --legacy one of the last two)",
@@ -133,7 +142,11 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     take_environment(o.picture.threads);
     if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
     const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
-    if ((!o.aovs.empty() || o.denoise_sets) && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+    if (o.background == BackgroundChoice::transparent)
+        for (const std::string& path : o.outputs)
+            if (extension_of(path) == ".ppm")
+                fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
+    if ((!o.aovs.empty() || o.denoise_sets || o.guides) && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);

@@ -9,6 +9,7 @@
 #include "app/load_scene.h"
 #include "core/enum_names.h"
 #include "core/film.h"
+#include "io/image/exr_compression.h"
 #include "io/image/tonemap.h"
 #include "render/aov_kind.h"
 #include "scene/description/exposure.h"
@@ -35,6 +36,11 @@ enum class ProgressKind { automatic, plain, json, none };
 template <>
 inline constexpr auto enum_names<ProgressKind> = std::to_array<std::string_view>({"auto", "plain", "json", "none"});
 
+// What becomes of the light that camera rays see when they hit nothing.
+enum class BackgroundChoice { keep, transparent };
+template <>
+inline constexpr auto enum_names<BackgroundChoice> = std::to_array<std::string_view>({"keep", "transparent"});
+
 struct DisplayAddress {
     std::string host;  // name or numeric address, without brackets
     uint16_t port = 0;
@@ -49,7 +55,11 @@ struct RenderOptions {
     std::vector<Aov> aovs;  // each once, in the order of Aov
     bool denoise = false;
     bool denoise_sets = false;  // what `lancer denoise` needs, as layers of EXR
+    bool guides = false;        // what Open Image Denoise takes, likewise
+    BackgroundChoice background = BackgroundChoice::keep;
     bool half = false;
+    ExrCompression compression = ExrCompression::zip;
+    bool reproducible = false;         // nothing in the pictures' headers that changes from run to run
     std::optional<Exposure> exposure;  // else usual_exposure()
     std::optional<ToneMap> tonemap;    // else usual_tonemap()
     bool dither = false;

@@ -26,6 +26,13 @@ uint32_t RenderLimits::next_end(uint32_t done) const
     return std::clamp(end, done + 1, given_.spp);
 }
 
+bool RenderLimits::looks_at_denoised(uint32_t samples)
+{
+    if (samples < least_to_judge || samples < looked_at_ + looked_at_ / 4) return false;
+    looked_at_ = samples;
+    return true;
+}
+
 bool RenderLimits::is_mark(uint32_t samples) const { return std::has_single_bit(samples) || samples == given_.spp; }
 
 void RenderLimits::resume()

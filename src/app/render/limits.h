@@ -29,6 +29,9 @@ public:
     // compared there; with a stop rule after a tenth more, which is what it may come too late by. Never above 256
     // samples more: a tile of a pass is not left before it is done.
     uint32_t next_end(uint32_t done) const;
+    // Whether a picture of so many samples is worth denoising to learn its error: of enough to judge, and of a quarter
+    // more than at the last look.
+    bool looks_at_denoised(uint32_t samples);
     // Whether errors are looked at that are known only there.
     bool is_mark(uint32_t samples) const;
 
@@ -53,6 +56,7 @@ private:
     double wall_begin_ = 0, cpu_begin_ = 0;
     bool is_running_ = false;
     uint32_t passes_ = 0;
+    uint32_t looked_at_ = 0;  // samples of the picture that was denoised last
 };
 
 }  // namespace lancer

@@ -49,19 +49,28 @@ MetadataValue value_of(const RenderSettings& settings, const RenderOption& optio
         option.field);
 }
 
+// Empty without an alpha channel.
+std::span<const float> alpha_of(const PictureContent& picture)
+{
+    const auto found = std::find_if(picture.planes.begin(), picture.planes.end(),
+                                    [](const ImagePlane& p) { return p.name == alpha_plane; });
+    return found == picture.planes.end() ? std::span<const float>{} : std::span(found->values);
+}
+
 void write_picture(AtomicFile& file, const PictureContent& picture)
 {
     const PictureStyle& style = picture.style;
     const std::string extension = extension_of(file.path());
     if (extension == ".exr")
-        return write_exr(file, picture.image, picture.metadata, {.half = style.half}, picture.planes);
+        return write_exr(file, picture.image, picture.metadata, {.half = style.half, .compression = style.compression},
+                         picture.planes);
     Metadata of_display = picture.metadata;
     of_display.emplace_back("exposure", shortest(style.curve.exposure_stops));
     of_display.emplace_back("tonemap", std::string(name_of(style.curve.tonemap)));
     const ByteOptions bytes{
         .exposure_stops = style.curve.exposure_stops, .dither = style.dither, .tonemap = style.curve.tonemap};
     if (extension == ".png")
-        write_png(file, to_image(picture.image), of_display, bytes);
+        write_png(file, to_image(picture.image), of_display, bytes, alpha_of(picture));
     else
         write_ppm(file, to_image(picture.image), of_display, bytes, style.ascii_ppm);
 }
@@ -131,22 +140,9 @@ ImageRows rows_of(const Film& film, const std::vector<Color>& pixels)
     return rows;
 }
 
-std::vector<ImagePlane> layers_of_denoised(const Image& noisy, const Denoised& denoised)
-{
-    std::vector<ImagePlane> planes{{"noisy.R", {}}, {"noisy.G", {}}, {"noisy.B", {}}};
-    for (ImagePlane& p : planes) p.values.reserve(noisy.pixels.size());
-    for (const Color& c : noisy.pixels) {
-        planes[0].values.push_back(c.r);
-        planes[1].values.push_back(c.g);
-        planes[2].values.push_back(c.b);
-    }
-    planes.push_back({"denoise_error.V", denoised.error});
-    return planes;
-}
-
 Image to_image(const Film& film) { return to_image(rows_of(film)); }
 
-Metadata make_metadata(const RunStats& s)
+Metadata make_metadata(const RunStats& s, bool reproducible)
 {
     const auto integer = [](uint64_t x) { return static_cast<int64_t>(x); };
     Metadata all{{"software", "lancer " + s.context.version},
@@ -158,18 +154,19 @@ Metadata make_metadata(const RunStats& s)
     for (const RenderOption& option : render_options())
         if (!option.is_switch() && !std::holds_alternative<SizeField>(option.field))
             all.emplace_back(option.name, value_of(s.settings.render, option));
-    const Metadata run{
-        {"spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp)},
-        {"threads", integer(s.settings.threads)},
-        {"seconds", s.render_s},
-        {"rays", integer(s.rays())},
-        {"dropped_samples", integer(s.counters.dropped)},
-        {"bias", bias_ledger(s.settings.render,
-                             {.stopped_by = s.stopped_by, .dropped = s.counters.dropped, .denoised = s.denoised})},
-        {"partial", integer(s.partial ? 1 : 0)},
-        {"embree", s.context.embree},
-        {"command_line", s.context.command_line}};
-    all.insert(all.end(), run.begin(), run.end());
+    all.emplace_back("spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp));
+    all.emplace_back("rays", integer(s.rays()));
+    all.emplace_back("dropped_samples", integer(s.counters.dropped));
+    all.emplace_back("bias",
+                     bias_ledger(s.settings.render,
+                                 {.stopped_by = s.stopped_by, .dropped = s.counters.dropped, .denoised = s.denoised}));
+    all.emplace_back("partial", integer(s.partial ? 1 : 0));
+    all.emplace_back("embree", s.context.embree);
+    if (!reproducible) {
+        all.emplace_back("threads", integer(s.settings.threads));
+        all.emplace_back("seconds", s.render_s);
+        all.emplace_back("command_line", s.context.command_line);
+    }
     if (s.estimated_error) all.push_back({"estimated_error", *s.estimated_error});
     if (s.denoised_error) all.push_back({"denoised_error", *s.denoised_error});
     return all;

@@ -23,14 +23,11 @@ ImageRows rows_of(const Film& film);
 // Other pixels in the film's place, which must outlive the result.
 ImageRows rows_of(const Film& film, const std::vector<Color>& pixels);
 
-// What the file of a denoised picture has besides: the noisy one, and the error to expect.
-std::vector<ImagePlane> layers_of_denoised(const Image& noisy, const Denoised& denoised);
-
 // Where the header of a picture with halves says how many samples of a pixel they have, on average.
 inline constexpr std::array<std::string_view, 2> names_of_samples{"denoise_samples_a", "denoise_samples_b"};
 
-// The metadata of a picture. Pixels are the same for the same scene and settings; metadata are not.
-Metadata make_metadata(const RunStats& stats);
+// The metadata of a picture. Pixels are the same for the same scene and settings; metadata are only if reproducible.
+Metadata make_metadata(const RunStats& stats, bool reproducible);
 
 // Whether one of them is for displays: PNG or PPM.
 bool has_display_output(const RenderOptions& options);
@@ -46,11 +43,14 @@ struct PictureStyle {
     DisplayCurve curve;  // in all formats but EXR; their headers tell of it
     bool dither = false, ascii_ppm = false;
     bool half = false;  // EXR
+    ExrCompression compression = ExrCompression::zip;
 };
+// The name of the plane that is the alpha channel, also of PNG. Colours are multiplied by it, in PNG divided again.
+inline constexpr const char* alpha_plane = "A";
 // What a picture file holds.
 struct PictureContent {
     ImageRows image;
-    std::vector<ImagePlane> planes;  // in EXR only
+    std::vector<ImagePlane> planes;  // in EXR only, but for alpha
     Metadata metadata;
     PictureStyle style;
 };

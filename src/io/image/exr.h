@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "core/raster.h"
+#include "io/image/exr_compression.h"
 #include "io/image/metadata.h"
 
 namespace lancer {
@@ -26,9 +27,10 @@ ImageRows rows_of(const Image& image);
 
 struct ExrOptions {
     bool half = false;  // 16-bit floats; a picture with finite values beyond 65504 is written as 32-bit all the same
+    ExrCompression compression = ExrCompression::zip;
 };
 
-// Writes R, G, B, ZIP-compressed, Rec. 709 chromaticities, with the image's display and data windows. Each metadata
+// Writes R, G, B, Rec. 709 chromaticities, with the image's display and data windows. Each metadata
 // pair becomes an attribute "lancer:NAME"; an integer beyond 32 bits, for which the format has no type, becomes text.
 // Planes become further channels, always with 32 bits. The file appears as a whole or not at all. The second form
 // writes into a file made earlier; its owner commits it.

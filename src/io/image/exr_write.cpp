@@ -1,6 +1,7 @@
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfChromaticities.h>
+#include <ImfCompression.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -12,6 +13,7 @@
 #include <half.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
@@ -22,7 +24,7 @@ namespace lancer {
 namespace {
 
 constexpr const char* channel_names[] = {"R", "G", "B"};
-constexpr int32_t rows_at_once = 64;  // whole blocks of the compression, which has 16
+constexpr int32_t rows_at_once = 256;  // whole blocks of any compression
 
 class FileOut : public Imf::OStream {
 public:
@@ -34,6 +36,12 @@ public:
 private:
     AtomicFile& file_;
 };
+
+// Of the enumerator in the order of ExrCompression.
+constexpr std::array compressions{Imf::NO_COMPRESSION,  Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                  Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::DWAA_COMPRESSION,
+                                  Imf::DWAB_COMPRESSION};
+static_assert(compressions.size() == enum_names<ExrCompression>.size());
 
 Imath::Box2i to_box(const Window& w) { return {{w.x0, w.y0}, {w.x1 - 1, w.y1 - 1}}; }
 
@@ -99,7 +107,7 @@ void write_exr(AtomicFile& file, const ImageRows& image, const Metadata& metadat
     const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
     try {
         Imf::Header header(to_box(image.display), to_box(image.data));
-        header.compression() = Imf::ZIP_COMPRESSION;
+        header.compression() = compressions[static_cast<size_t>(options.compression)];
         Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
         header.insert("software", Imf::StringAttribute("lancer"));
         add_metadata(header, metadata);

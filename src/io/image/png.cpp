@@ -73,14 +73,14 @@ struct Reader {
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-bool encode(png_structp png, png_infop info, const Window& data, bool crop, bool linear, png_textp texts,
-            int text_count, png_bytepp rows)
+bool encode(png_structp png, png_infop info, const Window& data, int color_type, bool crop, bool linear,
+            png_textp texts, int text_count, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, png_get_error_ptr(png), on_write, on_flush);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
     png_set_IHDR(png, info, static_cast<png_uint_32>(data.width()), static_cast<png_uint_32>(data.height()), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (linear) {
         png_set_gAMA(png, info, 1);
     } else {
@@ -182,9 +182,25 @@ std::vector<png_bytep> row_pointers(std::vector<Byte>& bytes, size_t row_bytes, 
     return result;
 }
 
+// The code values of a picture with alpha, four for each pixel.
+std::vector<uint8_t> with_alpha(Image image, std::span<const float> alpha, const ByteOptions& options)
+{
+    for (size_t i = 0; i < alpha.size(); ++i)
+        image.pixels[i] = alpha[i] > 0 ? image.pixels[i] * (1 / alpha[i]) : Color{};
+    const std::vector<uint8_t> colors = to_bytes(image, options);
+    std::vector<uint8_t> bytes;
+    bytes.reserve(4 * alpha.size());
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        bytes.insert(bytes.end(), &colors[3 * i], &colors[3 * i] + 3);
+        bytes.push_back(static_cast<uint8_t>(std::clamp(alpha[i], 0.0f, 1.0f) * 255 + 0.5f));
+    }
+    return bytes;
+}
+
 }  // namespace
 
-void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, const ByteOptions& options)
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, const ByteOptions& options,
+               std::span<const float> alpha)
 {
     if (image.data.empty() || image.pixels.size() != image.data.area())
         throw Error(ErrorKind::failed, {file.path()}, "cannot write a picture without pixels");
@@ -200,15 +216,17 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, c
         texts[i].text_length = text.size();
         texts[i].itxt_length = ascii ? 0 : text.size();
     }
-    std::vector<uint8_t> bytes = to_bytes(image, options);
-    std::vector<png_bytep> rows =
-        row_pointers(bytes, 3 * static_cast<size_t>(image.data.width()), static_cast<size_t>(image.data.height()));
+    std::vector<uint8_t> bytes = alpha.empty() ? to_bytes(image, options) : with_alpha(image, alpha, options);
+    const size_t channels = alpha.empty() ? 3 : 4;
+    std::vector<png_bytep> rows = row_pointers(bytes, channels * static_cast<size_t>(image.data.width()),
+                                               static_cast<size_t>(image.data.height()));
     Writer writer;
     writer.context.out = &file;
     if (!writer.info) throw Error(ErrorKind::failed, {file.path()}, "cannot write: not enough memory");
     const bool done =
-        encode(writer.png, writer.info, image.data, image.data != image.display, options.tonemap == ToneMap::none,
-               texts.data(), static_cast<int>(texts.size()), rows.data());
+        encode(writer.png, writer.info, image.data, alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
+               image.data != image.display, options.tonemap == ToneMap::none, texts.data(),
+               static_cast<int>(texts.size()), rows.data());
     if (writer.context.thrown) std::rethrow_exception(writer.context.thrown);
     if (!done) throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + writer.context.message);
 }

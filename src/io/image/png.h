@@ -1,6 +1,7 @@
 // PNG pictures: the 8-bit view of a render, and textures.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "core/image.h"
@@ -19,7 +20,10 @@ class AtomicFile;
 // "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
                const ByteOptions& options = {});
-void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ByteOptions& options = {});
+// alpha: of each pixel in [0, 1], by which colours are multiplied; empty: no alpha channel. In the file they are not
+// multiplied by it.
+void write_png(AtomicFile& file, const Image& image, const Metadata& metadata = {}, const ByteOptions& options = {},
+               std::span<const float> alpha = {});
 
 // Any PNG; alpha is dropped, the colour below it kept. A broken or truncated file is ErrorKind::invalid_input, never a
 // partial picture; a missing one missing_input.

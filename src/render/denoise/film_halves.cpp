@@ -67,7 +67,13 @@ HalfPlanes halves_of(const Film& film, UsedSets used)
 
 Denoised denoise_film(const Film& film, UsedSets used)
 {
-    return denoise_picture(halves_of(film, used).input(film.crop.width(), film.crop.height()));
+    Denoised denoised = denoise_picture(halves_of(film, used).input(film.crop.width(), film.crop.height()));
+    if (!film.hides_background) return denoised;
+    // Light spread around an object would shine where the picture is transparent.
+    const size_t hits = film.aov_layout.offset(AovSum::hits);
+    for (size_t i = 0; i < denoised.pixels.size(); ++i)
+        if (film.whole_aov(i, hits) == 0) denoised.pixels[i] = {};
+    return denoised;
 }
 
 std::vector<std::string> names_of_halves()
@@ -88,6 +94,22 @@ std::vector<ImagePlane> planes_of(HalfPlanes halves)
     for (auto& half : halves.halves)
         for (auto& values : half) planes.push_back({names[planes.size()], std::move(values)});
     planes.push_back({names.back(), std::move(halves.variance)});
+    return planes;
+}
+
+std::vector<ImagePlane> guide_planes(const Film& film)
+{
+    std::vector<ImagePlane> planes;
+    for (const char* name : {"albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z"})
+        planes.push_back({std::string("oidn.") + name, {}});
+    for (ImagePlane& plane : planes) plane.values.reserve(film.pixels.size());
+    const size_t count = film.deal.count();
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        SampleSet all;
+        for (size_t s = 0; s < count; ++s) all += film.sets[i * count + s];
+        for (size_t k = 0; k < planes.size(); ++k)
+            planes[k].values.push_back(all.features[k] / static_cast<float>(std::max(all.seen, 1u)));
+    }
     return planes;
 }
 

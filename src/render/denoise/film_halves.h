@@ -34,7 +34,10 @@ Denoised denoise_film(const Film& film, UsedSets used = UsedSets::all);
 // is of the variance.
 std::vector<std::string> names_of_halves();
 std::vector<ImagePlane> planes_of(HalfPlanes halves);
-// The inverse: planes in the order of these names. samples: as HalfPlanes::samples.
+// What Open Image Denoise takes beside the picture, of a film that has sets: albedo and normal of the first surface
+// that spreads light, "oidn.albedo.R" to "oidn.normal.Z"; 0 where nothing is hit.
+std::vector<ImagePlane> guide_planes(const Film& film);
+// The inverse of planes_of(): planes in the order of these names. samples: as HalfPlanes::samples.
 HalfPlanes halves_from(std::vector<std::vector<float>> planes, const std::array<float, 2>& samples);
 
 }  // namespace lancer

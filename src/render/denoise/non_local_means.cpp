@@ -74,14 +74,12 @@ std::vector<Plane> non_local_means(std::span<const Plane> planes, const Guide& g
 void filter_features(Halves& halves)
 {
     auto& [a, b] = halves.half;
-    for (const auto& [first, count] : {std::pair{albedo_at, 3}, {normal_at, 3}, {depth_at, 1}}) {
-        std::vector<Plane> variances;
-        for (int i = first; i < first + count; ++i)
-            variances.push_back(
-                variance_of_pair(a.features[static_cast<size_t>(i)], b.features[static_cast<size_t>(i)], 2));
-        const auto of = [first = static_cast<size_t>(first), count = static_cast<size_t>(count)](Half& half) {
-            return std::span(half.features).subspan(first, count);
+    for (const auto& [first, count] : {std::pair<size_t, size_t>{albedo_at, 3}, {normal_at, 3}, {depth_at, 1}}) {
+        const auto of = [&group = first, &size = count](Half& half) {
+            return std::span(half.features).subspan(group, size);
         };
+        std::vector<Plane> variances;
+        for (size_t i = 0; i < count; ++i) variances.push_back(variance_of_pair(of(a)[i], of(b)[i], 2));
         const NonLocalMeans settings{.k = 0.5f};
         std::vector<Plane> filtered_a = non_local_means(of(a), {of(b), variances}, settings);
         std::vector<Plane> filtered_b = non_local_means(of(b), {of(a), variances}, settings);

@@ -56,9 +56,12 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         if (!film.sets.empty()) add_to(film.set_of(film.index(id.x, id.y), path));
     };
     const auto flush = [&] {
+        if (film.hides_background) w.has_missed.assign(w.slots.size(), 0);
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
-        for (size_t i = 0; i < w.slots.size(); ++i)
-            count(w.slots[i], film_radiance(w.queue.radiance[i].color(), settings));
+        for (size_t i = 0; i < w.slots.size(); ++i) {
+            const bool is_hidden = film.hides_background && w.has_missed[i];
+            count(w.slots[i], is_hidden ? Color{} : film_radiance(w.queue.radiance[i].color(), settings));
+        }
         w.slots.clear();
     };
     const auto end_of = [&](uint32_t x, uint32_t y) {
@@ -67,7 +70,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         return wanted == 0 ? samples.end : std::min(samples.end, wanted);
     };
     // Radiance of the pixels that the plan marks as background only.
-    const Color sky = view.plan.background_only.empty()
+    const Color sky = view.plan.background_only.empty() || film.hides_background
                           ? Color{}
                           : film_radiance(background_only_radiance(view, integrator, w), settings);
     const auto count_background_only = [&](uint32_t x, uint32_t y) {

@@ -1,0 +1,162 @@
+// lancer render --background transparent, and other choices of what picture files hold.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/run_program.h"
+#include "io/image/png.h"
+
+namespace lancer {
+namespace {
+
+constexpr float sky = 0.75f;
+
+class Alpha : public AppTest {
+protected:
+    Alpha()
+    {
+        write("ball.toml",
+              "[[light]]\ntype = \"environment\"\nradiance = [0.75, 0.75, 0.75]\n"
+              "[camera]\nposition = [0, 0, 4]\ntarget = [0, 0, 0]\n"
+              "[material.m]\nbase_color = [0.5, 0.25, 0.125]\n[material.g]\ntype = \"glass\"\n"
+              "[[sphere]]\ncenter = [-0.4, 0, 0]\nradius = 0.7\nmaterial = \"m\"\n"
+              "[[sphere]]\ncenter = [0.9, 0.3, 0]\nradius = 0.5\nmaterial = \"g\"\n");
+    }
+    Said ball(std::vector<std::string> arguments) const
+    {
+        arguments.insert(arguments.begin(), {"render", "ball.toml", "--size", "32x24", "-s", "20", "-q"});
+        return run(arguments);
+    }
+    std::vector<float> channel(const std::string& name, const std::string& which) const
+    {
+        return read_exr_channel(file(name), which);
+    }
+};
+
+// The light of the sky that camera rays see is all that is missing, whatever finds the rest.
+TEST_F(Alpha, LeavesOutTheSkyThatCameraRaysSee)
+{
+    const std::vector<std::vector<std::string>> ways{
+        {},
+        {"--integrator", "direct"},
+        {"--integrator", "whitted"},
+        {"--integrator", "random-decision"},
+        {"--set", "nee=false"},
+        {"--accel", "list8", "--aov", "albedo"},
+        {"--legacy", "--integrator", "path"},
+    };
+    for (const auto& way : ways) {
+        std::string shown;
+        for (const std::string& word : way) shown += " " + word;
+        SCOPED_TRACE(shown);
+        auto keep = way, hide = way;
+        keep.insert(keep.end(), {"-o", "keep.exr"});
+        hide.insert(hide.end(), {"-o", "hide.exr", "--background", "transparent"});
+        if (const Said said = ball(keep); said.code != 0) FAIL() << said.err;
+        if (const Said said = ball(hide); said.code != 0) FAIL() << said.err;
+        const Image with = image("keep.exr"), without = image("hide.exr");
+        const std::vector<float> alpha = channel("hide.exr", "A");
+        size_t open = 0, covered = 0, edge = 0;
+        for (size_t i = 0; i < alpha.size(); ++i) {
+            const Color a = with.pixels[i], b = without.pixels[i];
+            const float behind = (1 - alpha[i]) * sky;
+            ASSERT_NEAR(b.r + behind, a.r, 1e-5) << i;
+            ASSERT_NEAR(b.g + behind, a.g, 1e-5) << i;
+            ASSERT_NEAR(b.b + behind, a.b, 1e-5) << i;
+            if (alpha[i] == 0) {
+                ASSERT_EQ(b, Color{});
+                ++open;
+            }
+            covered += alpha[i] == 1, edge += alpha[i] > 0 && alpha[i] < 1;
+        }
+        EXPECT_GT(open, 100u);
+        EXPECT_GT(covered, 50u);
+        EXPECT_GT(edge, 20u);
+    }
+}
+
+TEST_F(Alpha, IsTheSameForThreadsTilesAndPasses)
+{
+    const std::vector<std::string> what{"--background", "transparent", "--denoise"};
+    auto one = what, two = what;
+    one.insert(one.end(), {"-o", "one.exr", "-t", "1"});
+    two.insert(two.end(), {"-o", "two.exr", "-t", "4", "--tile", "5", "--batch", "3"});
+    ASSERT_EQ(ball(one).code, 0);
+    ASSERT_EQ(ball(two).code, 0);
+    EXPECT_TRUE(same_pixels(image("one.exr"), image("two.exr")));
+    const std::vector<float> alpha = channel("one.exr", "A");
+    EXPECT_EQ(alpha, channel("two.exr", "A"));
+    const Image denoised = image("one.exr");
+    for (size_t i = 0; i < alpha.size(); ++i)
+        if (alpha[i] == 0) {
+            ASSERT_EQ(denoised.pixels[i], Color{}) << "light spread by the filter";
+        }
+}
+
+TEST_F(Alpha, OfPngIsStraight)
+{
+    ASSERT_EQ(ball({"-o", "a.exr", "-o", "a.png", "--background", "transparent", "--tonemap", "none"}).code, 0);
+    ASSERT_EQ(ball({"-o", "plain.png"}).code, 0);
+    EXPECT_EQ(read_png_info(file("plain.png")).channels, 3u);
+    const Raster png = read_png_raster(file("a.png"));
+    ASSERT_EQ(png.channels, 4u);
+    const Image light = image("a.exr");
+    const std::vector<float> alpha = channel("a.exr", "A");
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        ASSERT_EQ(png.bytes[4 * i + 3], std::lround(alpha[i] * 255));
+        const float green = alpha[i] > 0 ? light.pixels[i].g / alpha[i] : 0;
+        ASSERT_NEAR(png.bytes[4 * i + 1], std::min(1.0f, green) * 255, 1.01);
+    }
+}
+
+TEST_F(Alpha, IsRefusedWhereNoFileCanHoldIt)
+{
+    const Said said = ball({"-o", "a.png", "-o", "a.ppm", "--background", "transparent"});
+    EXPECT_EQ(said.code, 2);
+    expect_words(said.err, "'a.ppm' cannot hold an alpha channel");
+}
+
+using PictureFiles = Alpha;
+
+TEST_F(PictureFiles, OfOneCommandHaveTheSameBytes)
+{
+    for (const char* threads : {"1", "3"}) {
+        const std::string base = std::string("of") + threads;
+        ASSERT_EQ(ball({"-o", base + ".exr", "-o", base + ".png", "-t", threads, "--reproducible"}).code, 0);
+    }
+    for (const std::string extension : {".exr", ".png"})
+        EXPECT_EQ(read_bytes(file("of1" + extension)), read_bytes(file("of3" + extension))) << extension;
+}
+
+TEST_F(PictureFiles, KeepTheirBitsInAnyLosslessCompression)
+{
+    ASSERT_EQ(ball({"-o", "plain.exr"}).code, 0);
+    const Image plain = image("plain.exr");
+    for (const std::string how : {"none", "rle", "zips", "zip", "piz", "dwaa", "dwab"}) {
+        ASSERT_EQ(ball({"-o", "a.exr", "--exr-compression", how, "--aov", "depth"}).code, 0) << how;
+        EXPECT_EQ(read_exr_info(file("a.exr")).compression, how);
+        const Image read = image("a.exr");
+        if (!how.starts_with("dwa")) {
+            EXPECT_TRUE(same_pixels(read, plain)) << how;
+        }
+        for (size_t i = 0; i < read.pixels.size(); ++i) ASSERT_NEAR(read.pixels[i].g, plain.pixels[i].g, 0.05) << how;
+    }
+}
+
+// What Open Image Denoise takes: of matt surfaces what the AOVs have, behind glass what is seen through it.
+TEST_F(PictureFiles, HaveGuidesForOtherDenoisers)
+{
+    ASSERT_EQ(ball({"-o", "a.exr", "--aov", "oidn,albedo,normal"}).code, 0);
+    const size_t matt = 12 * 32 + 12, open = 0;
+    for (const char* name : {"albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z"}) {
+        const std::vector<float> guide = channel("a.exr", std::string("oidn.") + name), aov = channel("a.exr", name);
+        EXPECT_NEAR(guide[matt], aov[matt], 1e-5) << name;
+        EXPECT_NE(guide[matt], 0) << name;
+        EXPECT_EQ(guide[open], 0) << name;
+    }
+    ASSERT_EQ(ball({"-o", "b.exr"}).code, 0);
+    EXPECT_TRUE(same_pixels(image("a.exr"), image("b.exr"))) << "the picture stays as it is";
+}
+
+}  // namespace
+}  // namespace lancer
