@@ -14,6 +14,8 @@
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
 #include "app/render/progress.h"
+#include "app/render/recipe.h"
+#include "app/render/shard.h"
 #include "app/render/summary.h"
 #include "app/signals.h"
 #include "app/specialisation.h"
@@ -77,7 +79,7 @@ private:
     void end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits);
     double samples_per_pixel() const
     {
-        return static_cast<double>(stats_.samples) / (static_cast<double>(crop_.width()) * crop_.height());
+        return static_cast<double>(stats_.samples) / static_cast<double>(std::max<uint64_t>(pixels_, 1));
     }
     bool has_samples() const { return stats_.samples + stats_.counters.dropped > 0; }
     void write_snapshot(const Film& film, Progress& progress);
@@ -85,17 +87,16 @@ private:
     void end_at(Stop stop, uint32_t spp);
     std::string hash_with(uint32_t spp) const;
     void go_on_from(const RenderState& state, const Film& film, RenderLimits& limits);
+    PictureRecipe recipe() const;
     bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
                           const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
-    Film empty_film(bool has_stop_rule) const;
     std::optional<double> error_to_judge(const Film& film, uint32_t spp, RenderLimits& limits);
     void tell_error_of_denoised(const Film& film);
     // Both arguments must outlive the result. denoised: empty where only the noisy picture is written.
     PictureContent picture_of(const Film& film, const Denoised& denoised) const
     {
-        return content_of(film, denoised, options_, make_metadata(stats_, options_.reproducible), curve_,
-                          normalisation_);
+        return content_of(film, denoised, recipe());
     }
     void write(const PictureContent& picture);
     void write_stats();
@@ -115,7 +116,8 @@ private:
     std::optional<ErrorLog> log_;
     std::vector<std::string> written_;  // pictures
     bool has_failed_ = false;           // something could not be written as it was asked for
-    bool can_go_on_ = false;            // a checkpoint of the unfinished picture is written
+    bool can_go_on_ = false;            // the last checkpoint is written
+    uint64_t pixels_ = 0;               // of the picture, or of the shard
     Normalisation normalisation_;       // of the scene, once it is built
 };
 
@@ -140,6 +142,8 @@ void Run::load()
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
     if (options_.denoise || options_.denoise_sets || options_.guides) require_denoisable(settings_);
     if (options_.denoise && options_.error) hold_samples_out();
+    if (!options_.shard.is_whole() && settings_.stop)
+        throw Error(ErrorKind::usage, {}, "--shard: is not for stop=true, where samples depend on each other");
     const uint32_t width = settings_.size.width, height = settings_.size.height;
     crop_ = options_.crop.value_or(Tile{0, 0, width, height});
     if (crop_.x1 > width || crop_.y1 > height)
@@ -220,7 +224,8 @@ void Run::describe(const Renderer& renderer)
                        .tile = options_.tile,
                        .batch = options_.batch,
                        .kernel = std::string(name_of(kernel)),
-                       .hash = hash_with(settings_.spp)};
+                       .hash = hash_with(settings_.spp),
+                       .options = reproducing_options(settings_) + options_text(options_.picture.scene)};
 }
 
 std::string Run::hash_with(uint32_t spp) const
@@ -239,23 +244,37 @@ void Run::go_on_from(const RenderState& state, const Film& film, RenderLimits& l
                                 reached, settings_.spp));
     limits.begin_with(state.wall_s, state.cpu_s);
     stats_.passes = state.passes;
-    halves_ = state.halves;
+    halves_ = HalfBuffers(state.halves, state.error);
     if (!state.error_log.empty()) log_->begin_with(state.error_log);
     add_samples(film, state.counters, limits);
     if (state.left.empty()) estimate_error(film);
     if (!options_.quiet) print_note(format_text("going on after %.1f samples per pixel", samples_per_pixel()));
 }
 
+PictureRecipe Run::recipe() const
+{
+    return {.options = options_,
+            .stats = stats_,
+            .curve = curve_,
+            .normalisation = normalisation_,
+            .has_stop_rule = options_.time || options_.error,
+            .keeps_blocks_open = options_.time || options_.error || Checkpoints::are_wanted(options_)};
+}
+
 bool Run::write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
                            const RenderLimits& limits) const
 {
-    return to.write({.pass = pass,
+    return to.write(recipe(),
+                    {.shard = options_.shard,
+                     .held = options_.shard.is_whole() ? std::vector{crop_} : tiles_of(options_.shard, crop_),
+                     .pass = pass,
                      .left = left,
                      .counters = stats_.counters,
                      .wall_s = limits.wall_seconds(),
                      .cpu_s = limits.cpu_seconds(),
                      .passes = stats_.passes,
-                     .halves = halves_,
+                     .halves = halves_.halves(),
+                     .error = halves_.rel_mse(),
                      .error_log = log_->is_wanted() ? log_->text() : ""},
                     film);
 }
@@ -279,7 +298,9 @@ void Run::add_samples(const Film& film, const Counters& counters, const RenderLi
     stats_.samples = 0;
     for (size_t i = 0; i < film.pixels.size(); ++i) stats_.samples += film.whole(i).n;
     // Computed from the film: an interrupt may come after the last tile of a pass.
-    stats_.partial = stats_.samples + stats_.counters.dropped < samples_wanted(film, settings_.spp);
+    const uint64_t wanted =
+        options_.shard.is_whole() ? samples_wanted(film, settings_.spp) : uint64_t{settings_.spp} * pixels_;
+    stats_.partial = stats_.samples + stats_.counters.dropped < wanted;
 }
 
 void Run::end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits)
@@ -308,22 +329,27 @@ void Run::render(const Renderer& renderer)
     const uint32_t width = s.size.width, height = s.size.height;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, width, height, pixel_grid(s));
     normalisation_ = renderer.scene().normalisation;
-    const std::vector<Tile> tiles = make_tiles(crop_, options_.tile);
+    const std::vector<Tile> tiles =
+        options_.shard.is_whole() ? make_tiles(crop_, options_.tile) : tiles_of(options_.shard, crop_);
+    for (const Tile& t : tiles) pixels_ += uint64_t{t.width()} * t.height();
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
-    Film film = empty_film(limits.has_stop_rule());
+    Film film = empty_film(recipe());
     LiveView live_view(options_, film, stats_.scene.warnings);
-    Checkpoints checkpoints(options_, stats_, film);
-    if (limits.has_stop_rule() || checkpoints.are_wanted()) film.keep_blocks_open();
+    Checkpoints checkpoints(recipe(), film);
     SampleRange range;
     std::vector<Tile> left;
     if (std::optional<RenderState> before = checkpoints.resume(film)) {
         go_on_from(*before, film, limits);
         range = before->pass, left = std::move(before->left);
+        // Of merged shards some may be missing.
+        if (std::vector<Tile> missing = tiles_without(before->held, film.crop);
+            options_.shard.is_whole() && !missing.empty())
+            range.begin = 0, left = std::move(missing);
     }
     timed("render", [&] {
         Progress progress(options_.quiet ? ProgressKind::none : options_.progress, s.spp == unlimited_spp ? 0 : s.spp,
-                          film.pixels.size(), options_.time);
+                          pixels_, options_.time);
         std::stop_source enough;
         const std::stop_callback on_interrupt(signals_.stop(), [&] { enough.request_stop(); });
         const auto tile_done = [&](const Tile& tile) {
@@ -333,7 +359,7 @@ void Run::render(const Renderer& renderer)
             progress.tile_done();
         };
         signals_.poll();
-        while (!left.empty() || range.end < s.spp) {
+        while (!left.empty() || (range.end < s.spp && !tiles.empty())) {
             if (left.empty()) range = {range.end, limits.next_end(range.end)}, left = tiles;
             progress.begin_pass(range, left.size());
             limits.begin_pass();
@@ -375,12 +401,13 @@ void Run::render(const Renderer& renderer)
         progress.clear();
         if (options_.verbose) print_sampling_plan(renderer.integrator(), *renderer.plan(camera, width, height));
     });
-    if (has_samples()) can_go_on_ = write_checkpoint(checkpoints, range, left, film, limits);
+    if (tiles.empty()) range = {0, s.spp};  // more shards than pixels
+    if (has_samples() || tiles.empty()) can_go_on_ = write_checkpoint(checkpoints, range, left, film, limits);
     if (options_.outliers > 0 && !signals_.interrupted())
         stats_.error_sources =
             timed("find outliers", [&] { return find_error_sources(renderer, camera, film, options_.outliers); });
-    // Before the first tile there is nothing worth replacing an old picture with.
-    if (!has_samples()) return;
+    // Before the first tile there is nothing worth replacing an old picture with. That of a shard is for merge.
+    if (!has_samples() || !options_.shard.is_whole()) return;
     Denoised denoised;
     if (options_.denoise && !stats_.partial) {
         denoised = timed("denoise", [&] { return denoise_film(film); });
@@ -388,20 +415,6 @@ void Run::render(const Renderer& renderer)
         tell_error_of_denoised(film);
     }
     timed("write", [&] { write(picture_of(film, denoised)); });
-}
-
-Film Run::empty_film(bool has_stop_rule) const
-{
-    Film film(settings_.size.width, settings_.size.height, crop_);
-    film.hides_background = options_.background == BackgroundChoice::transparent;
-    AovLayout layout = layout_of(options_.aovs);
-    if (film.hides_background) layout.add(AovSum::hits), layout.add(AovSum::samples);
-    film.keep_aovs(layout);
-    if (settings_.stop) film.wanted.resize(film.pixels.size());
-    if (settings_.replicates > 1) film.replicates.resize(film.pixels.size() * settings_.replicates);
-    if (options_.denoise || options_.denoise_sets || options_.guides)
-        film.keep_sets({.replicates = settings_.replicates, .second_half = has_stop_rule ? 0 : settings_.spp / 2});
-    return film;
 }
 
 // The error that --error is about; nothing while it is not known.
@@ -434,7 +447,7 @@ void Run::choose_curve(const Renderer& renderer)
     curve_.tonemap = output_.tonemap.value_or(usual_tonemap(settings_));
     const Exposure exposure = *output_.exposure;
     curve_.exposure_stops = exposure.stops;
-    if (!exposure.is_automatic || !has_display_output(options_)) return;
+    if (!exposure.is_automatic || (options_.shard.is_whole() && !has_display_output(options_))) return;
     timed("choose exposure", [&] {
         curve_.exposure_stops =
             auto_exposure(renderer, *prepared_.description.camera, settings_.size, pixel_grid(settings_));
@@ -498,9 +511,13 @@ int Run::execute()
         choose_curve(*renderer);
         render(*renderer);
     });
-    if (stats_.phases.back().name != "write") {
+    if (options_.shard.is_whole() ? stats_.phases.back().name != "write" : !has_samples() && pixels_ > 0) {
         print_problem("error: interrupted before the first sample; nothing is written");
         return exit_interrupted;
+    }
+    if (!options_.shard.is_whole()) {
+        if (can_go_on_) written_ = {options_.checkpoint};
+        has_failed_ = has_failed_ || !can_go_on_;
     }
     write_stats();
     print_dropped_samples(stats_, settings_, options_.picture.scene);
@@ -514,9 +531,10 @@ int Run::execute()
         print_problem("error: the error log could not be written");
     }
     if (!stats_.partial) return has_failed_ ? exit_failed : exit_done;
-    print_problem(format_text(
-        "warning: interrupted: the pictures are partial (%.1f of %u samples per pixel)%s", samples_per_pixel(),
-        settings_.spp, can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
+    print_problem(
+        format_text("warning: interrupted: the %s partial (%.1f of %u samples per pixel)%s",
+                    options_.shard.is_whole() ? "pictures are" : "shard is", samples_per_pixel(), settings_.spp,
+                    can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
     return has_failed_ ? exit_failed : can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 

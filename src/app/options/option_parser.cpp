@@ -25,6 +25,16 @@ void OptionParser::argument(const std::string& name, const std::string& help, co
     add(name, help, take)->required(required)->option_text(" ");
 }
 
+void OptionParser::arguments(const std::string& name, const std::string& help, const Take& take)
+{
+    add(name, help, take)
+        ->required()
+        ->option_text(" ")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1, -1)
+        ->allow_extra_args();
+}
+
 void OptionParser::value(const std::string& names, const std::string& type, const std::string& help, const Take& take)
 {
     add(names, help, take)->option_text(type);

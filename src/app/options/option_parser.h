@@ -26,6 +26,8 @@ public:
 
     // By its place, in the order of the calls.
     void argument(const std::string& name, const std::string& help, const Take& take, bool required = true);
+    // The last argument: one or more.
+    void arguments(const std::string& name, const std::string& help, const Take& take);
     // The last one counts. type: what the help shows for the value.
     void value(const std::string& names, const std::string& type, const std::string& help, const Take& take);
     // Each one counts.

@@ -1,5 +1,7 @@
 #include "app/options/options.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -8,6 +10,7 @@
 #include "app/options/option_values.h"
 #include "app/options/shared_options.h"
 #include "app/paths.h"
+#include "app/render/shard.h"
 
 namespace lancer {
 namespace {
@@ -53,7 +56,11 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.flag("-v,--verbose", "Also say what was loaded and with what settings", o.verbose);
     p.group("What is written");
     p.values("-o,--output", "FILE", "Picture, .exr, .png or .ppm; may be given several times (NAME.exr in this folder)",
-             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+             [&](const std::string& t) { o.outputs.push_back(t); });
+    p.value("--shard", "K/N|auto",
+            "Only part K of N of the picture, for lancer merge: -o names it, and it is its own checkpoint "
+            "(NAME.%k-of-%n.lancer; %k and %n stand for K and N). auto: as Slurm, Open MPI or PMI say",
+            [&](const std::string& t) { o.shard = to_shard(t, [](const char* name) { return std::getenv(name); }); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
     p.values("--aov", "NAME,...",
@@ -126,6 +133,32 @@ void refuse_doubles(const std::vector<std::string>& files)
                 fail_usage("--output: " + in_quotes(files[i]) + " is named twice");
 }
 
+std::string with_numbers(std::string text, const Shard& shard)
+{
+    for (const auto& [mark, number] : {std::pair("%k", shard.index), {"%n", shard.count}})
+        for (size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
+            text.replace(at, 2, std::to_string(number));
+    return text;
+}
+
+// The output of a shard is its checkpoint. given: the options that were.
+void take_part(const std::vector<std::string>& given, RenderOptions& o)
+{
+    for (const char* name : {"--time", "--error", "--error-log", "--reference", "--outliers", "--checkpoint"})
+        if (std::find(given.begin(), given.end(), name) != given.end())
+            fail_usage("--shard: " + std::string(name) +
+                       (name == std::string("--checkpoint") ? " has no use: the part is the checkpoint"
+                                                            : " needs the whole picture"));
+    if (o.outputs.size() > 1) fail_usage("--shard: a shard has one output");
+    const std::string name = o.outputs.empty()
+                                 ? std::filesystem::path(o.picture.scene.file).stem().string() + ".%k-of-%n.lancer"
+                                 : o.outputs[0];
+    if (extension_of(name) != ".lancer")
+        fail_usage("--output: with --shard " + in_quotes(name) + " must end in .lancer");
+    o.checkpoint = with_numbers(name, o.shard);
+    o.outputs.clear();
+}
+
 }  // namespace
 
 std::optional<RenderOptions> parse_render(int argc, char** argv)
@@ -140,13 +173,18 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     add_render_options(p, o);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.picture.threads);
-    if (o.outputs.empty()) o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
+    if (!o.shard.is_whole())
+        take_part(p.given(), o);
+    else if (o.outputs.empty())
+        o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
+    for (const std::string& path : o.outputs) to_output(path);
     const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
     if (o.background == BackgroundChoice::transparent)
         for (const std::string& path : o.outputs)
             if (extension_of(path) == ".ppm")
                 fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
-    if ((!o.aovs.empty() || o.denoise_sets || o.guides) && std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+    if (o.shard.is_whole() && (!o.aovs.empty() || o.denoise_sets || o.guides) &&
+        std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
@@ -184,6 +222,34 @@ std::optional<DenoiseOptions> parse_denoise(int argc, char** argv)
     if (!p.parse(argc, argv)) return {};
     if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
     refuse_doubles(o.outputs);
+    take_environment(o.threads);
+    return o;
+}
+
+std::optional<MergeOptions> parse_merge(int argc, char** argv)
+{
+    MergeOptions o;
+    OptionParser p("lancer merge", "Join the shards of a picture. It has the bits of one that was rendered as a whole.",
+                   "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 a part is damaged or of another "
+                   "picture; 66 a part\nis not there; 75 parts are missing or unfinished.\n\n"
+                   "Example:\n  lancer render scene.toml --shard 1/2 -o 1.lancer\n"
+                   "  lancer render scene.toml --shard 2/2 -o 2.lancer\n"
+                   "  lancer merge 1.lancer 2.lancer -o picture.exr\n");
+    p.arguments("PART", "Files of lancer render --shard, and of earlier merges, in any order",
+                [&](const std::string& t) { o.parts.push_back(t); });
+    p.values("-o,--output", "FILE",
+             "Picture, .exr, .png or .ppm, or all parts as one, .lancer; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(extension_of(t) == ".lancer" ? t : to_output(t)); });
+    p.flag("--allow-missing", "Write the picture although parts are missing: black, and marked partial",
+           o.allow_missing);
+    add_threads(p, o.threads);
+    if (!p.parse(argc, argv)) return {};
+    if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
+    refuse_doubles(o.outputs);
+    for (const std::string& part : o.parts)
+        for (const std::string& output : o.outputs)
+            if (place_of(part) == place_of(output))
+                fail_usage("--output: " + in_quotes(output) + " is one of the parts");
     take_environment(o.threads);
     return o;
 }

@@ -46,6 +46,15 @@ struct DisplayAddress {
     uint16_t port = 0;
 };
 
+// A part of a picture that one of several machines renders. index: from 1; 0: the whole picture, of 0 parts or of so
+// many that were merged.
+struct Shard {
+    uint32_t index = 0, count = 0;
+
+    bool is_whole() const { return index == 0; }
+    friend bool operator==(const Shard&, const Shard&) = default;
+};
+
 struct RenderOptions {
     PictureOptions picture;
     std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
@@ -67,6 +76,7 @@ struct RenderOptions {
     std::string write_scene;            // empty: none
     std::string checkpoint, resume;     // likewise; resume may be "auto"
     double checkpoint_interval = 60;    // seconds
+    Shard shard;                        // the checkpoint is then the only output
     std::string stats;                  // empty: none
     std::string reference, reference2;  // empty: none
     std::string error_log;              // likewise
@@ -84,6 +94,12 @@ struct DenoiseOptions {
     std::optional<uint32_t> threads;
     float exposure = 0;  // stops; PNG and PPM
     ToneMap tonemap = ToneMap::srgb;
+};
+
+struct MergeOptions {
+    std::vector<std::string> parts, outputs;  // neither is empty; outputs end in .exr, .png, .ppm or .lancer
+    bool allow_missing = false;
+    std::optional<uint32_t> threads;
 };
 
 struct CheckOptions {
@@ -147,6 +163,7 @@ struct CompareOptions {
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
+std::optional<MergeOptions> parse_merge(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);

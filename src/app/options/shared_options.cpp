@@ -96,6 +96,11 @@ void add_render_settings(OptionParser& p, RenderSettings& settings)
 
 }  // namespace
 
+void read_setting(const RenderOption& row, const std::string& text, RenderSettings& settings)
+{
+    read(row, std::string(row.name), text, settings);
+}
+
 void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
 {
     p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });

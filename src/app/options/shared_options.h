@@ -3,6 +3,7 @@
 
 #include "app/options/option_parser.h"
 #include "app/options/options.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 
@@ -11,6 +12,9 @@ void add_scene_options(OptionParser& p, SceneChoice& o,
                        const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)");
 // One option for each row of render_options(), and the scene, and how it runs.
 void add_picture_options(OptionParser& p, PictureOptions& o);
+
+// Sets a row to what value_text() gives. Throws Error (usage).
+void read_setting(const RenderOption& row, const std::string& text, RenderSettings& settings);
 
 void add_memory(OptionParser& p, MemorySize& memory);
 void add_threads(OptionParser& p, std::optional<uint32_t>& threads);

@@ -1,10 +1,12 @@
-// The file from which an unfinished render goes on with the same bits; see docs/checkpoint-format.md.
+// The file from which an unfinished render goes on with the same bits, and of which shards are merged; see
+// docs/checkpoint-format.md.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "app/render/identity.h"
+#include "app/render/recipe.h"
 #include "core/film.h"
 #include "render/workspace.h"
 #include "report/metrics/error_estimate.h"
@@ -14,25 +16,38 @@ namespace lancer {
 
 // Where a render has come to, besides its film.
 struct RenderState {
+    Shard shard;             // whose part of the picture it is
+    std::vector<Tile> held;  // the tiles of which the film has samples: whole, those of a shard, or of some
     SampleRange pass{};      // the last pass that began; [0, 0) before the first
-    std::vector<Tile> left;  // the tiles without its samples
+    std::vector<Tile> left;  // of them, those without its samples
     Counters counters;
     double wall_s = 0, cpu_s = 0;  // that rendering has taken so far
     std::vector<RunStats::Progress> passes;
-    HalfBuffers halves;
-    std::string error_log;  // its text so far
+    std::vector<HalfBuffers::Half> halves;  // as HalfBuffers::halves()
+    std::optional<double> error;            // as HalfBuffers::rel_mse()
+    std::string error_log;                  // its text so far
+};
+
+// A whole file.
+struct Checkpoint {
+    RenderIdentity identity;
+    PictureRecipe recipe;
+    RenderState state;
+    Film film;
 };
 
 // Where the file before this one is kept.
 inline std::string checkpoint_before(const std::string& path) { return path + ".old"; }
 
-// Writes a whole file and keeps the one before as checkpoint_before(). Throws Error (failed); both are then as they
-// were.
-void write_checkpoint(const std::string& path, const RenderIdentity& identity, const RenderState& state,
-                      const Film& film);
+// Writes a whole file and keeps the one before as checkpoint_before(). Of the film only the tiles that the state holds
+// are written. Throws Error (failed); both files are then as they were.
+void write_checkpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
+                      const RenderState& state, const Film& film);
 
-// Fills a film that has the size and the sums of the one that was written. Throws Error: missing_input; invalid_input
-// for a file that is damaged, or one of another picture, with what differs.
-RenderState read_checkpoint(const std::string& path, const RenderIdentity& identity, Film& film);
+// Reads a whole file. Throws Error: missing_input; invalid_input if it is damaged or none.
+Checkpoint read_checkpoint(const std::string& path);
+
+// Throws Error (invalid_input) with what differs, if a file is not of the expected picture. path: of the file.
+void require_same(const RenderIdentity& there, const RenderIdentity& expected, const std::string& path);
 
 }  // namespace lancer

@@ -14,14 +14,28 @@ constexpr double first_after = 10;  // seconds
 
 }  // namespace
 
-Checkpoints::Checkpoints(const RenderOptions& options, const RunStats& stats, const Film& film)
-    : path_(options.checkpoint),
-      resume_(options.resume == "auto" ? options.checkpoint : options.resume),
-      may_begin_anew_(options.resume == "auto"),
-      identity_(are_wanted() ? identity_of(options, stats, film) : RenderIdentity{}),
-      interval_(options.checkpoint_interval),
+Checkpoints::Checkpoints(const PictureRecipe& recipe, const Film& film)
+    : path_(recipe.options.checkpoint),
+      resume_(recipe.options.resume == "auto" ? recipe.options.checkpoint : recipe.options.resume),
+      may_begin_anew_(recipe.options.resume == "auto"),
+      identity_(are_wanted(recipe.options) ? identity_of(recipe.options, recipe.stats, film) : RenderIdentity{}),
+      shard_(recipe.options.shard),
+      interval_(recipe.options.checkpoint_interval),
       due_(wall_seconds() + std::min(first_after, interval_))
 {
+}
+
+RenderState Checkpoints::read(const std::string& path, Film& film) const
+{
+    Checkpoint there = read_checkpoint(path);
+    require_same(there.identity, identity_, path);
+    if (there.state.shard != shard_ && !(there.state.shard.is_whole() && shard_.is_whole()))
+        throw Error(ErrorKind::invalid_input, {path},
+                    there.state.shard.is_whole() ? "this checkpoint is of the whole picture, not of a shard"
+                                                 : format_text("this is shard %u of %u: lancer merge joins shards",
+                                                               there.state.shard.index, there.state.shard.count));
+    film = std::move(there.film);
+    return std::move(there.state);
 }
 
 std::optional<RenderState> Checkpoints::resume(Film& film) const
@@ -32,12 +46,12 @@ std::optional<RenderState> Checkpoints::resume(Film& film) const
     const bool has_before = std::filesystem::exists(before, absent);
     if (may_begin_anew_ && !has_before && !std::filesystem::exists(resume_, absent)) return {};
     try {
-        return read_checkpoint(resume_, identity_, film);
+        return read(resume_, film);
     } catch (const Error& problem) {
         if (!has_before) throw;
         std::optional<RenderState> state;
         try {
-            state = read_checkpoint(before, identity_, film);
+            state = read(before, film);
         } catch (const Error&) {
             throw problem;
         }
@@ -48,12 +62,12 @@ std::optional<RenderState> Checkpoints::resume(Film& film) const
 
 bool Checkpoints::are_due() const { return !path_.empty() && wall_seconds() >= due_; }
 
-bool Checkpoints::write(const RenderState& state, const Film& film)
+bool Checkpoints::write(const PictureRecipe& recipe, const RenderState& state, const Film& film)
 {
     if (path_.empty()) return false;
     bool is_written = true;
     try {
-        write_checkpoint(path_, identity_, state, film);
+        write_checkpoint(path_, identity_, recipe, state, film);
     } catch (const Error& problem) {
         is_written = false;
         print_as_warning(problem, "the render goes on without this checkpoint");

@@ -11,23 +11,29 @@ namespace lancer {
 
 class Checkpoints {
 public:
-    // stats, film: of this render, before its first sample.
-    Checkpoints(const RenderOptions& options, const RunStats& stats, const Film& film);
+    // recipe, film: of this render, before its first sample.
+    Checkpoints(const PictureRecipe& recipe, const Film& film);
 
-    // Whether films must be kept so that a render can go on from any pass.
-    bool are_wanted() const { return !path_.empty() || !resume_.empty(); }
+    // Whether there are any: films must then be kept so that a render can go on from any pass.
+    static bool are_wanted(const RenderOptions& options)
+    {
+        return !options.checkpoint.empty() || !options.resume.empty();
+    }
     // What --resume asks for: the film is filled. Nothing if the render begins anew. A damaged file is passed over for
-    // the one before it, with a warning. Throws Error as read_checkpoint().
+    // the one before it, with a warning. Throws Error as read_checkpoint(), or if it is of another picture or shard.
     std::optional<RenderState> resume(Film& film) const;
     // Whether it is time for the next one; the first is due after ten seconds. From any thread.
     bool are_due() const;
     // Returns whether a file was written. If it cannot be, a warning says so, and the render goes on.
-    bool write(const RenderState& state, const Film& film);
+    bool write(const PictureRecipe& recipe, const RenderState& state, const Film& film);
 
 private:
+    RenderState read(const std::string& path, Film& film) const;
+
     std::string path_, resume_;  // empty: none
     bool may_begin_anew_ = false;
     RenderIdentity identity_;
+    Shard shard_;
     double interval_;
     std::atomic<double> due_;  // in wall_seconds()
 };

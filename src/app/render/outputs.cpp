@@ -148,7 +148,8 @@ Metadata make_metadata(const RunStats& s, bool reproducible)
     Metadata all{{"software", "lancer " + s.context.version},
                  {"scene", s.scene.file},
                  {"scene_hash", to_hex(s.scene.content_hash)},
-                 {"settings_hash", s.settings.hash}};
+                 {"settings_hash", s.settings.hash},
+                 {"options", s.settings.options}};
     if (!s.scene.added_light.empty()) all.emplace_back("light", s.scene.added_light);
     // The picture has its size, and the ledger lists the switches that bias it.
     for (const RenderOption& option : render_options())

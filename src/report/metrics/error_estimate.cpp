@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/parallel.h"
@@ -12,7 +13,8 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
-// The mean of a pixel's neighbours without the pixel itself. value(i): value of pixel i of Film::pixels.
+// The mean of a pixel's neighbours without the pixel itself. value(i): value of pixel i of Film::pixels; not a number:
+// it has none, as beyond the tiles of a shard.
 template <class Value>
 Channels mean_around(const Film& film, size_t x, size_t y, const Value& value)
 {
@@ -23,6 +25,7 @@ Channels mean_around(const Film& film, size_t x, size_t y, const Value& value)
         for (size_t u = x == 0 ? 0 : x - 1; u < std::min(width, x + 2); ++u) {
             if (u == x && v == y) continue;
             const Channels c = value(v * width + u);
+            if (std::isnan(c[0])) continue;
             for (size_t k = 0; k < 3; ++k) around[k] += c[k];
             ++n;
         }
@@ -148,7 +151,11 @@ void HalfBuffers::look(const Film& film)
             const Pixel pixel = film.whole(i);
             if (pixel.n == 0) continue;
             look_at(pixel, halves_[i], [&] {
-                if (means.empty()) means = means_of(film, begin, end);
+                if (means.empty()) {
+                    means = means_of(film, begin, end);
+                    for (size_t k = begin; k < end; ++k)
+                        if (film.whole(k).n == 0) means[k - begin].fill(std::numeric_limits<double>::quiet_NaN());
+                }
                 return mean_around(film, i % width, i / width, [&](size_t k) { return means[k - begin]; });
             });
             if (halves_[i].error >= 0) strips[s].add(double{halves_[i].error} * halves_[i].n / pixel.n);

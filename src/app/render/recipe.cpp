@@ -1,0 +1,96 @@
+#include "app/render/recipe.h"
+
+#include "app/options/shared_options.h"
+#include "render/aov.h"
+#include "scene/description/render_options.h"
+
+namespace lancer {
+namespace {
+
+template <class Stream, class AnySettings>
+void visit_settings(Stream& stream, AnySettings& settings)
+{
+    for (const RenderOption& option : render_options()) {
+        std::string text = Stream::loads ? "" : value_text(settings, option);
+        stream(text);
+        if constexpr (Stream::loads) read_setting(option, text, settings);
+    }
+}
+
+template <class Stream, class AnyOptions>
+void visit_options(Stream& stream, AnyOptions& o)
+{
+    stream.each(o.aovs, [&](auto& aov) { visit_enum(stream, aov, enum_names<Aov>.size()); });
+    for (auto* flag : {&o.denoise, &o.denoise_sets, &o.guides, &o.half, &o.dither, &o.ascii_ppm, &o.reproducible})
+        visit_flag(stream, *flag);
+    visit_enum(stream, o.background, enum_names<BackgroundChoice>.size());
+    visit_enum(stream, o.compression, enum_names<ExrCompression>.size());
+}
+
+template <class Stream, class AnyStats>
+void visit_stats(Stream& stream, AnyStats& s)
+{
+    for (auto* text : {&s.context.version, &s.context.embree, &s.context.command_line, &s.scene.file,
+                       &s.scene.added_light, &s.settings.hash, &s.settings.options})
+        stream(*text);
+    stream(s.scene.content_hash), stream(s.settings.threads);
+    visit_settings(stream, s.settings.render);
+    auto& crop = s.settings.crop;
+    stream(crop.x0), stream(crop.y0), stream(crop.x1), stream(crop.y1);
+}
+
+template <class Stream, class AnyRecipe>
+void visit_recipe(Stream& stream, AnyRecipe& r)
+{
+    visit_options(stream, r.options);
+    visit_stats(stream, r.stats);
+    stream(r.curve.exposure_stops), visit_enum(stream, r.curve.tonemap, enum_names<ToneMap>.size());
+    auto& [center, scale] = r.normalisation;
+    stream(center.x), stream(center.y), stream(center.z), stream(scale);
+    visit_flag(stream, r.has_stop_rule), visit_flag(stream, r.keeps_blocks_open);
+}
+
+}  // namespace
+
+Film empty_film(const PictureRecipe& recipe)
+{
+    const RenderOptions& o = recipe.options;
+    const RenderSettings& s = recipe.stats.settings.render;
+    Film film(s.size.width, s.size.height, recipe.stats.settings.crop);
+    film.hides_background = o.background == BackgroundChoice::transparent;
+    AovLayout layout = layout_of(o.aovs);
+    if (film.hides_background) layout.add(AovSum::hits), layout.add(AovSum::samples);
+    film.keep_aovs(layout);
+    if (s.stop) film.wanted.resize(film.pixels.size());
+    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+    if (o.denoise || o.denoise_sets || o.guides)
+        film.keep_sets({.replicates = s.replicates, .second_half = recipe.has_stop_rule ? 0 : s.spp / 2});
+    if (recipe.keeps_blocks_open) film.keep_blocks_open();
+    return film;
+}
+
+PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe)
+{
+    return content_of(film, denoised, recipe.options, make_metadata(recipe.stats, recipe.options.reproducible),
+                      recipe.curve, recipe.normalisation);
+}
+
+void save_recipe(Saver& to, const PictureRecipe& recipe) { visit_recipe(to, recipe); }
+
+PictureRecipe load_recipe(Loader& from)
+{
+    PictureRecipe recipe;
+    try {
+        visit_recipe(from, recipe);
+    } catch (const Error& problem) {
+        if (problem.kind() == ErrorKind::invalid_input) throw;
+        from.fail_damaged();
+    }
+    const RenderSettings& s = recipe.stats.settings.render;
+    const Tile& crop = recipe.stats.settings.crop;
+    if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1 || crop.x1 > s.size.width || crop.y1 > s.size.height)
+        from.fail_damaged();
+    return recipe;
+}
+
+}  // namespace lancer

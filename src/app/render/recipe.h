@@ -1,0 +1,33 @@
+// All that makes pictures of a film, without the scene: what a checkpoint carries so that parts of a picture can be
+// merged where there is only the program.
+#pragma once
+
+#include "app/options/options.h"
+#include "app/render/checkpoint_stream.h"
+#include "app/render/content.h"
+#include "app/render/outputs.h"
+#include "report/stats_json.h"
+#include "scene/placement.h"
+
+namespace lancer {
+
+struct PictureRecipe {
+    RenderOptions options;  // what becomes of the film: AOVs, background, halves, denoising, style
+    RunStats stats;         // context, scene and settings, with the number of samples
+    DisplayCurve curve;
+    Normalisation normalisation;
+    bool has_stop_rule = false;  // --time, --error
+    bool keeps_blocks_open = false;
+};
+
+// A film without samples, with room for what the options ask for.
+Film empty_film(const PictureRecipe& recipe);
+
+// film and denoised must outlive the result; see content_of().
+PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe);
+
+void save_recipe(Saver& to, const PictureRecipe& recipe);
+// Throws Error (invalid_input).
+PictureRecipe load_recipe(Loader& from);
+
+}  // namespace lancer
