@@ -161,7 +161,7 @@ void Run::hold_samples_out()
     if (settings_.replicates > 1)
         throw Error(ErrorKind::usage, {},
                     format_text("--error: with --denoise it needs --replicates %u or more", least));
-    settings_.replicates = usual;
+    settings_.replicates = prepared_.settings.replicates = usual;  // the renderer is made of the latter
     if (!options_.quiet)
         print_note(format_text("--replicates %u, so that the error of the denoised picture can be told", usual));
 }

@@ -84,6 +84,11 @@ TEST_F(Denoising, StopsWhenTheDenoisedPictureIsGoodEnough)
                    "--stats", "b.json"})
                   .code,
               0);
+    const std::string samples = std::to_string(stats["settings"]["spp"].get<int>());
+    ASSERT_EQ(
+        run({"render", "scene.toml", "-o", "same.exr", "--size", "64x48", "-s", samples, "--replicates", "8"}).code, 0);
+    const auto noisy = read_exr_channel(file("a.exr"), "noisy.G"), same = read_exr_channel(file("same.exr"), "G");
+    EXPECT_EQ(noisy, same) << "rendered with the replicates that hold samples out";
     const auto of_noisy = nlohmann::json::parse(std::ifstream(file("b.json")));
     EXPECT_LT(stats["samples"]["count"], of_noisy["samples"]["count"]) << "it needs fewer samples than the noisy one";
     const Said few = render({"-o", "c.exr", "--denoise", "--error", "0.05", "--replicates", "2"});
