@@ -423,7 +423,11 @@ std::optional<double> Run::error_to_judge(const Film& film, uint32_t spp, Render
     if (options_.denoise && options_.error) {
         if (!limits.looks_at_denoised(spp)) return {};
         tell_error_of_denoised(film);
-        return stats_.denoised_interval ? std::optional(stats_.denoised_error) : std::nullopt;
+        const auto& interval = stats_.denoised_interval;
+        if (!interval) return {};
+        // What few samples tell may be far off: the error must be likely to be near what is asked for.
+        constexpr double most_above = 1.2;
+        return std::max(*stats_.denoised_error, interval->high / most_above);
     }
     // Samples that all agree may all have missed the same light.
     return stats_.estimated_error > 0.0 ? stats_.estimated_error : std::nullopt;

@@ -254,6 +254,41 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
     return o;
 }
 
+PictureOptions parse_picture_options(std::vector<std::string> words)
+{
+    PictureOptions o;
+    OptionParser p("lancer render", "", "");
+    add_picture_options(p, o);
+    words.insert(words.begin(), "render");
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    if (!p.parse(static_cast<int>(pointers.size()), pointers.data())) fail_usage("asks for help");
+    return o;
+}
+
+std::optional<VerifyOptions> parse_verify(int argc, char** argv)
+{
+    VerifyOptions o;
+    OptionParser p("lancer verify",
+                   "Trace pixels of a picture again, from what its header says, and compare every bit: whether this "
+                   "program drew this picture of this scene.",
+                   "Exit codes: 0 all pixels are the same; 1 some differ; 2 wrong usage; 65 the picture does not say "
+                   "how it was made,\nor scene or asset invalid; 66 input missing.\n\n"
+                   "Example:\n  lancer verify picture.exr scene.toml\n");
+    p.argument("PICTURE", "EXR of lancer render or lancer merge", [&](const std::string& t) { o.picture = t; });
+    p.argument(
+        "SCENE", "Its scene (the one that the picture names)", [&](const std::string& t) { o.scene = t; }, false);
+    p.value("--pixels", "N|all", "How many, drawn at random (200)",
+            [&](const std::string& t) { o.pixels = t == "all" ? 0 : to_count("--pixels", t, 1); });
+    p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (as the picture says)",
+            [&](const std::string& t) { o.asset_root = t; });
+    add_threads(p, o.threads);
+    add_memory(p, o.memory);
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.threads);
+    return o;
+}
+
 std::optional<CheckOptions> parse_check(int argc, char** argv)
 {
     CheckOptions o;

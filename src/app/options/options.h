@@ -102,6 +102,15 @@ struct MergeOptions {
     std::optional<uint32_t> threads;
 };
 
+struct VerifyOptions {
+    std::string picture;
+    std::string scene;       // empty: the one that the picture names
+    std::string asset_root;  // empty: as the picture says
+    uint32_t pixels = 200;   // 0: all
+    std::optional<uint32_t> threads;
+    MemorySize memory;
+};
+
 struct CheckOptions {
     SceneChoice scene;
     std::optional<uint32_t> threads;
@@ -164,6 +173,9 @@ struct CompareOptions {
 std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
 std::optional<MergeOptions> parse_merge(int argc, char** argv);
+// What a picture was rendered with. words: as after "lancer render", the scene first. Throws Error (usage).
+PictureOptions parse_picture_options(std::vector<std::string> words);
+std::optional<VerifyOptions> parse_verify(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);

@@ -66,6 +66,9 @@ ExrInfo read_exr_info(const std::string& path);
 std::vector<std::vector<float>> read_exr_channels(const std::string& path, std::span<const std::string> names);
 std::vector<float> read_exr_channel(const std::string& path, const std::string& name);
 
+// What a float is in a picture of 16 bits.
+float through_half(float x);
+
 // Version of the library at compile time: "3.1.5".
 std::string exr_version();
 

@@ -143,6 +143,8 @@ void write_exr(AtomicFile& file, const ImageRows& image, const Metadata& metadat
     }
 }
 
+float through_half(float x) { return half(x); }
+
 void write_exr(const std::string& path, const Image& image, const Metadata& metadata, const ExrOptions& options,
                std::span<const ImagePlane> planes)
 {

@@ -1,0 +1,240 @@
+// lancer verify: whether this program drew this picture of this scene.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "app/commands.h"
+#include "app/console.h"
+#include "app/paths.h"
+#include "app/prepare.h"
+#include "app/version.h"
+#include "core/names.h"
+#include "core/parallel.h"
+#include "io/image/exr.h"
+#include "render/aov.h"
+#include "report/stats_json.h"
+
+namespace lancer {
+namespace {
+
+constexpr size_t most_shown = 5;
+
+// A picture as its file says that it was made.
+struct Claim {
+    std::string scene, scene_hash, options;
+    Window display, data;
+    bool is_half = false, has_alpha = false, is_denoised = false;
+    std::vector<std::vector<float>> channels;  // red, green, blue before denoising; alpha, if there is one
+};
+
+[[noreturn]] void fail(const std::string& path, const std::string& what)
+{
+    throw Error(ErrorKind::invalid_input, {path}, what);
+}
+
+std::string text_of(const Metadata& metadata, std::string_view name)
+{
+    for (const auto& [key, value] : metadata)
+        if (key == name) return to_string(value);
+    return "";
+}
+
+Claim read_claim(const std::string& path)
+{
+    if (extension_of(path) != ".exr")
+        fail(path, "8 bits do not tell one picture from another; verify the EXR of the same render");
+    const ExrInfo info = read_exr_info(path);
+    Claim claim{.scene = text_of(info.metadata, "scene"),
+                .scene_hash = text_of(info.metadata, "scene_hash"),
+                .options = text_of(info.metadata, "options"),
+                .display = info.display,
+                .data = info.data,
+                .channels = {}};
+    if (claim.options.empty()) fail(path, "its header does not say how it was made");
+    if (text_of(info.metadata, "partial") != "0")
+        fail(path, "it is partial: not all its pixels have all their samples");
+    claim.options += " --spp " + text_of(info.metadata, "spp");
+    if (info.compression.starts_with("dwa")) fail(path, "its compression, " + info.compression + ", changes pixels");
+    if (const std::string by = text_of(info.metadata, "software"), own = std::string("lancer ") + LANCER_VERSION;
+        by != own)
+        print_problem(path + ": warning: drawn by " + by + ", this is " + own);
+    std::vector<std::string> names{"R", "G", "B"};
+    for (const ExrInfo::Channel& c : info.channels) {
+        claim.has_alpha = claim.has_alpha || c.name == "A";
+        claim.is_denoised = claim.is_denoised || c.name == "noisy.R";
+        claim.is_half = claim.is_half || (c.name == "R" && c.type == "half");
+    }
+    if (claim.is_denoised) {
+        for (std::string& name : names) name = "noisy." + name;
+        claim.is_half = false;
+    }
+    if (claim.has_alpha) names.emplace_back("A");
+    claim.channels = read_exr_channels(path, names);
+    return claim;
+}
+
+// The words of a command line that was quoted for a shell: blanks divide, a word in single quotes is kept as it is, and
+// a backslash takes the next character as it is.
+std::vector<std::string> words_of(const std::string& line)
+{
+    std::vector<std::string> words;
+    bool is_open = false, is_quoted = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (!is_quoted && c == ' ') {
+            is_open = false;
+            continue;
+        }
+        if (!is_open) words.emplace_back();
+        is_open = true;
+        if (c == '\'')
+            is_quoted = !is_quoted;
+        else if (c == '\\' && !is_quoted && i + 1 < line.size())
+            words.back() += line[++i];
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
+PictureOptions options_of(const Claim& claim, const VerifyOptions& verify)
+{
+    std::vector<std::string> words = words_of(claim.options);
+    words.insert(words.begin(), verify.scene.empty() ? claim.scene : verify.scene);
+    PictureOptions options;
+    try {
+        options = parse_picture_options(std::move(words));
+    } catch (const Error& problem) {
+        fail(verify.picture, std::string("its options are not understood: ") + problem.what());
+    }
+    if (!verify.asset_root.empty()) options.scene.asset_root = verify.asset_root;
+    options.threads = verify.threads;
+    options.memory = verify.memory;
+    return options;
+}
+
+// Places in the data window: all, or as many as are asked for, at random and each once.
+std::vector<size_t> choose_pixels(size_t count, size_t wanted)
+{
+    std::vector<size_t> all(count);
+    for (size_t i = 0; i < count; ++i) all[i] = i;
+    if (wanted == 0 || wanted >= count) return all;
+    std::mt19937_64 random(std::random_device{}());
+    std::vector<size_t> some;
+    std::sample(all.begin(), all.end(), std::back_inserter(some), wanted, random);
+    return some;
+}
+
+// What a pixel's channels are when it is traced again.
+std::vector<float> traced(const Renderer& renderer, const Camera& camera, const RenderSettings& settings,
+                          const Claim& claim, const Tile& pixel)
+{
+    Film film(settings.size.width, settings.size.height, pixel);
+    if (claim.has_alpha) {
+        film.hides_background = true;
+        film.keep_aovs(layout_of({Aov::mask}));
+    }
+    if (settings.stop) film.wanted.resize(1);
+    if (settings.replicates > 1) film.replicates.resize(settings.replicates);
+    renderer.pass(camera, film, std::vector{pixel}, {0, settings.spp});
+    const Color c = film.whole(0).mean();
+    std::vector<float> values{c.r, c.g, c.b};
+    if (claim.is_half)
+        for (float& x : values) x = through_half(x);
+    if (claim.has_alpha) values.push_back(alpha_of(film).values[0]);
+    return values;
+}
+
+bool have_same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+struct Difference {
+    Tile pixel;
+    std::vector<float> traced, there;
+};
+
+void print_differences(const std::vector<Difference>& all)
+{
+    const auto text = [](const std::vector<float>& values) {
+        std::string line;
+        for (const float x : values) line += (line.empty() ? "" : " ") + shortest(x);
+        return line;
+    };
+    for (size_t i = 0; i < std::min(all.size(), most_shown); ++i)
+        print_result(format_text("pixel %u %u: ", all[i].pixel.x0, all[i].pixel.y0) + text(all[i].there) +
+                     " in the picture, " + text(all[i].traced) + " traced again");
+    if (all.size() > most_shown) print_result(format_text("and %zu more", all.size() - most_shown));
+}
+
+// Pixels that differ, in order.
+std::vector<Difference> compare(const Renderer& renderer, const Prepared& prepared, const Claim& claim,
+                                const std::vector<size_t>& pixels)
+{
+    const RenderSettings& settings = prepared.settings;
+    const Camera camera(*prepared.description.camera, renderer.scene().normalisation, settings.size.width,
+                        settings.size.height, pixel_grid(settings));
+    renderer.plan(camera, settings.size.width, settings.size.height);  // once, not in each thread
+    std::vector<std::vector<float>> again(pixels.size());
+    const auto width = static_cast<size_t>(claim.data.width());
+    const auto tile_of = [&](size_t at) {
+        const auto x = static_cast<uint32_t>(claim.data.x0 + static_cast<int32_t>(at % width));
+        const auto y = static_cast<uint32_t>(claim.data.y0 + static_cast<int32_t>(at / width));
+        return Tile{x, y, x + 1, y + 1};
+    };
+    parallel_for(pixels.size(),
+                 [&](size_t i) { again[i] = traced(renderer, camera, settings, claim, tile_of(pixels[i])); });
+    std::vector<Difference> differences;
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        std::vector<float> there;
+        for (const auto& channel : claim.channels) there.push_back(channel[pixels[i]]);
+        if (!std::equal(there.begin(), there.end(), again[i].begin(), have_same_bits))
+            differences.push_back({tile_of(pixels[i]), again[i], there});
+    }
+    return differences;
+}
+
+int verify(const VerifyOptions& options)
+{
+    const Claim claim = read_claim(options.picture);
+    const PictureOptions picture = options_of(claim, options);
+    Diagnostics diagnostics;
+    Prepared prepared = load_prepared(picture, diagnostics, true);
+    const bool is_same_scene = to_hex(prepared.description.content_hash) == claim.scene_hash;
+    const PictureSize& size = prepared.settings.size;
+    if (Window{0, 0, static_cast<int32_t>(size.width), static_cast<int32_t>(size.height)} != claim.display ||
+        claim.data.x0 < 0 || claim.data.y0 < 0 || claim.data.x1 > claim.display.x1 || claim.data.y1 > claim.display.y1)
+        fail(options.picture, "its size is not the one that its header says");
+    if (!is_same_scene)
+        print_result("the scene is another one: hash " + claim.scene_hash + " in the picture, " +
+                     to_hex(prepared.description.content_hash) + " of " + in_quotes(picture.scene.file));
+    const std::vector<size_t> pixels = choose_pixels(claim.channels[0].size(), options.pixels);
+    std::vector<Difference> differences;
+    with_threads(prepared.threads, [&] {
+        begin_prepared(prepared, diagnostics);
+        const auto renderer = make_renderer(prepared, picture, 256, diagnostics);
+        differences = compare(*renderer, prepared, claim, pixels);
+    });
+    print_differences(differences);
+    const std::string counted =
+        format_text("%zu of %zu pixels traced again: ", pixels.size(), claim.channels[0].size());
+    if (!differences.empty()) {
+        print_result(counted + format_text("%zu differ", differences.size()));
+        return exit_failed;
+    }
+    print_result(counted + "all have the same bits" + (claim.is_half ? ", in 16 bits" : ""));
+    if (pixels.size() < claim.channels[0].size())
+        print_result(format_text("a picture with 1 %% wrong pixels passes with a chance of %.2g %%",
+                                 100 * std::pow(0.99, static_cast<double>(pixels.size()))));
+    if (claim.is_denoised) print_result("layer noisy was compared; denoising it was not repeated");
+    return is_same_scene ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+int run_verify(int argc, char** argv)
+{
+    const auto options = parse_verify(argc, argv);
+    return options ? verify(*options) : exit_done;
+}
+
+}  // namespace lancer
