@@ -22,23 +22,12 @@ uint64_t pixels_of(const std::vector<Tile>& tiles)
     return sum;
 }
 
-// Copies what `from` has in the tiles.
-template <class T>
-void copy_pixels(const Film& film, const std::vector<Tile>& tiles, const std::vector<T>& from, std::vector<T>& to)
+template <class F>
+void for_pixels_of(const std::vector<Tile>& tiles, const F& f)
 {
-    const size_t of_pixel = from.size() / film.pixels.size();
     for (const Tile& t : tiles)
-        for (uint32_t y = t.y0; y < t.y1; ++y) {
-            const auto first = static_cast<std::ptrdiff_t>(film.index(t.x0, y) * of_pixel);
-            std::copy_n(from.begin() + first, t.width() * of_pixel, to.begin() + first);
-        }
-}
-
-void copy_pixels(const Film& from, const std::vector<Tile>& tiles, Film& to)
-{
-    copy_pixels(from, tiles, from.pixels, to.pixels), copy_pixels(from, tiles, from.open, to.open);
-    copy_pixels(from, tiles, from.aovs, to.aovs), copy_pixels(from, tiles, from.open_aovs, to.open_aovs);
-    copy_pixels(from, tiles, from.replicates, to.replicates), copy_pixels(from, tiles, from.sets, to.sets);
+        for (uint32_t y = t.y0; y < t.y1; ++y)
+            for (uint32_t x = t.x0; x < t.x1; ++x) f(x, y);
 }
 
 std::string name_of(const Shard& shard)
@@ -54,63 +43,68 @@ public:
     void add(const std::string& path);
     bool has_any() const { return sum_.has_value(); }
     bool is_complete() const { return sum_ && missing().empty(); }
-    std::string text_of_missing() const;
+    std::string text_of_missing();
     Checkpoint finish(const std::string& command_line);
 
 private:
     std::vector<Tile> missing() const { return tiles_without(sum_->state.held, sum_->film.crop); }
+    // Whether a pixel is there.
+    std::vector<bool>::reference has(uint32_t x, uint32_t y) { return has_[sum_->film.index(x, y)]; }
 
     std::string first_;  // its path
     std::optional<Checkpoint> sum_;
+    std::vector<bool> has_;
     uint32_t count_ = 0;  // of the shards; 0: not known
 };
 
 void Merge::add(const std::string& path)
 {
-    Checkpoint part = read_checkpoint(path);
-    RenderState& s = part.state;
+    CheckpointFile part(path);
+    const RenderState& s = part.state;
     const uint32_t spp = part.recipe.stats.settings.render.spp;
     if (!s.left.empty() || s.pass.end != spp)
         return print_problem(path + ": warning: " + name_of(s.shard) +
                              " is unfinished and left out; the render goes on with --resume auto");
+    if (sum_) require_same(part.identity, sum_->identity, path);
     if (s.shard.count > 0) count_ = s.shard.count;
     if (!sum_) {
         first_ = path;
-        sum_ = std::move(part);
-        return;
+        sum_.emplace(Checkpoint{part.identity, part.recipe, part.state, empty_film(part.recipe)});
+        sum_->state.held.clear();
+        sum_->state.counters = {};
+        sum_->state.wall_s = sum_->state.cpu_s = 0;
+        has_.resize(sum_->film.pixels.size());
     }
-    Checkpoint& sum = *sum_;
-    require_same(part.identity, sum.identity, path);
-    if (const uint32_t others = sum.recipe.stats.settings.render.spp; spp != others)
+    RenderState& sum = sum_->state;
+    if (const uint32_t others = sum_->recipe.stats.settings.render.spp; spp != others)
         throw Error(
             ErrorKind::invalid_input, {path},
             format_text("has %u samples per pixel, ", spp) + in_quotes(first_) + format_text(" has %u", others));
-    const uint64_t gained = pixels_of(missing());
-    std::vector<Tile> all = sum.state.held;
-    all.insert(all.end(), s.held.begin(), s.held.end());
-    const uint64_t gain = gained - pixels_of(tiles_without(all, sum.film.crop)), own = pixels_of(s.held);
-    if (gain == 0 && own > 0) return print_note(path + ": " + name_of(s.shard) + " is there already");
-    if (gain != own)
+    uint64_t known = 0;
+    for_pixels_of(s.held, [&](uint32_t x, uint32_t y) { known += has(x, y); });
+    if (known > 0 && known == pixels_of(s.held))
+        return print_note(path + ": " + name_of(s.shard) + " is there already");
+    if (known > 0)
         throw Error(ErrorKind::invalid_input, {path}, "has pixels of other parts, which were cut in another way");
-    copy_pixels(part.film, s.held, sum.film);
-    if (!sum.state.halves.empty() && !s.halves.empty()) copy_pixels(sum.film, s.held, s.halves, sum.state.halves);
-    sum.state.held = std::move(all);
-    sum.state.counters += s.counters;
-    sum.state.wall_s += s.wall_s, sum.state.cpu_s += s.cpu_s;
+    part.read_film(sum_->film, sum.halves);
+    for_pixels_of(s.held, [&](uint32_t x, uint32_t y) { has(x, y) = true; });
+    sum.held.insert(sum.held.end(), s.held.begin(), s.held.end());
+    sum.counters += s.counters;
+    sum.wall_s += s.wall_s, sum.cpu_s += s.cpu_s;
 }
 
-std::string Merge::text_of_missing() const
+std::string Merge::text_of_missing()
 {
+    if (!sum_) return "all parts";
     std::string text;
-    for (uint32_t k = 1; sum_ && k <= count_; ++k) {
-        std::vector<Tile> all = sum_->state.held;
-        const std::vector<Tile> own = tiles_of({k, count_}, sum_->film.crop);
-        all.insert(all.end(), own.begin(), own.end());
-        if (pixels_of(tiles_without(all, sum_->film.crop)) < pixels_of(missing()))
-            text += (text.empty() ? "shard " : ", ") + std::to_string(k);
+    for (uint32_t k = 1; k <= count_; ++k) {
+        bool is_there = true;
+        for_pixels_of(tiles_of({k, count_}, sum_->film.crop),
+                      [&](uint32_t x, uint32_t y) { is_there = is_there && has(x, y); });
+        if (!is_there) text += (text.empty() ? "shard " : ", ") + std::to_string(k);
     }
-    if (!text.empty()) return text + format_text(" of %u", count_);
-    return sum_ ? format_text("%zu pixels", size_t{pixels_of(missing())}) : "all parts";
+    return text.empty() ? format_text("%zu pixels", size_t{pixels_of(missing())})
+                        : text + format_text(" of %u", count_);
 }
 
 Checkpoint Merge::finish(const std::string& command_line)

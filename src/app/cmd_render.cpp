@@ -10,6 +10,7 @@
 #include "app/render/checkpoints.h"
 #include "app/render/content.h"
 #include "app/render/error_log.h"
+#include "app/render/frames.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
@@ -547,7 +548,13 @@ int Run::execute()
 int run_render(int argc, char** argv)
 {
     const auto options = parse_render(argc, argv);
-    return options ? Run(*options).execute() : exit_done;
+    if (!options) return exit_done;
+    if (!options->frames) return Run(*options).execute();
+    // A frame that fails, or is interrupted, ends them.
+    int code = exit_done;
+    for (uint64_t frame = options->frames->first; frame <= options->frames->last && code == exit_done; ++frame)
+        code = Run(options_of_frame(*options, static_cast<uint32_t>(frame))).execute();
+    return code;
 }
 
 }  // namespace lancer

@@ -9,6 +9,7 @@ int run_render(int argc, char** argv);
 int run_denoise(int argc, char** argv);
 int run_merge(int argc, char** argv);
 int run_verify(int argc, char** argv);
+int run_slurm(int argc, char** argv);
 int run_compare(int argc, char** argv);
 int run_check(int argc, char** argv);
 int run_info(int argc, char** argv);

@@ -23,10 +23,11 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 12> commands{{{"render", run_render},
+constexpr std::array<Command, 13> commands{{{"render", run_render},
                                             {"denoise", run_denoise},
                                             {"merge", run_merge},
                                             {"verify", run_verify},
+                                            {"slurm", run_slurm},
                                             {"check", run_check},
                                             {"info", run_info},
                                             {"compare", run_compare},
@@ -45,6 +46,7 @@ const char* const help =
     "  lancer denoise PICTURE -o FILE            remove the noise of a picture of lancer render --aov denoise\n"
     "  lancer merge PART... -o FILE              join the shards of a picture: lancer render --shard\n"
     "  lancer verify PICTURE [SCENE]             trace pixels of a picture again and compare every bit\n"
+    "  lancer slurm SCENE --shards N             print a job script for a Slurm cluster\n"
     "  lancer compare PICTURE REFERENCE          print how far a picture is from a reference\n"
     "  lancer pixel SCENE X Y [SAMPLE]           trace one sample again and print every vertex\n"
     "  lancer study STUDY -o FOLDER              error against run time: methods on scenes, as one HTML page\n"

@@ -64,6 +64,14 @@ PictureSize to_size(const std::string& option, const std::string& text)
     return size;
 }
 
+FrameRange to_frames(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> ends = split(text, '-');
+    if (ends.size() > 2) fail_usage(option + ": " + in_quotes(text) + " is not A-B, as 1-100");
+    const uint32_t first = to_count(option, ends[0], 0);
+    return {first, ends.size() == 1 ? first : to_count(option, ends[1], first)};
+}
+
 Tile to_crop(const std::string& text)
 {
     const auto parts = split(text, ',');

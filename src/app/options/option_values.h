@@ -60,6 +60,7 @@ std::string option_name(const RenderOption& option);
 
 bool to_bool(const std::string& option, const std::string& text);               // "true" or "false"
 PictureSize to_size(const std::string& option, const std::string& text);        // "1280x720"
+FrameRange to_frames(const std::string& option, const std::string& text);       // "1-100", "7"
 Tile to_crop(const std::string& text);                                          // "x0,y0,x1,y1"
 double to_seconds(const std::string& option, const std::string& text);          // "90", "90s", "1.5m", "2h", "500ms"
 MemorySize to_memory_size(const std::string& option, const std::string& text);  // "4G", "500M", "80%"

@@ -61,6 +61,8 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             "Only part K of N of the picture, for lancer merge: -o names it, and it is its own checkpoint "
             "(NAME.%k-of-%n.lancer; %k and %n stand for K and N). auto: as Slurm, Open MPI or PMI say",
             [&](const std::string& t) { o.shard = to_shard(t, [](const char* name) { return std::getenv(name); }); });
+    p.value("--frames", "A-B", "Scene files one after the other: #### in names stands for the number, 0001 for 1",
+            [&](const std::string& t) { o.frames = to_frames("--frames", t); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
     p.values("--aov", "NAME,...",
@@ -141,6 +143,18 @@ std::string with_numbers(std::string text, const Shard& shard)
     return text;
 }
 
+// Frames must not overwrite each other.
+void require_numbers(const RenderOptions& o)
+{
+    std::vector<std::string> names = o.outputs;
+    names.push_back(o.picture.scene.file);
+    for (const std::string& name : {o.checkpoint, o.stats, o.error_log, o.write_scene})
+        if (!name.empty()) names.push_back(name);
+    for (const std::string& name : names)
+        if (name.find('#') == std::string::npos)
+            fail_usage("--frames: " + in_quotes(name) + " has no #### for the number");
+}
+
 // The output of a shard is its checkpoint. given: the options that were.
 void take_part(const std::vector<std::string>& given, RenderOptions& o)
 {
@@ -186,6 +200,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     if (o.shard.is_whole() && (!o.aovs.empty() || o.denoise_sets || o.guides) &&
         std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
+    if (o.frames) require_numbers(o);
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);
     if (!o.error_log.empty()) files.push_back(o.error_log);
@@ -286,6 +301,31 @@ std::optional<VerifyOptions> parse_verify(int argc, char** argv)
     add_memory(p, o.memory);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
+    return o;
+}
+
+std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
+{
+    SlurmOptions o;
+    OptionParser p(
+        "lancer slurm",
+        "Print a job script that renders a scene in shards on a Slurm cluster and merges them: docs/farm.md.",
+        "Exit codes: 0 done; 2 wrong usage.\n\n"
+        "Example:\n  lancer slurm scene.toml --shards 16 -o picture.exr --render='-s 4096' > job.sh\n  sh job.sh\n");
+    p.argument("SCENE", "Scene file (.toml) or mesh (.obj)", [&](const std::string& t) { o.scene = t; });
+    p.value("-o,--output", "FILE", "Picture, .exr, .png or .ppm (NAME.exr in this folder)",
+            [&](const std::string& t) { o.output = to_output(t); });
+    p.value("--shards", "N", "Parts of each picture (1)",
+            [&](const std::string& t) { o.shards = to_count("--shards", t, 1, 1u << 20); });
+    p.value("--frames", "A-B", "Numbered scene files: as of lancer render",
+            [&](const std::string& t) { o.frames = to_frames("--frames", t); });
+    p.values("--render", "OPTIONS", "More options of lancer render: --render='-s 4096 --aov albedo'",
+             [&](const std::string& t) { o.render.push_back(t); });
+    if (!p.parse(argc, argv)) return {};
+    if (o.output.empty()) o.output = std::filesystem::path(o.scene).stem().string() + ".exr";
+    for (const std::string& name : {o.scene, o.output})
+        if (o.frames && name.find('#') == std::string::npos)
+            fail_usage("--frames: " + in_quotes(name) + " has no #### for the number");
     return o;
 }
 

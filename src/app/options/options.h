@@ -55,8 +55,14 @@ struct Shard {
     friend bool operator==(const Shard&, const Shard&) = default;
 };
 
+// Numbered scene files, both ends included.
+struct FrameRange {
+    uint32_t first = 0, last = 0;
+};
+
 struct RenderOptions {
     PictureOptions picture;
+    std::optional<FrameRange> frames;  // #### in the names of scene and outputs stands for the number
     std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
     std::optional<Tile> crop;
     uint32_t tile = 16;     // side in pixels
@@ -100,6 +106,13 @@ struct MergeOptions {
     std::vector<std::string> parts, outputs;  // neither is empty; outputs end in .exr, .png, .ppm or .lancer
     bool allow_missing = false;
     std::optional<uint32_t> threads;
+};
+
+struct SlurmOptions {
+    std::string scene, output;
+    uint32_t shards = 1;
+    std::optional<FrameRange> frames;
+    std::vector<std::string> render;  // more options of lancer render
 };
 
 struct VerifyOptions {
@@ -176,6 +189,7 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv);
 // What a picture was rendered with. words: as after "lancer render", the scene first. Throws Error (usage).
 PictureOptions parse_picture_options(std::vector<std::string> words);
 std::optional<VerifyOptions> parse_verify(int argc, char** argv);
+std::optional<SlurmOptions> parse_slurm(int argc, char** argv);
 std::optional<CheckOptions> parse_check(int argc, char** argv);
 std::optional<InfoOptions> parse_info(int argc, char** argv);
 std::optional<PixelOptions> parse_pixel(int argc, char** argv);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/render/checkpoint_stream.h"
 #include "core/names.h"
-#include "io/file_content.h"
 
 namespace lancer {
 namespace {
@@ -138,36 +136,43 @@ void write_checkpoint(const std::string& path, const RenderIdentity& identity, c
     file.commit();
 }
 
-Checkpoint read_checkpoint(const std::string& path)
+CheckpointFile::CheckpointFile(const std::string& path) : content_(path), from_(path, {})
 {
-    const FileContent content(path);
-    if (!content.problem().empty())
-        throw Error(content.missing() ? ErrorKind::missing_input : ErrorKind::invalid_input, {path}, content.problem());
-    std::string_view bytes = content.bytes();
-    Loader from(path, bytes);
-    if (!bytes.starts_with(magic)) from.fail("this is not a checkpoint, or one of another version of lancer");
+    if (!content_.problem().empty())
+        throw Error(content_.missing() ? ErrorKind::missing_input : ErrorKind::invalid_input, {path},
+                    content_.problem());
+    std::string_view bytes = content_.bytes();
+    if (!bytes.starts_with(magic)) from_.fail("this is not a checkpoint, or one of another version of lancer");
     uint64_t hash = 0;
-    if (bytes.size() < magic.size() + sizeof byte_order + sizeof hash) from.fail_damaged();
+    if (bytes.size() < magic.size() + sizeof byte_order + sizeof hash) from_.fail_damaged();
     std::memcpy(&hash, bytes.data() + bytes.size() - sizeof hash, sizeof hash);
     bytes.remove_suffix(sizeof hash);
-    if (Loader::hash_of(bytes) != hash) from.fail_damaged();
-    from = Loader(path, bytes);
-    from.bytes(magic.size());
+    if (Loader::hash_of(bytes) != hash) from_.fail_damaged();
+    from_ = Loader(path, bytes);
+    from_.bytes(magic.size());
     uint32_t order = 0;
-    from(order);
-    if (order != byte_order) from.fail("this checkpoint was written on a machine with another order of bytes");
-    RenderIdentity identity;
-    visit_identity(from, identity);
-    PictureRecipe recipe = load_recipe(from);
-    RenderState state;
-    visit_state(from, state);
-    Film film = empty_film(recipe);
-    if (state.pass.begin > state.pass.end || state.shard.index > state.shard.count) from.fail_damaged();
-    require_apart(state.held, film.crop, from);
-    require_apart(state.left, film.crop, from);
-    visit_film(from, film, state.halves, state.held);
-    if (!from.is_at_end()) from.fail_damaged();
-    return {std::move(identity), std::move(recipe), std::move(state), std::move(film)};
+    from_(order);
+    if (order != byte_order) from_.fail("this checkpoint was written on a machine with another order of bytes");
+    visit_identity(from_, identity);
+    recipe = load_recipe(from_);
+    visit_state(from_, state);
+    if (state.pass.begin > state.pass.end || state.shard.index > state.shard.count) from_.fail_damaged();
+    require_apart(state.held, recipe.stats.settings.crop, from_);
+    require_apart(state.left, recipe.stats.settings.crop, from_);
+}
+
+void CheckpointFile::read_film(Film& film, std::vector<HalfBuffers::Half>& halves)
+{
+    visit_film(from_, film, halves, state.held);
+    if (!from_.is_at_end()) from_.fail_damaged();
+}
+
+Checkpoint read_checkpoint(const std::string& path)
+{
+    CheckpointFile file(path);
+    Film film = empty_film(file.recipe);
+    file.read_film(film, file.state.halves);
+    return {std::move(file.identity), std::move(file.recipe), std::move(file.state), std::move(film)};
 }
 
 void require_same(const RenderIdentity& there, const RenderIdentity& expected, const std::string& path)

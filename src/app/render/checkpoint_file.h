@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "app/render/checkpoint_stream.h"
 #include "app/render/identity.h"
 #include "app/render/recipe.h"
 #include "core/film.h"
+#include "io/file_content.h"
 #include "render/workspace.h"
 #include "report/metrics/error_estimate.h"
 #include "report/stats_json.h"
@@ -26,6 +28,24 @@ struct RenderState {
     std::vector<HalfBuffers::Half> halves;  // as HalfBuffers::halves()
     std::optional<double> error;            // as HalfBuffers::rel_mse()
     std::string error_log;                  // its text so far
+};
+
+// A file that is checked and read, but for its film.
+class CheckpointFile {
+public:
+    // Throws Error: missing_input; invalid_input if it is damaged or none.
+    explicit CheckpointFile(const std::string& path);
+
+    RenderIdentity identity;
+    PictureRecipe recipe;
+    RenderState state;  // without its halves
+    // Adds the sums of the tiles that the state holds to a film of the recipe, and likewise the halves, if it has any.
+    // Once. Throws Error (invalid_input).
+    void read_film(Film& film, std::vector<HalfBuffers::Half>& halves);
+
+private:
+    FileContent content_;
+    Loader from_;
 };
 
 // A whole file.
