@@ -10,6 +10,7 @@
 #include "app/study/pictures.h"
 #include "app/system_info.h"
 #include "app/version.h"
+#include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "report/page/html.h"
@@ -197,6 +198,27 @@ int StudyRunner::execute()
     return write_report();
 }
 
+// A study file may come from anyone.
+void require_harmless(const StudyOptions& options, const StudyPlan& plan)
+{
+    const auto check = [&](const std::string& name, const std::vector<std::string>& words) {
+        try {
+            check_study_options(words);
+        } catch (const Error& problem) {
+            throw Error(ErrorKind::invalid_input, {options.study},
+                        in_quotes(name) + ": options: " + message_of(problem));
+        }
+    };
+    for (const StudyPlan::Scene& s : plan.scenes) check(s.name, s.options);
+    for (const StudyPlan::Method& m : plan.methods) {
+        check(m.name, m.options);
+        if (!m.peer.empty() && !options.allow_peers)
+            throw Error(ErrorKind::usage, {},
+                        in_quotes(m.name) + " runs another program, " + in_quotes(plan.peers + "/run") +
+                            ": if you trust it, add --allow-peers");
+    }
+}
+
 }  // namespace
 
 int run_study(int argc, char** argv)
@@ -206,6 +228,7 @@ int run_study(int argc, char** argv)
     Diagnostics diagnostics;
     const StudyPlan plan = load_study_file(options->study, diagnostics);
     diagnostics.throw_if_errors();
+    require_harmless(*options, plan);
     return StudyRunner(*options, plan).execute();
 }
 

@@ -106,7 +106,7 @@ PictureOptions options_of(const Claim& claim, const VerifyOptions& verify)
     try {
         options = parse_picture_options(std::move(words));
     } catch (const Error& problem) {
-        fail(verify.picture, std::string("its options are not understood: ") + problem.what());
+        fail(verify.picture, "its options are not understood: " + message_of(problem));
     }
     if (!verify.asset_root.empty()) options.scene.asset_root = verify.asset_root;
     options.threads = verify.threads;

@@ -99,6 +99,14 @@ void print_problem(const std::string& lines)
     print_raw(text);
 }
 
+std::string message_of(const Error& failure)
+{
+    constexpr std::string_view error = "error: ";
+    const std::string text = failure.what();
+    const size_t at = text.find(error);
+    return at == std::string::npos ? text : text.substr(at + error.size());
+}
+
 void print_as_warning(const Error& failure, const std::string& consequence)
 {
     constexpr std::string_view error = "error: ";

@@ -25,6 +25,8 @@ void flush_results();
 // Lines "place: error: message" or "place: warning: message"; those without a place get the program's name. The words
 // error and warning are coloured on a terminal, unless NO_COLOR is set.
 void print_problem(const std::string& lines);
+// What a failure says, without its place and the word error.
+std::string message_of(const Error& failure);
 // A failure that costs nothing but what `consequence` says: its message as a warning.
 void print_as_warning(const Error& failure, const std::string& consequence);
 void print_note(const std::string& line);

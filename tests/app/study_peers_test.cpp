@@ -85,7 +85,7 @@ protected:
         ASSERT_NE(text.find(from), std::string::npos);
         write("study.toml", text.replace(text.find(from), from.size(), to));
     }
-    Said run_study() const { return run({"study", "study.toml", "-o", "out"}); }
+    Said run_study() const { return run({"study", "study.toml", "-o", "out", "--allow-peers"}); }
 
     static constexpr const char* study = R"(version = 1
 seeds = 2

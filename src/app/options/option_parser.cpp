@@ -74,6 +74,8 @@ bool OptionParser::parse(int argc, char** argv)
     return true;
 }
 
+bool OptionParser::knows(const std::string& name) const { return app_->get_option_no_throw(name) != nullptr; }
+
 std::vector<std::string> OptionParser::given() const
 {
     std::vector<std::string> names;

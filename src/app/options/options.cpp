@@ -269,6 +269,31 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
     return o;
 }
 
+void check_study_options(const std::vector<std::string>& words)
+{
+    const auto parse = [&](OptionParser& p) {
+        std::vector<std::string> all{"render", "scene.toml"};
+        all.insert(all.end(), words.begin(), words.end());
+        std::vector<char*> pointers;
+        for (std::string& word : all) pointers.push_back(word.data());
+        for (const std::string& word : words)
+            if (word == "-h" || word == "--help" || word == "--version")
+                fail_usage(in_quotes(word) + " is not for studies");
+        p.parse(static_cast<int>(pointers.size()), pointers.data());
+    };
+    PictureOptions picture;
+    OptionParser safe("lancer render", "", "");
+    add_picture_options(safe, picture);
+    RenderOptions render;
+    OptionParser all("lancer render", "", "");
+    add_render_options(all, render);
+    parse(all);
+    constexpr std::string_view more[] = {"--tile", "--batch", "--crop", "--denoise", "--time", "--error", "--quiet"};
+    for (const std::string& name : all.given())
+        if (!safe.knows(name) && std::find(std::begin(more), std::end(more), name) == std::end(more))
+            fail_usage(in_quotes(name) + " is not for studies: it does not say what is rendered");
+}
+
 PictureOptions parse_picture_options(std::vector<std::string> words)
 {
     PictureOptions o;
@@ -437,6 +462,7 @@ std::optional<StudyOptions> parse_study(int argc, char** argv)
                    "130 interrupted.\n\nExample:\n  lancer study study.toml -o study\n");
     p.argument("STUDY", "Study file (.toml); docs/measuring.md tells its keys",
                [&](const std::string& t) { o.study = t; });
+    p.flag("--allow-peers", "Let the study start the other programs that it names", o.allow_peers);
     p.value("-o,--output", "FOLDER", "Where pictures, figures and index.html go (named as the study)",
             [&](const std::string& t) { o.folder = t; });
     add_threads(p, o.threads);

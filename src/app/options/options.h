@@ -157,6 +157,7 @@ struct ExportOptions {
 
 struct StudyOptions {
     std::string study, folder;
+    bool allow_peers = false;  // may start programs that the study names
     std::optional<uint32_t> threads;
 };
 
@@ -186,6 +187,9 @@ struct CompareOptions {
 std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
 std::optional<MergeOptions> parse_merge(int argc, char** argv);
+// Throws Error (usage) unless these are options of lancer render that say what is rendered, and neither write files nor
+// connect: what a study file, perhaps from a stranger, may give.
+void check_study_options(const std::vector<std::string>& words);
 // What a picture was rendered with. words: as after "lancer render", the scene first. Throws Error (usage).
 PictureOptions parse_picture_options(std::vector<std::string> words);
 std::optional<VerifyOptions> parse_verify(int argc, char** argv);
