@@ -80,7 +80,7 @@ int run_denoise(int argc, char** argv)
                                      .planes = layers_of_denoised(noisy, denoised),
                                      .metadata = denoised_metadata(std::move(metadata)),
                                      .style = {.curve = {options->exposure, options->tonemap}}});
-    for (const std::string& path : options->outputs) print_result(path);
+    for (const std::string& path : options->outputs) print_path(path);
     return exit_done;
 }
 

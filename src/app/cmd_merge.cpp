@@ -138,7 +138,7 @@ void write(Checkpoint all, const std::vector<std::string>& outputs, bool with_pi
             continue;
         }
         write_checkpoint(path, all.identity, all.recipe, all.state, all.film);
-        print_result(path);
+        print_path(path);
     }
     if (!with_pictures || pictures.empty()) return;
     Denoised denoised;
@@ -147,7 +147,7 @@ void write(Checkpoint all, const std::vector<std::string>& outputs, bool with_pi
         all.recipe.stats.denoised = true;
     }
     write_outputs(pictures, content_of(all.film, denoised, all.recipe));
-    for (const std::string& path : pictures) print_result(path);
+    for (const std::string& path : pictures) print_path(path);
 }
 
 int merge(const MergeOptions& options)

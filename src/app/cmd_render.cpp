@@ -529,8 +529,8 @@ int Run::execute()
     if (stats_.error_sources && !options_.quiet)
         print_error_sources(*stats_.error_sources, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
-    if (!options_.write_scene.empty()) print_result(options_.write_scene);
-    for (const std::string& path : written_) print_result(path);
+    if (!options_.write_scene.empty()) print_path(options_.write_scene);
+    for (const std::string& path : written_) print_path(path);
     if (log_->is_behind()) {
         has_failed_ = true;
         print_problem("error: the error log could not be written");

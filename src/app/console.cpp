@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/names.h"
 
 namespace lancer {
 namespace {
@@ -75,7 +76,13 @@ std::string in_shell_quotes(const std::string& word)
     return quoted + "'";
 }
 
-void print_result(const std::string& line) { std::fprintf(stdout, "%s\n", line.c_str()); }
+void print_result(const std::string& line) { std::fprintf(stdout, "%s\n", without_controls(line, true).c_str()); }
+
+void print_path(const std::string& path)
+{
+    if (isatty(STDOUT_FILENO)) return print_result(path);
+    std::fprintf(stdout, "%s\n", path.c_str());
+}
 
 void flush_results()
 {
@@ -88,7 +95,8 @@ void print_problem(const std::string& lines)
 {
     const bool colour = is_coloured();
     std::string text;
-    std::string_view rest = lines;
+    const std::string clean = without_controls(lines, true);
+    std::string_view rest = clean;
     while (!rest.empty()) {
         const size_t end = rest.find('\n');
         std::string line(rest.substr(0, end));
@@ -115,7 +123,7 @@ void print_as_warning(const Error& failure, const std::string& consequence)
     print_problem(text + "; " + consequence);
 }
 
-void print_note(const std::string& line) { print_raw("lancer: " + line + "\n"); }
+void print_note(const std::string& line) { print_raw("lancer: " + without_controls(line, true) + "\n"); }
 
 bool stderr_is_terminal()
 {

@@ -17,8 +17,10 @@ std::string shortest(float x);
 // Quotes a word for a shell.
 std::string in_shell_quotes(const std::string& word);
 
-// Prints a line on stdout.
+// Output never steers a terminal: control characters become '?', but for line feeds and tabs. Prints a line on stdout.
 void print_result(const std::string& line);
+// The same of a written file. A script gets its very name.
+void print_path(const std::string& path);
 // Throws Error (failed) if what was printed on stdout could not be written.
 void flush_results();
 

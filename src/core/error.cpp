@@ -13,7 +13,7 @@ constexpr size_t most_named = 3;  // in one warning
 
 std::string to_string(const Location& l)
 {
-    std::string s = l.file;
+    std::string s = without_controls(l.file, false);
     if (l.line) s += ":" + std::to_string(l.line);
     if (l.line && l.column) s += ":" + std::to_string(l.column);
     return s;

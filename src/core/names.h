@@ -58,12 +58,28 @@ std::optional<std::string> nearest(std::string_view wrong, const Names& known)
     return best;
 }
 
+// UTF-8 with control characters, those of C1 too, as '?': they could steer a terminal. keeps_lines: but for line feeds
+// and tabs.
+inline std::string without_controls(std::string_view text, bool keeps_lines)
+{
+    std::string clean;
+    clean.reserve(text.size());
+    for (size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const unsigned char next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+        const bool is_c1 = c == 0xc2 && next >= 0x80 && next < 0xa0;
+        const bool stays = !is_c1 && c != 0x7f && (c >= 0x20 || (keeps_lines && (c == '\n' || c == '\t')));
+        clean += stays ? text[i] : '?';
+        if (is_c1) ++i;
+    }
+    return clean;
+}
+
 // A name from a file for use in a message: one line of UTF-8, of limited length, without control characters.
 inline std::string on_one_line(std::string_view name)
 {
     constexpr size_t longest = 200;  // room for a path
-    std::string text = readable(name);
-    for (char& c : text) c = std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+    std::string text = without_controls(readable(name), false);
     if (text.size() <= longest) return text;
     size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not within a character

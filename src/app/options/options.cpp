@@ -78,6 +78,7 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.value("--exr-compression", listed(enum_names<ExrCompression>),
             "EXR: how it is compressed; dwaa and dwab lose what is hardly seen (zip)",
             [&](const std::string& t) { o.compression = to_enum<ExrCompression>("--exr-compression", t); });
+    p.flag("--no-metadata", "Pictures whose headers say nothing of how they were made", o.no_metadata);
     p.flag("--reproducible",
            "Pictures without times, threads and command line in their headers: of two runs the same bytes",
            o.reproducible);

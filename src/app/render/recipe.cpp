@@ -21,7 +21,8 @@ template <class Stream, class AnyOptions>
 void visit_options(Stream& stream, AnyOptions& o)
 {
     stream.each(o.aovs, [&](auto& aov) { visit_enum(stream, aov, enum_names<Aov>.size()); });
-    for (auto* flag : {&o.denoise, &o.denoise_sets, &o.guides, &o.half, &o.dither, &o.ascii_ppm, &o.reproducible})
+    for (auto* flag :
+         {&o.denoise, &o.denoise_sets, &o.guides, &o.half, &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata})
         visit_flag(stream, *flag);
     visit_enum(stream, o.background, enum_names<BackgroundChoice>.size());
     visit_enum(stream, o.compression, enum_names<ExrCompression>.size());
@@ -71,8 +72,9 @@ Film empty_film(const PictureRecipe& recipe)
 
 PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe)
 {
-    return content_of(film, denoised, recipe.options, make_metadata(recipe.stats, recipe.options.reproducible),
-                      recipe.curve, recipe.normalisation);
+    Metadata metadata;
+    if (!recipe.options.no_metadata) metadata = make_metadata(recipe.stats, recipe.options.reproducible);
+    return content_of(film, denoised, recipe.options, std::move(metadata), recipe.curve, recipe.normalisation);
 }
 
 void save_recipe(Saver& to, const PictureRecipe& recipe) { visit_recipe(to, recipe); }
