@@ -9,26 +9,23 @@
 #include "app/prepare.h"
 #include "app/render/checkpoints.h"
 #include "app/render/content.h"
+#include "app/render/describe.h"
 #include "app/render/error_log.h"
 #include "app/render/frames.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
+#include "app/render/phase_clock.h"
 #include "app/render/progress.h"
 #include "app/render/recipe.h"
 #include "app/render/shard.h"
 #include "app/render/summary.h"
 #include "app/signals.h"
-#include "app/specialisation.h"
 #include "app/system_info.h"
-#include "app/version.h"
 #include "app/write_scene.h"
-#include "core/hash.h"
 #include "core/parallel.h"
-#include "geometry/embree/embree.h"
 #include "io/atomic_file.h"
 #include "io/scene/scene_file.h"
-#include "render/aov.h"
 #include "render/denoise/film_halves.h"
 #include "render/estimators/auto_exposure.h"
 #include "report/metrics/error_estimate.h"
@@ -41,28 +38,6 @@ namespace {
 // Number of samples if only time or error stops a render.
 constexpr uint32_t unlimited_spp = 1u << 28;
 
-// Adds what the phase took to the figures when the next begins, and at its end.
-class PhaseClock {
-public:
-    PhaseClock(RunStats& stats, const char* phase) : stats_(stats), phase_(phase) {}
-    ~PhaseClock() { end(); }
-    PhaseClock(const PhaseClock&) = delete;
-    PhaseClock& operator=(const PhaseClock&) = delete;
-
-    void next(const char* phase)
-    {
-        end();
-        phase_ = phase, wall_ = wall_seconds(), cpu_ = cpu_seconds();
-    }
-
-private:
-    void end() { stats_.phases.push_back({phase_, wall_seconds() - wall_, cpu_seconds() - cpu_}); }
-
-    RunStats& stats_;
-    const char* phase_;
-    double wall_ = wall_seconds(), cpu_ = cpu_seconds();
-};
-
 // One run of the command. Its figures grow as it goes.
 class Run {
 public:
@@ -74,7 +49,7 @@ private:
     auto timed(const char* phase, F&& f);
     void load();
     void hold_samples_out();
-    void describe(const Renderer& renderer);
+    void describe_settings(const Renderer& renderer);
     void render(const Renderer& renderer);
     void add_samples(const Film& film, const Counters& counters, const RenderLimits& limits);
     void end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits);
@@ -89,8 +64,7 @@ private:
     std::string hash_with(uint32_t spp) const;
     void go_on_from(const RenderState& state, const Film& film, RenderLimits& limits);
     PictureRecipe recipe() const;
-    bool write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
-                          const RenderLimits& limits) const;
+    RenderState state(SampleRange pass, const std::vector<Tile>& left, const RenderLimits& limits) const;
     void choose_curve(const Renderer& renderer);
     std::optional<double> error_to_judge(const Film& film, uint32_t spp, RenderLimits& limits);
     void tell_error_of_denoised(const Film& film);
@@ -188,43 +162,14 @@ void Run::write_scene()
         print_note("to render " + options_.write_scene + ", add --asset-root " + in_shell_quotes(root));
 }
 
-void Run::describe(const Renderer& renderer)
+void Run::describe_settings(const Renderer& renderer)
 {
-    stats_.context = {.version = LANCER_VERSION,
-                      .embree = embree_version(),
-                      .parallel = parallel_version(),
-                      .compiler = compiler_text(),
-                      .build_type = LANCER_BUILD_TYPE,
-                      .instructions = instruction_text(),
-                      .cpu = cpu_model(),
-                      .command_line = options_.command_line,
-                      .load_average = load_average()};
-    const Scene& scene = renderer.scene();
-    const Profile kernel = renderer.profile();
-    stats_.scene = {.file = options_.picture.scene.file,
-                    .content_hash = prepared_.description.content_hash,
-                    .triangles = scene.triangle_count(),
-                    .meshes = scene.geometry.meshes.size(),
-                    .instances = scene.geometry.instances.size(),
-                    .spheres = scene.geometry.spheres.size(),
-                    .planes = scene.geometry.planes.size(),
-                    .lights = scene.lights.lights.size(),
-                    .materials = scene.materials.size(),
-                    .accelerator_bytes = renderer.accelerator().stats().bytes,
-                    .hidden_lights = prepared_.hidden_lights,
-                    .added_light = prepared_.added.light,
-                    .warnings = prepared_.warnings,
-                    .unused_features = unused_features_of(renderer, kernel)};
-    if (prepared_.added.view_s) stats_.analyses.push_back({"view", *prepared_.added.view_s});
-    if (prepared_.added.light_s) stats_.analyses.push_back({"light", *prepared_.added.light_s});
-    for (const Scene::Analysis& a : scene.analyses) stats_.analyses.push_back({a.name, a.seconds});
-    if (!scene.delta_lights.empty()) stats_.analyses.push_back({"hidden lights", prepared_.hidden_lights_s});
     stats_.settings = {.render = settings_,
                        .crop = crop_,
                        .threads = prepared_.threads,
                        .tile = options_.tile,
                        .batch = options_.batch,
-                       .kernel = std::string(name_of(kernel)),
+                       .kernel = std::string(name_of(renderer.profile())),
                        .hash = hash_with(settings_.spp),
                        .options = reproducing_options(settings_) + options_text(options_.picture.scene)};
 }
@@ -262,22 +207,19 @@ PictureRecipe Run::recipe() const
             .keeps_blocks_open = options_.time || options_.error || Checkpoints::are_wanted(options_)};
 }
 
-bool Run::write_checkpoint(Checkpoints& to, SampleRange pass, const std::vector<Tile>& left, const Film& film,
-                           const RenderLimits& limits) const
+RenderState Run::state(SampleRange pass, const std::vector<Tile>& left, const RenderLimits& limits) const
 {
-    return to.write(recipe(),
-                    {.shard = options_.shard,
-                     .held = options_.shard.is_whole() ? std::vector{crop_} : tiles_of(options_.shard, crop_),
-                     .pass = pass,
-                     .left = left,
-                     .counters = stats_.counters,
-                     .wall_s = limits.wall_seconds(),
-                     .cpu_s = limits.cpu_seconds(),
-                     .passes = stats_.passes,
-                     .halves = halves_.halves(),
-                     .error = halves_.rel_mse(),
-                     .error_log = log_->is_wanted() ? log_->text() : ""},
-                    film);
+    return {.shard = options_.shard,
+            .held = options_.shard.is_whole() ? std::vector{crop_} : tiles_of(options_.shard, crop_),
+            .pass = pass,
+            .left = left,
+            .counters = stats_.counters,
+            .wall_s = limits.wall_seconds(),
+            .cpu_s = limits.cpu_seconds(),
+            .passes = stats_.passes,
+            .halves = halves_.halves(),
+            .error = halves_.rel_mse(),
+            .error_log = log_->is_wanted() ? log_->text() : ""};
 }
 
 void Run::estimate_error(const Film& film)
@@ -372,7 +314,7 @@ void Run::render(const Renderer& renderer)
                 }
                 if (has_samples() && checkpoints.are_due()) {
                     limits.pause();
-                    write_checkpoint(checkpoints, range, left, film, limits);
+                    checkpoints.write(recipe(), state(range, left, limits), film);
                     limits.resume();
                 }
                 std::stop_source halt;
@@ -403,7 +345,13 @@ void Run::render(const Renderer& renderer)
         if (options_.verbose) print_sampling_plan(renderer.integrator(), *renderer.plan(camera, width, height));
     });
     if (tiles.empty()) range = {0, s.spp};  // more shards than pixels
-    if (has_samples() || tiles.empty()) can_go_on_ = write_checkpoint(checkpoints, range, left, film, limits);
+    if (has_samples() || tiles.empty()) {
+        can_go_on_ = checkpoints.write(recipe(), state(range, left, limits), film);
+        if (can_go_on_ && !options_.shard.is_whole()) written_ = {options_.checkpoint};
+        // All that a shard has rendered is in there.
+        if (!can_go_on_ && !options_.shard.is_whole())
+            written_ = checkpoints.rescue(recipe(), state(range, left, limits), film);
+    }
     if (options_.outliers > 0 && !signals_.interrupted())
         stats_.error_sources =
             timed("find outliers", [&] { return find_error_sources(renderer, camera, film, options_.outliers); });
@@ -511,7 +459,8 @@ int Run::execute()
                                  [&] { clock.next("finish scene"); });
         });
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
-        describe(*renderer);
+        describe_run(options_, prepared_, *renderer, stats_);
+        describe_settings(*renderer);
         if (options_.verbose) print_start(stats_, settings_);
         choose_curve(*renderer);
         render(*renderer);
@@ -520,10 +469,7 @@ int Run::execute()
         print_problem("error: interrupted before the first sample; nothing is written");
         return exit_interrupted;
     }
-    if (!options_.shard.is_whole()) {
-        if (can_go_on_) written_ = {options_.checkpoint};
-        has_failed_ = has_failed_ || !can_go_on_;
-    }
+    if (!options_.shard.is_whole() && !can_go_on_) has_failed_ = true;
     write_stats();
     print_dropped_samples(stats_, settings_, options_.picture.scene);
     if (stats_.error_sources && !options_.quiet)

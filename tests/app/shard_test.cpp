@@ -178,6 +178,19 @@ TEST_F(Shards, GoOnWhereTheyWereStopped)
     expect_same("merged.exr", "whole.exr");
 }
 
+TEST_F(Shards, ThatCannotBeWrittenAreRescued)
+{
+    ASSERT_EQ(render({"-o", "whole.exr"}).code, 0);
+    render_parts(2, {});
+    std::filesystem::create_symlink("/dev/full", file("full.lancer"));
+    const Said said = render({"--shard", "2/2", "-o", "full.lancer"});
+    EXPECT_EQ(said.code, 1) << "not where it was asked for";
+    EXPECT_EQ(said.out, "full-rescued.lancer\n");
+    expect_words(said.err, "what was rendered is rescued as 'full-rescued.lancer'");
+    ASSERT_EQ(merge({part(1), "full-rescued.lancer"}, {"-o", "a.exr"}).code, 0);
+    expect_same("a.exr", "whole.exr");
+}
+
 TEST_F(Shards, AreNumberedAsTheClusterSays)
 {
     const auto name_with = [&](const Words& environment) {

@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/system_info.h"
 #include "core/error.h"
+#include "core/names.h"
 
 namespace lancer {
 namespace {
@@ -74,6 +75,21 @@ bool Checkpoints::write(const PictureRecipe& recipe, const RenderState& state, c
     }
     due_ = wall_seconds() + interval_;
     return is_written;
+}
+
+std::vector<std::string> Checkpoints::rescue(const PictureRecipe& recipe, const RenderState& state,
+                                             const Film& film) const
+{
+    for (const std::string& name : rescue_names(path_)) {
+        try {
+            write_checkpoint(name, identity_, recipe, state, film);
+        } catch (const Error&) {
+            continue;
+        }
+        print_note("what was rendered is rescued as " + in_quotes(name));
+        return {name};
+    }
+    return {};
 }
 
 }  // namespace lancer

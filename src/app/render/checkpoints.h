@@ -27,6 +27,10 @@ public:
     // Returns whether a file was written. If it cannot be, a warning says so, and the render goes on.
     bool write(const PictureRecipe& recipe, const RenderState& state, const Film& film);
 
+    // Of what write() could not write: another place beside it, else in the folder for temporary files. Its name, or
+    // none.
+    std::vector<std::string> rescue(const PictureRecipe& recipe, const RenderState& state, const Film& film) const;
+
 private:
     RenderState read(const std::string& path, Film& film) const;
 

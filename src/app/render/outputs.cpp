@@ -190,13 +190,19 @@ void write_outputs(const std::vector<std::string>& paths, const PictureContent& 
     for (AtomicFile& file : files) file.commit();
 }
 
+std::vector<std::string> rescue_names(const std::string& path)
+{
+    std::vector<std::string> names;
+    for (const auto& folder : {std::filesystem::path(path).parent_path(), temporary_folder()})
+        if (std::string name = unused_name(path, folder); !name.empty()) names.push_back(std::move(name));
+    return names;
+}
+
 std::vector<std::string> rescue_outputs(const std::vector<std::string>& paths, const PictureContent& picture)
 {
     std::vector<std::string> written;
     for (const std::string& path : paths)
-        for (const auto& folder : {std::filesystem::path(path).parent_path(), temporary_folder()}) {
-            const std::string name = unused_name(path, folder);
-            if (name.empty()) continue;
+        for (const std::string& name : rescue_names(path)) {
             try {
                 AtomicFile file(name);
                 write_picture(file, picture);

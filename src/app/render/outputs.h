@@ -57,6 +57,8 @@ struct PictureContent {
 
 // Writes a picture under each name, all or none. Throws Error (failed).
 void write_outputs(const std::vector<std::string>& paths, const PictureContent& picture);
+// Names that no file has, for what cannot be written under its own: beside it, and in the folder for temporary files.
+std::vector<std::string> rescue_names(const std::string& path);
 // For pictures that write_outputs() could not write: each is written under a new name beside its own, else in the
 // folder for temporary files. No file is replaced. Returns the names of what could be written.
 std::vector<std::string> rescue_outputs(const std::vector<std::string>& paths, const PictureContent& picture);

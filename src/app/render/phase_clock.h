@@ -1,0 +1,31 @@
+// How long the phases of a run take.
+#pragma once
+
+#include "app/system_info.h"
+#include "report/stats_json.h"
+
+namespace lancer {
+
+// Adds what the phase took to the figures when the next begins, and at its end.
+class PhaseClock {
+public:
+    PhaseClock(RunStats& stats, const char* phase) : stats_(stats), phase_(phase) {}
+    ~PhaseClock() { end(); }
+    PhaseClock(const PhaseClock&) = delete;
+    PhaseClock& operator=(const PhaseClock&) = delete;
+
+    void next(const char* phase)
+    {
+        end();
+        phase_ = phase, wall_ = wall_seconds(), cpu_ = cpu_seconds();
+    }
+
+private:
+    void end() { stats_.phases.push_back({phase_, wall_seconds() - wall_, cpu_seconds() - cpu_}); }
+
+    RunStats& stats_;
+    const char* phase_;
+    double wall_ = wall_seconds(), cpu_ = cpu_seconds();
+};
+
+}  // namespace lancer
