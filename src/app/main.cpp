@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/version.h"
 #include "core/error.h"

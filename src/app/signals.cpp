@@ -6,7 +6,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 
 namespace lancer {
 namespace {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/prepare.h"
 #include "core/names.h"

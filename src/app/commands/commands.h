@@ -1,4 +1,4 @@
-// The commands, each in cmd_NAME.cpp. argv[0] is the command's name. Each returns the exit code and throws errors.
+// The commands, each in NAME.cpp. argv[0] is the command's name. Each returns the exit code and throws errors.
 #pragma once
 
 #include "app/exit_code.h"

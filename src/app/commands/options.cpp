@@ -1,7 +1,7 @@
 // lancer options: the tables of render settings and of the bias ledger, as docs/ has them.
 #include <string>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
 #include "render/bias_ledger.h"

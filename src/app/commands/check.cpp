@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"

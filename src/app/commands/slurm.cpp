@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
 

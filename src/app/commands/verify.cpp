@@ -4,7 +4,7 @@
 #include <cstring>
 #include <random>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/paths.h"
 #include "app/prepare.h"

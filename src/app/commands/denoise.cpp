@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
 #include "app/render/content.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/study/lancer_runs.h"
 #include "app/study/peers.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/compare_verdict.h"
 #include "app/compared_channels.h"
 #include "app/compared_picture.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/asset_files.h"
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/options/options.h"
 #include "app/prepare.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <type_traits>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/prepare.h"
 #include "app/render/checkpoints.h"

@@ -1,7 +1,7 @@
 // lancer tune: what the estimators give on a scene, by small pictures in turns.
 #include <string>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/prepare.h"
 #include "app/signals.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/paths.h"
 #include "app/render/checkpoint_file.h"
