@@ -1,6 +1,7 @@
 // lancer verify: whether this program drew this picture of this scene.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -24,6 +25,7 @@ constexpr size_t most_shown = 5;
 struct Claim {
     std::string scene, scene_hash, options;
     Window display, data;
+    uint32_t spp_done = 0;  // what all pixels have; a render that time has stopped may have the next pass in some
     bool is_half = false, has_alpha = false, is_denoised = false;
     std::vector<std::vector<float>> channels;  // red, green, blue before denoising; alpha, if there is one
 };
@@ -55,6 +57,7 @@ Claim read_claim(const std::string& path)
     if (text_of(info.metadata, "partial") != "0")
         fail(path, "it is partial: not all its pixels have all their samples");
     claim.options += " --spp " + text_of(info.metadata, "spp");
+    claim.spp_done = static_cast<uint32_t>(std::strtoul(text_of(info.metadata, "spp_done").c_str(), nullptr, 10));
     if (info.compression.starts_with("dwa")) fail(path, "its compression, " + info.compression + ", changes pixels");
     if (const std::string by = text_of(info.metadata, "software"), own = std::string("lancer ") + LANCER_VERSION;
         by != own)
@@ -126,9 +129,9 @@ std::vector<size_t> choose_pixels(size_t count, size_t wanted)
     return some;
 }
 
-// What a pixel's channels are when it is traced again.
+// What a pixel's channels are when so many samples of it are traced again.
 std::vector<float> traced(const Renderer& renderer, const Camera& camera, const RenderSettings& settings,
-                          const Claim& claim, const Tile& pixel)
+                          const Claim& claim, const Tile& pixel, uint32_t spp)
 {
     Film film(settings.size.width, settings.size.height, pixel);
     if (claim.has_alpha) {
@@ -137,7 +140,7 @@ std::vector<float> traced(const Renderer& renderer, const Camera& camera, const 
     }
     if (settings.stop) film.wanted.resize(1);
     if (settings.replicates > 1) film.replicates.resize(settings.replicates);
-    renderer.pass(camera, film, std::vector{pixel}, {0, settings.spp});
+    renderer.pass(camera, film, std::vector{pixel}, {0, spp});
     const Color c = film.whole(0).mean();
     std::vector<float> values{c.r, c.g, c.b};
     if (claim.is_half)
@@ -181,15 +184,26 @@ std::vector<Difference> compare(const Renderer& renderer, const Prepared& prepar
         const auto y = static_cast<uint32_t>(claim.data.y0 + static_cast<int32_t>(at / width));
         return Tile{x, y, x + 1, y + 1};
     };
-    parallel_for(pixels.size(),
-                 [&](size_t i) { again[i] = traced(renderer, camera, settings, claim, tile_of(pixels[i])); });
+    const auto there = [&](size_t i) {
+        std::vector<float> values;
+        for (const auto& channel : claim.channels) values.push_back(channel[pixels[i]]);
+        return values;
+    };
+    const auto is_same = [&](size_t i) {
+        const std::vector<float> values = there(i);
+        return std::equal(values.begin(), values.end(), again[i].begin(), have_same_bits);
+    };
+    parallel_for(pixels.size(), [&](size_t i) {
+        const auto trace = [&](uint32_t spp) {
+            again[i] = traced(renderer, camera, settings, claim, tile_of(pixels[i]), spp);
+        };
+        trace(settings.spp);
+        if (is_same(i) || claim.spp_done == 0 || claim.spp_done >= settings.spp) return;
+        trace(claim.spp_done);
+    });
     std::vector<Difference> differences;
-    for (size_t i = 0; i < pixels.size(); ++i) {
-        std::vector<float> there;
-        for (const auto& channel : claim.channels) there.push_back(channel[pixels[i]]);
-        if (!std::equal(there.begin(), there.end(), again[i].begin(), have_same_bits))
-            differences.push_back({tile_of(pixels[i]), again[i], there});
-    }
+    for (size_t i = 0; i < pixels.size(); ++i)
+        if (!is_same(i)) differences.push_back({tile_of(pixels[i]), again[i], there(i)});
     return differences;
 }
 
