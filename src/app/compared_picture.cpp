@@ -31,10 +31,8 @@ void read_variance(ComparedPicture& picture)
 
 std::optional<std::string> ComparedPicture::said(const std::string& name) const
 {
-    const auto found =
-        std::find_if(metadata.begin(), metadata.end(), [&](const auto& pair) { return pair.first == name; });
-    if (found == metadata.end()) return {};
-    return to_string(found->second);
+    const MetadataValue* const found = find_value(metadata, name);
+    return found ? std::optional(to_string(*found)) : std::nullopt;
 }
 
 ComparedPicture read_compared(const std::string& path)

@@ -15,13 +15,6 @@
 namespace lancer {
 namespace {
 
-double number_of(const Metadata& metadata, std::string_view name, double otherwise)
-{
-    for (const auto& [key, value] : metadata)
-        if (const double* number = std::get_if<double>(&value); number && key == name) return *number;
-    return otherwise;
-}
-
 HalfPlanes read_halves(const std::string& path, const Metadata& metadata)
 {
     const ExrInfo info = read_exr_info(path);
@@ -31,7 +24,9 @@ HalfPlanes read_halves(const std::string& path, const Metadata& metadata)
             throw Error(ErrorKind::invalid_input, {path},
                         "has no channel " + in_quotes(name) + ": render it with --aov denoise");
     const auto samples = [&](size_t half) {
-        return static_cast<float>(number_of(metadata, names_of_samples[half], 1));
+        const MetadataValue* const found = find_value(metadata, names_of_samples[half]);
+        const double* const number = found ? std::get_if<double>(found) : nullptr;
+        return number ? static_cast<float>(*number) : 1.0f;
     };
     return halves_from(read_exr_channels(path, names), {samples(0), samples(1)});
 }

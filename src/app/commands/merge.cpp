@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/paths.h"
 #include "app/render/checkpoint_file.h"
+#include "app/render/content.h"
 #include "app/render/shard.h"
 #include "core/names.h"
 #include "core/parallel.h"
@@ -14,21 +15,6 @@
 
 namespace lancer {
 namespace {
-
-uint64_t pixels_of(const std::vector<Tile>& tiles)
-{
-    uint64_t sum = 0;
-    for (const Tile& t : tiles) sum += uint64_t{t.width()} * t.height();
-    return sum;
-}
-
-template <class F>
-void for_pixels_of(const std::vector<Tile>& tiles, const F& f)
-{
-    for (const Tile& t : tiles)
-        for (uint32_t y = t.y0; y < t.y1; ++y)
-            for (uint32_t x = t.x0; x < t.x1; ++x) f(x, y);
-}
 
 std::string name_of(const Shard& shard)
 {
@@ -42,12 +28,13 @@ public:
     // to the others.
     void add(const std::string& path);
     bool has_any() const { return sum_.has_value(); }
-    bool is_complete() const { return sum_ && missing().empty(); }
+    bool is_complete() const { return sum_ && missing() == 0; }
     std::string text_of_missing();
     Checkpoint finish(const std::string& command_line);
 
 private:
-    std::vector<Tile> missing() const { return tiles_without(sum_->state.held, sum_->film.crop); }
+    // How many pixels are; no two parts have the same.
+    uint64_t missing() const { return sum_->film.pixels.size() - pixels_of(sum_->state.held); }
     // Whether a pixel is there.
     std::vector<bool>::reference has(uint32_t x, uint32_t y) { return has_[sum_->film.index(x, y)]; }
 
@@ -103,12 +90,12 @@ std::string Merge::text_of_missing()
                       [&](uint32_t x, uint32_t y) { is_there = is_there && has(x, y); });
         if (!is_there) text += (text.empty() ? "shard " : ", ") + std::to_string(k);
     }
-    return text.empty() ? format_text("%zu pixels", size_t{pixels_of(missing())})
-                        : text + format_text(" of %u", count_);
+    return text.empty() ? format_text("%zu pixels", size_t{missing()}) : text + format_text(" of %u", count_);
 }
 
 Checkpoint Merge::finish(const std::string& command_line)
 {
+    sum_->recipe.stats.partial = missing() > 0;
     Checkpoint all = std::move(*sum_);
     RenderState& s = all.state;
     s.shard = {0, count_};
@@ -116,7 +103,6 @@ Checkpoint Merge::finish(const std::string& command_line)
     stats.context.command_line = command_line;
     stats.counters = s.counters;
     stats.render_s = s.wall_s;
-    stats.partial = !tiles_without(s.held, all.film.crop).empty();
     if (!s.halves.empty()) {
         HalfBuffers halves(std::move(s.halves), {});
         halves.look(all.film);

@@ -274,7 +274,7 @@ void Run::render(const Renderer& renderer)
     normalisation_ = renderer.scene().normalisation;
     const std::vector<Tile> tiles =
         options_.shard.is_whole() ? make_tiles(crop_, options_.tile) : tiles_of(options_.shard, crop_);
-    for (const Tile& t : tiles) pixels_ += uint64_t{t.width()} * t.height();
+    pixels_ = pixels_of(tiles);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
     Film film = empty_film(recipe());
@@ -361,7 +361,8 @@ void Run::render(const Renderer& renderer)
     if (options_.denoise && !stats_.partial) {
         denoised = timed("denoise", [&] { return denoise_film(film); });
         stats_.denoised = true;
-        tell_error_of_denoised(film);
+        // Where that error has stopped the render it is told already.
+        if (stats_.stopped_by != name_of(Stop::error)) tell_error_of_denoised(film);
     }
     timed("write", [&] { write(picture_of(film, denoised)); });
 }

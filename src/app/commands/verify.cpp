@@ -35,13 +35,6 @@ struct Claim {
     throw Error(ErrorKind::invalid_input, {path}, what);
 }
 
-std::string text_of(const Metadata& metadata, std::string_view name)
-{
-    for (const auto& [key, value] : metadata)
-        if (key == name) return to_string(value);
-    return "";
-}
-
 Claim read_claim(const std::string& path)
 {
     if (extension_of(path) != ".exr")

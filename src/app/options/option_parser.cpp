@@ -74,6 +74,14 @@ bool OptionParser::parse(int argc, char** argv)
     return true;
 }
 
+bool OptionParser::parse(std::vector<std::string> words)
+{
+    std::string program = app_->get_name();
+    std::vector<char*> pointers{program.data()};
+    for (std::string& word : words) pointers.push_back(word.data());
+    return parse(static_cast<int>(pointers.size()), pointers.data());
+}
+
 bool OptionParser::knows(const std::string& name) const { return app_->get_option_no_throw(name) != nullptr; }
 
 std::vector<std::string> OptionParser::given() const

@@ -39,6 +39,8 @@ public:
 
     // False if help or version was asked for and printed. Throws Error (usage).
     bool parse(int argc, char** argv);
+    // The same of words that are no command line of this process.
+    bool parse(std::vector<std::string> words);
     // Whether it has an option of this long name: "--size".
     bool knows(const std::string& name) const;
     // After it: the options that were given, by their long names where they have one; arguments are none.

@@ -272,23 +272,18 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
 
 void check_study_options(const std::vector<std::string>& words)
 {
-    const auto parse = [&](OptionParser& p) {
-        std::vector<std::string> all{"render", "scene.toml"};
-        all.insert(all.end(), words.begin(), words.end());
-        std::vector<char*> pointers;
-        for (std::string& word : all) pointers.push_back(word.data());
-        for (const std::string& word : words)
-            if (word == "-h" || word == "--help" || word == "--version")
-                fail_usage(in_quotes(word) + " is not for studies");
-        p.parse(static_cast<int>(pointers.size()), pointers.data());
-    };
+    for (const std::string& word : words)
+        if (word == "-h" || word == "--help" || word == "--version")
+            fail_usage(in_quotes(word) + " is not for studies");
     PictureOptions picture;
     OptionParser safe("lancer render", "", "");
     add_picture_options(safe, picture);
     RenderOptions render;
     OptionParser all("lancer render", "", "");
     add_render_options(all, render);
-    parse(all);
+    std::vector<std::string> with_scene{"scene.toml"};
+    with_scene.insert(with_scene.end(), words.begin(), words.end());
+    all.parse(std::move(with_scene));
     constexpr std::string_view more[] = {"--tile", "--batch", "--crop", "--denoise", "--time", "--error", "--quiet"};
     for (const std::string& name : all.given())
         if (!safe.knows(name) && std::find(std::begin(more), std::end(more), name) == std::end(more))
@@ -300,10 +295,7 @@ PictureOptions parse_picture_options(std::vector<std::string> words)
     PictureOptions o;
     OptionParser p("lancer render", "", "");
     add_picture_options(p, o);
-    words.insert(words.begin(), "render");
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    if (!p.parse(static_cast<int>(pointers.size()), pointers.data())) fail_usage("asks for help");
+    if (!p.parse(std::move(words))) fail_usage("asks for help");
     return o;
 }
 

@@ -74,7 +74,7 @@ struct RenderOptions {
     BackgroundChoice background = BackgroundChoice::keep;
     bool half = false;
     ExrCompression compression = ExrCompression::zip;
-    bool no_metadata = false;   // nothing about the render in the pictures' headers
+    bool no_metadata = false;          // nothing about the render in the pictures' headers
     bool reproducible = false;         // nothing in the pictures' headers that changes from run to run
     std::optional<Exposure> exposure;  // else usual_exposure()
     std::optional<ToneMap> tonemap;    // else usual_tonemap()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/render/shard.h"
 #include "core/names.h"
 
 namespace lancer {
@@ -106,13 +107,12 @@ void require_apart(const std::vector<Tile>& tiles, const Tile& crop, const Loade
         const bool is_inside =
             crop.x0 <= t.x0 && t.x0 < t.x1 && t.x1 <= crop.x1 && crop.y0 <= t.y0 && t.y0 < t.y1 && t.y1 <= crop.y1;
         if (!is_inside) from.fail_damaged();
-        for (uint32_t y = t.y0; y < t.y1; ++y)
-            for (uint32_t x = t.x0; x < t.x1; ++x) {
-                const size_t i = size_t{y - crop.y0} * crop.width() + (x - crop.x0);
-                if (taken[i]) from.fail_damaged();
-                taken[i] = true;
-            }
     }
+    for_pixels_of(tiles, [&](uint32_t x, uint32_t y) {
+        const size_t i = size_t{y - crop.y0} * crop.width() + (x - crop.x0);
+        if (taken[i]) from.fail_damaged();
+        taken[i] = true;
+    });
 }
 
 }  // namespace

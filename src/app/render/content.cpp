@@ -34,13 +34,15 @@ std::vector<ImagePlane> layers_of_denoised(const Image& noisy, const Denoised& d
     return planes;
 }
 
-PictureContent content_of(const Film& film, const Denoised& denoised, const RenderOptions& options, Metadata metadata,
-                          const DisplayCurve& curve, const Normalisation& normalisation)
+PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe)
 {
+    const RenderOptions& options = recipe.options;
+    Metadata metadata;
+    if (!options.no_metadata) metadata = make_metadata(recipe.stats, options.reproducible);
     PictureContent content{.image = denoised.pixels.empty() ? rows_of(film) : rows_of(film, denoised.pixels),
-                           .planes = aov_planes(film, options.aovs, normalisation),
+                           .planes = aov_planes(film, options.aovs, recipe.normalisation),
                            .metadata = std::move(metadata),
-                           .style = {.curve = curve,
+                           .style = {.curve = recipe.curve,
                                      .dither = options.dither,
                                      .ascii_ppm = options.ascii_ppm,
                                      .half = options.half,

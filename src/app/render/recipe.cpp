@@ -70,13 +70,6 @@ Film empty_film(const PictureRecipe& recipe)
     return film;
 }
 
-PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe)
-{
-    Metadata metadata;
-    if (!recipe.options.no_metadata) metadata = make_metadata(recipe.stats, recipe.options.reproducible);
-    return content_of(film, denoised, recipe.options, std::move(metadata), recipe.curve, recipe.normalisation);
-}
-
 void save_recipe(Saver& to, const PictureRecipe& recipe) { visit_recipe(to, recipe); }
 
 PictureRecipe load_recipe(Loader& from)

@@ -4,7 +4,6 @@
 
 #include "app/options/options.h"
 #include "app/render/checkpoint_stream.h"
-#include "app/render/content.h"
 #include "app/render/outputs.h"
 #include "report/stats_json.h"
 #include "scene/placement.h"
@@ -22,9 +21,6 @@ struct PictureRecipe {
 
 // A film without samples, with room for what the options ask for.
 Film empty_film(const PictureRecipe& recipe);
-
-// film and denoised must outlive the result; see content_of().
-PictureContent content_of(const Film& film, const Denoised& denoised, const PictureRecipe& recipe);
 
 void save_recipe(Saver& to, const PictureRecipe& recipe);
 // Throws Error (invalid_input).

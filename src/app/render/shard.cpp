@@ -81,13 +81,18 @@ std::vector<Tile> tiles_of(const Shard& shard, const Tile& crop)
     return result;
 }
 
+uint64_t pixels_of(const std::vector<Tile>& tiles)
+{
+    uint64_t sum = 0;
+    for (const Tile& t : tiles) sum += uint64_t{t.width()} * t.height();
+    return sum;
+}
+
 std::vector<Tile> tiles_without(const std::vector<Tile>& tiles, const Tile& crop)
 {
     std::vector<bool> taken(size_t{crop.width()} * crop.height());
     const auto at = [&](uint32_t x, uint32_t y) { return size_t{y - crop.y0} * crop.width() + (x - crop.x0); };
-    for (const Tile& t : tiles)
-        for (uint32_t y = t.y0; y < t.y1; ++y)
-            for (uint32_t x = t.x0; x < t.x1; ++x) taken[at(x, y)] = true;
+    for_pixels_of(tiles, [&](uint32_t x, uint32_t y) { taken[at(x, y)] = true; });
     constexpr uint32_t longest = 64;
     std::vector<Tile> rest;
     for (uint32_t y = crop.y0; y < crop.y1; ++y)

@@ -14,6 +14,17 @@ namespace lancer {
 // of all shards cover it once. Empty if there are more shards than pixels.
 std::vector<Tile> tiles_of(const Shard& shard, const Tile& crop);
 
+// Calls f(x, y) for each pixel of the tiles.
+template <class F>
+void for_pixels_of(const std::vector<Tile>& tiles, const F& f)
+{
+    for (const Tile& t : tiles)
+        for (uint32_t y = t.y0; y < t.y1; ++y)
+            for (uint32_t x = t.x0; x < t.x1; ++x) f(x, y);
+}
+// Their number.
+uint64_t pixels_of(const std::vector<Tile>& tiles);
+
 // What of the crop none of the tiles has.
 std::vector<Tile> tiles_without(const std::vector<Tile>& tiles, const Tile& crop);
 

@@ -22,18 +22,11 @@ namespace {
 // References have seeds that no one gives to a run.
 constexpr uint64_t first_reference_seed = uint64_t{1} << 48;
 
-std::string said(const Metadata& metadata, const std::string& name)
-{
-    for (const auto& [key, value] : metadata)
-        if (key == name) return to_string(value);
-    return {};
-}
-
 // Of a picture's ledger what is not the end of the run: every picture that counts is whole.
 std::vector<std::string> ledger_of(const Metadata& metadata)
 {
     std::vector<std::string> ledger;
-    std::istringstream entries(said(metadata, "bias"));
+    std::istringstream entries(text_of(metadata, "bias"));
     for (std::string entry; std::getline(entries >> std::ws, entry, ',');)
         if (entry != "none" && entry != "stopped_by_time") ledger.push_back(entry);
     return ledger;
@@ -110,7 +103,7 @@ std::optional<Reference> draw_reference(StudyWork& work, const StudyPlan::Scene&
         Metadata metadata;
         reference.halves[i] = read_exr(reference.files[i], &metadata);
         reference.limits = ledger_of(metadata);
-        reference.box_filter = said(metadata, "filter") == "box";
+        reference.box_filter = text_of(metadata, "filter") == "box";
     }
     figures.name = scene.name, figures.description = scene.description;
     figures.reference = format_text("lancer %s, two halves of %u spp each, seeds of their own, scene %s",

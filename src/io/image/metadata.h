@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -20,6 +21,21 @@ inline std::string to_string(const MetadataValue& value)
     if (const auto* integer = std::get_if<int64_t>(&value)) return std::to_string(*integer);
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, std::get<double>(value)).ptr};
+}
+
+// Null if there is none of that name.
+inline const MetadataValue* find_value(const Metadata& metadata, std::string_view name)
+{
+    for (const auto& [key, value] : metadata)
+        if (key == name) return &value;
+    return nullptr;
+}
+
+// As text; "" if there is none of that name.
+inline std::string text_of(const Metadata& metadata, std::string_view name)
+{
+    const MetadataValue* const found = find_value(metadata, name);
+    return found ? to_string(*found) : "";
 }
 
 }  // namespace lancer
