@@ -47,7 +47,7 @@ TEST_F(Running, ASnapshotThatCannotBeWrittenEndsNothing)
     Program program(folder_, {"scene.toml", "-s", "2000000000", "--size", "32x32", "-o", "out/a.exr", "--checkpoint",
                               "c.lancer", "--progress", "json"});
     ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
-    std::filesystem::remove_all(file("out"));
+    std::filesystem::rename(file("out"), file("gone"));
     program.send(SIGUSR1);
     ASSERT_TRUE(program.wait_for_message("goes on without this snapshot"));
     std::filesystem::create_directory(file("out"));
@@ -56,7 +56,7 @@ TEST_F(Running, ASnapshotThatCannotBeWrittenEndsNothing)
     EXPECT_TRUE(exists("out/a.exr"));
 }
 
-// The folder is removed while the picture is rendered.
+// The folder is taken away while the picture is rendered.
 TEST_F(Running, APictureThatCannotBeWrittenIsRescued)
 {
     for (const char* const folder : {"out", "spare"}) std::filesystem::create_directory(file(folder));
@@ -66,7 +66,7 @@ TEST_F(Running, APictureThatCannotBeWrittenIsRescued)
                      "out/s.json", "--progress", "json"},
                     {"TMPDIR=" + file("spare")});
     ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
-    std::filesystem::remove_all(file("out"));
+    std::filesystem::rename(file("out"), file("gone"));
     program.send(SIGTERM);
     const Said said = program.wait();
     EXPECT_EQ(said.code, 1) << said.err;
