@@ -32,7 +32,7 @@ std::string follow_links(const std::string& path)
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path)
+AtomicFile::AtomicFile(const std::string& path, Temporary temporary) : path_(path), target_(path)
 {
     if (path.empty()) throw Error(ErrorKind::failed, "error: cannot write to an empty file name");
     struct stat old = {};
@@ -49,7 +49,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path)
         if (access(path.c_str(), W_OK) != 0) fail(errno);  // renaming over it would get around its protection
         target_ = follow_links(path);
     }
-    open_temporary();
+    if (temporary == Temporary::named || !open_unnamed()) open_temporary();
     if (exists) fchmod(fileno(file_), old.st_mode & 07777);  // the new file is open to the same readers
 }
 
@@ -59,20 +59,41 @@ AtomicFile::~AtomicFile()
     if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-void AtomicFile::open_temporary()
+// Returns whether there is such a thing here; the reason why not is found again by open_temporary().
+bool AtomicFile::open_unnamed()
 {
-    // A process killed long ago may have left a file with our number: such a name is passed over, not overwritten.
+    if (access("/proc/self/fd", X_OK) != 0) return false;  // by which it gets its name
+    const int descriptor = open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor < 0) return false;
+    attach(descriptor);
+    is_unnamed_ = true;
+    return true;
+}
+
+// A process killed long ago may have left a file with our number: such a name is passed over, not overwritten.
+template <class Take>
+void AtomicFile::find_free_name(const Take& take)
+{
     const std::string base = target_ + ".tmp." + std::to_string(getpid());
     for (int i = 0; i < 100; ++i) {
         const std::string name = i == 0 ? base : base + "." + std::to_string(i);
-        const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor < 0 && errno == EEXIST) continue;
-        if (descriptor < 0) fail(errno);
-        attach(descriptor);
+        const int reason = take(name);
+        if (reason == EEXIST) continue;
+        if (reason != 0) fail(reason);
         temporary_ = name;
         return;
     }
     fail(EEXIST);
+}
+
+void AtomicFile::open_temporary()
+{
+    find_free_name([&](const std::string& name) {
+        const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0) return errno;
+        attach(descriptor);
+        return 0;
+    });
 }
 
 void AtomicFile::attach(int descriptor)
@@ -120,8 +141,13 @@ void AtomicFile::finish()
     if (reason_) fail(reason_);
     if (!file_) return;
     if (std::fflush(file_) != 0) fail(errno);
-    if (temporary_.empty()) return;
+    if (temporary_.empty() && !is_unnamed_) return;
     if (fsync(fileno(file_)) != 0) fail(errno);
+    if (!is_unnamed_) close_file();  // else it would be gone
+}
+
+void AtomicFile::close_file()
+{
     std::FILE* const closing = file_;
     file_ = nullptr;
     if (std::fclose(closing) != 0) fail(errno);
@@ -130,6 +156,15 @@ void AtomicFile::finish()
 void AtomicFile::commit()
 {
     finish();
+    // A file without a name cannot take that of another: it gets one of its own for a moment.
+    if (is_unnamed_) {
+        const std::string own = "/proc/self/fd/" + std::to_string(fileno(file_));
+        find_free_name([&](const std::string& name) {
+            return linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+        });
+        is_unnamed_ = false;
+        close_file();
+    }
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();

@@ -44,20 +44,25 @@ private:
 
 TEST(AtomicFile, AppearsOnlyAtCommit)
 {
-    const TempFolder folder;
-    const std::string path = folder.file("a.txt");
-    {
-        AtomicFile file(path);
-        EXPECT_EQ(file.temporary(), path + ".tmp." + std::to_string(getpid()));
-        file.write("new text", 8);
-        EXPECT_FALSE(std::filesystem::exists(path));
-        file.seek(4);
-        file.write("word", 4);
-        EXPECT_EQ(file.tell(), 8u);
-        file.commit();
+    for (const AtomicFile::Temporary how : {AtomicFile::Temporary::unnamed, AtomicFile::Temporary::named}) {
+        const TempFolder folder;
+        const std::string path = folder.file("a.txt");
+        {
+            AtomicFile file(path, how);
+            file.write("new text", 8);
+            // A process that is killed now leaves this behind.
+            const std::string name = "a.txt.tmp." + std::to_string(getpid());
+            EXPECT_EQ(folder.names(),
+                      how == AtomicFile::Temporary::named ? std::vector{name} : std::vector<std::string>{});
+            EXPECT_FALSE(std::filesystem::exists(path));
+            file.seek(4);
+            file.write("word", 4);
+            EXPECT_EQ(file.tell(), 8u);
+            file.commit();
+        }
+        EXPECT_EQ(read_bytes(path), "new word");
+        EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
     }
-    EXPECT_EQ(read_bytes(path), "new word");
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
 }
 
 TEST(AtomicFile, WithoutCommitTheOldFileStaysAndNothingElse)
@@ -65,8 +70,8 @@ TEST(AtomicFile, WithoutCommitTheOldFileStaysAndNothingElse)
     const TempFolder folder;
     const std::string path = folder.file("a.txt");
     write_bytes(path, "old");
-    {
-        AtomicFile file(path);
+    for (const AtomicFile::Temporary how : {AtomicFile::Temporary::unnamed, AtomicFile::Temporary::named}) {
+        AtomicFile file(path, how);
         file.write("new", 3);
     }
     EXPECT_EQ(read_bytes(path), "old");
@@ -154,14 +159,16 @@ TEST(AtomicFile, TwoAtOnceForOneNameDoNotMix)
 {
     const TempFolder folder;
     const std::string path = folder.file("a.txt");
-    AtomicFile first(path), second(path);
-    EXPECT_NE(first.temporary(), second.temporary());
-    first.write("first", 5);
-    second.write("second", 6);
-    second.commit();
-    EXPECT_EQ(read_bytes(path), "second");
-    first.commit();
-    EXPECT_EQ(read_bytes(path), "first");
+    for (const AtomicFile::Temporary how : {AtomicFile::Temporary::unnamed, AtomicFile::Temporary::named}) {
+        AtomicFile first(path, how), second(path, how);
+        first.write("first", 5);
+        second.write("second", 6);
+        second.commit();
+        EXPECT_EQ(read_bytes(path), "second");
+        first.commit();
+        EXPECT_EQ(read_bytes(path), "first");
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
 }
 
 }  // namespace
