@@ -9,6 +9,7 @@
 
 #include "core/aov_layout.h"
 #include "core/color.h"
+#include "core/layers.h"
 
 namespace lancer {
 
@@ -97,6 +98,13 @@ struct SampleRange {
     uint32_t begin = 0, end = 0;
 };
 
+// How many samples of a pixel hit what has this name; see render/mattes.h. n = 0: a free place.
+struct Matte {
+    uint32_t id = 0, n = 0;
+};
+// Places for the names of each kind in a pixel, objects and materials; what finds none is not counted.
+inline constexpr uint32_t mattes_per_kind = 12, matte_kinds = 2;
+
 struct Film {
     uint32_t width = 0, height = 0;  // of the whole picture
     Tile crop;                       // the part that is rendered; pixels holds only that
@@ -115,6 +123,14 @@ struct Film {
     SetDeal deal;
     std::vector<SampleSet> sets;
 
+    // Sums of radiance of each layer: of each pixel those of its first set, of its second and so on; without sets there
+    // is one. Empty without layers.
+    LayerLayout layers;
+    std::vector<std::array<double, 3>> layer_sums;
+
+    // Of each pixel those of objects, then those of materials; empty without mattes.
+    std::vector<Matte> mattes;
+
     // Samples whose camera ray hits nothing are black, for a picture with an alpha channel.
     bool hides_background = false;
 
@@ -126,6 +142,29 @@ struct Film {
     // Allocates sums for AOVs. Must be called before rendering.
     void keep_aovs(const AovLayout& layout) { aov_layout = layout, aovs.assign(pixels.size() * layout.size(), 0); }
     void keep_sets(const SetDeal& how) { deal = how, sets.resize(pixels.size() * deal.count()); }
+    void keep_mattes() { mattes.resize(pixels.size() * mattes_per_kind * matte_kinds); }
+    Matte* mattes_of(size_t pixel) { return &mattes[pixel * mattes_per_kind * matte_kinds]; }
+    // Allocates the layers; sets must be allocated before.
+    void keep_layers(const LayerLayout& layout)
+    {
+        layers = layout;
+        layer_sums.resize(pixels.size() * sets_of_layers() * layers.size());
+    }
+    size_t sets_of_layers() const { return sets.empty() ? 1 : deal.count(); }
+    // The layers of a set of a pixel, as many as there are.
+    std::array<double, 3>* layers_of(size_t pixel, size_t set)
+    {
+        return &layer_sums[(pixel * sets_of_layers() + set) * layers.size()];
+    }
+    // The sum of layer k of a pixel over its sets.
+    std::array<double, 3> layer(size_t pixel, size_t k) const
+    {
+        std::array<double, 3> sum{};
+        for (size_t set = 0; set < sets_of_layers(); ++set)
+            for (size_t c = 0; c < 3; ++c)
+                sum[c] += layer_sums[(pixel * sets_of_layers() + set) * layers.size() + k][c];
+        return sum;
+    }
     // The set of a path of a pixel.
     SampleSet& set_of(size_t pixel, uint32_t path) { return sets[pixel * deal.count() + deal.set_of(path)]; }
     // Allows passes to end after any sample without changing the bits of the picture. AOVs must be allocated before.

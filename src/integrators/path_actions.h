@@ -7,20 +7,13 @@
 #include <vector>
 
 #include "core/color.h"
+#include "core/layers.h"
 #include "core/ray.h"
 #include "materials/medium.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
 namespace lancer {
-
-// Segments of a path, by which a picture can be split into parts of the light. Only `view` and `direct` see emitters
-// directly.
-enum class PathSegment : uint8_t {
-    view,      // from the camera, continued by mirrors and smooth glass
-    direct,    // the ray from the first diffuse or rough surface
-    indirect,  // all later rays
-};
 
 // The state of one path: its next ray and what the integrator needs to continue it.
 struct PathState {
@@ -65,28 +58,33 @@ struct RadianceSum {
     }
 };
 
+// Where the light of a shadow ray goes and comes from.
+struct ShadowEnds {
+    uint32_t slot = 0;                            // the sample that it adds to
+    uint32_t light = Scene::none;                 // id in Scene::lights; none: the sky, or nobody said
+    PathSegment segment = PathSegment::indirect;  // that the shadow ray is
+};
+
 // The queues that PathActions fills for a whole batch. They are reused from batch to batch, so that no ray allocates
 // memory.
 struct Queue {
     struct Shadow {
         Color radiance;  // if nothing is in between
-        uint32_t slot;   // the sample that it adds to
-        uint32_t light;  // that it goes to, if known
+        ShadowEnds ends;
     };
     std::vector<RadianceSum> radiance;  // of each slot
     struct TintedShadow {
         Ray ray;
         Color radiance;  // if nothing more is in between
         Color light;     // what is left of the light's own colour, likewise
-        uint32_t slot;
-        uint32_t to;          // id of the light, if known
+        ShadowEnds ends;
         MediumStack media{};  // that it is in
     };
     struct MirroredShadow {
         Ray ray;         // to the mirror
         Color radiance;  // if nothing is in between and the mirror loses nothing
         LightSample light;
-        uint32_t slot;
+        ShadowEnds ends;
         uint8_t mirror;  // see Scene::mirror_at()
     };
     std::vector<Ray> shadow_rays;
@@ -101,7 +99,11 @@ struct Queue {
 // way of mirrors.
 class PathActions {
 public:
-    PathActions(Queue& queue, uint32_t slot) : queue_(queue), slot_(slot) {}
+    // shadows: the segment that its shadow rays are.
+    PathActions(Queue& queue, uint32_t slot, PathSegment shadows = PathSegment::indirect)
+        : queue_(queue), slot_(slot), shadows_(shadows)
+    {
+    }
 
     void add(Color radiance) { queue_.radiance[slot_] += radiance; }
     void shadow(const Ray& ray, Color radiance_if_unoccluded, uint32_t light = Scene::none)
@@ -119,7 +121,7 @@ public:
             queue_.shadow_rays.pop_back();
             return invalidate();
         }
-        queue_.shadows.push_back({radiance_if_unoccluded, slot_, light});
+        queue_.shadows.push_back({radiance_if_unoccluded, ends(light)});
     }
     // As shadow(), but surfaces in between attenuate the light by the integrator's through() instead of blocking it.
     // light: the light's own radiance, for is_spent().
@@ -127,14 +129,15 @@ public:
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return invalidate();
-        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, slot_, to});
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, ends(to)});
     }
     // A shadow ray by way of a mirror.
     void mirrored_shadow(const Ray& to_mirror, Color radiance_if_unoccluded, const LightSample& light, uint8_t mirror)
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(to_mirror)) return invalidate();
-        queue_.mirrored_shadows.push_back({to_mirror, radiance_if_unoccluded, light, slot_, mirror});
+        queue_.mirrored_shadows.push_back(
+            {to_mirror, radiance_if_unoccluded, light, {slot_, light.light, PathSegment::indirect}, mirror});
     }
     void next(const PathState& state)
     {
@@ -156,8 +159,11 @@ public:
     void invalidate() { queue_.radiance[slot_].r = std::numeric_limits<double>::quiet_NaN(); }
 
 private:
+    ShadowEnds ends(uint32_t light) const { return {slot_, light, shadows_}; }
+
     Queue& queue_;
     uint32_t slot_;
+    PathSegment shadows_;
 };
 
 }  // namespace lancer

@@ -29,7 +29,8 @@ struct Emission {
     ColorParam radiance;
     bool both_sides = false;  // false: only on the side of the geometric normal
     static constexpr auto parameters =
-        std::tuple{parameter("emission", &Emission::radiance), parameter("emission_sides", &Emission::both_sides)};
+        std::tuple{parameter("emission", &Emission::radiance), parameter("emission_sides", &Emission::both_sides),
+                   parameter("group")};  // in Scene::light_groups
 
     bool is_dark() const { return is_black(radiance.value); }
     // Radiance on the front or back side, from the texture's finest level, so that light sampling and BSDF sampling

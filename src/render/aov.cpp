@@ -43,11 +43,12 @@ constexpr std::array<Channels, enum_names<Aov>.size()> channels_of_aovs{{
     {"A", AovSum::hits, AovSum::samples},
     {"RGB", AovSum::flat, AovSum::samples},
     {"N"},
+    {"Z", AovSum::z, AovSum::hits},
 }};
 static_assert(std::all_of(channels_of_aovs.begin(), channels_of_aovs.end(),
                           [](const Channels& c) { return !c.names.empty(); }),
               "each Aov has channels");
-static_assert(static_cast<size_t>(Aov::samples) + 1 == channels_of_aovs.size(), "each Aov has a name");
+static_assert(static_cast<size_t>(Aov::z) + 1 == channels_of_aovs.size(), "each Aov has a name");
 const Channels& channels_of(Aov aov) { return channels_of_aovs[static_cast<size_t>(aov)]; }
 
 // Channel i of an AOV.
@@ -63,6 +64,7 @@ double value_of(Aov aov, size_t i, const Film& film, size_t pixel, const Normali
         case Aov::samples:
             return film.whole(pixel).n;
         case Aov::depth:
+        case Aov::z:
             return mean(0) / normalisation.scale;
         case Aov::position: {
             if (n == 0) return 0;
@@ -129,6 +131,7 @@ void AovListener::vertex(const PathState& s, const Surface& surface) const
         uv[0] += double{surface.uv.x}, uv[1] += double{surface.uv.y};
     }
     if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{surface.t};
+    if (wants(AovSum::z)) *sum_of(id, AovSum::z) += double{surface.t * dot(s.ray.dir, axis_)};
     if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
     if (wants(AovSum::material) && id.sample == 0) *sum_of(id, AovSum::material) = surface.material + 1.0;
 }
@@ -167,7 +170,7 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
         for (size_t i = 0; i < names.size(); ++i) {
             const std::string suffix = aov == Aov::material ? "ID" : std::string(1, names[i]);
             ImagePlane& plane = planes.emplace_back();
-            plane.name = std::string(name_of(aov)) + "." + suffix;
+            plane.name = aov == Aov::z ? "Z" : std::string(name_of(aov)) + "." + suffix;
             plane.values.reserve(film.pixels.size());
             for (size_t k = 0; k < film.pixels.size(); ++k)
                 plane.values.push_back(static_cast<float>(value_of(aov, i, film, k, normalisation)));

@@ -8,6 +8,8 @@
 #include "core/film.h"
 #include "core/image.h"
 #include "render/aov_kind.h"
+#include "render/light_layers.h"
+#include "render/mattes.h"
 #include "render/workspace.h"
 
 namespace lancer {
@@ -25,11 +27,12 @@ AovLayout layout_of(const std::vector<Aov>& which);
 // Variance of a pixel's mean luminance, as for independent samples; 0 for less than two.
 double variance_of_mean(const Pixel& pixel);
 
-// Sums AOVs, and the features of the denoiser, into a film that has room for them.
+// Sums AOVs, the features of the denoiser and the layers of light into a film that has room for them.
 class AovListener : public NoListener {
 public:
-    AovListener(const Scene& scene, const Accelerator& accel, Film& film, const Tile& tile, Workspace& w)
-        : scene_(scene), accel_(accel), film_(film), tile_(tile), w_(w)
+    // axis: the direction of the camera, unit.
+    AovListener(const Scene& scene, const Accelerator& accel, Vec3 axis, Film& film, const Tile& tile, Workspace& w)
+        : scene_(scene), accel_(accel), axis_(axis), film_(film), tile_(tile), w_(w)
     {
     }
     void ray(const PathState& s, const Hit& hit) const
@@ -37,8 +40,22 @@ public:
         if (!is_counted(s)) return;
         count(w_.slots[s.slot]);
         if (film_.hides_background && !hit) w_.has_missed[s.slot] = 1;
+        if (!film_.mattes.empty() && hit) add_to_mattes(w_.slots[s.slot], hit);
     }
     void background_only(const SampleId& id) const { count(id); }
+    void added(const PathState& s, const Hit& hit, Color radiance) const
+    {
+        if (film_.layers.size() > 0) add_to_layers(s.slot, scene_.group_of(hit), s.segment, radiance);
+    }
+    void shadow(const ShadowEnds& ends, const Ray&, Color radiance, bool occluded) const
+    {
+        if (film_.layers.size() > 0 && !occluded)
+            add_to_layers(ends.slot, scene_.group_of_light(ends.light), ends.segment, radiance);
+    }
+    void mirrored_shadow(const ShadowEnds& ends, const Ray& ray, Color radiance, bool occluded) const
+    {
+        shadow(ends, ray, radiance, occluded);
+    }
     void vertex(const PathState& s, const Surface& surface) const;
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
@@ -49,6 +66,17 @@ private:
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
         if (!film_.sets.empty()) ++set_of(id).seen;
+    }
+    void add_to_layers(uint32_t slot, uint8_t group, PathSegment segment, Color radiance) const
+    {
+        add_radiance(&w_.layers[size_t{slot} * film_.layers.size()], film_.layers, group, segment, radiance);
+    }
+    void add_to_mattes(const SampleId& id, const Hit& hit) const
+    {
+        Matte* const mattes = film_.mattes_of(film_.index(id.x, id.y));
+        count_matte({mattes, mattes_per_kind}, matte_id(object_name(scene_, hit)));
+        count_matte({mattes + mattes_per_kind, mattes_per_kind},
+                    matte_id(scene_.material_names[scene_.material_of(hit)]));
     }
     SampleSet& set_of(const SampleId& id) const { return film_.set_of(film_.index(id.x, id.y), id.sample); }
     void add_features(const PathState& s, const Surface& surface) const;
@@ -61,16 +89,17 @@ private:
 
     const Scene& scene_;
     const Accelerator& accel_;
+    Vec3 axis_;
     Film& film_;
     const Tile& tile_;
     Workspace& w_;
 };
 
 // The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and
-// depth.Z (units of the scene file), uv.U .V, material.ID (of the first sample, counted from 1; 0: nothing hit),
-// variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit something), samples.N (how many
-// the pixel has). Means over samples, misses being 0; depth, position and uv over those that hit.
-// The film must have the sums of `which`.
+// depth.Z and Z, along the optical axis (units of the scene file), uv.U .V, material.ID (of the first sample, counted
+// from 1; 0: nothing hit), variance.V (of the pixel's mean luminance), mask.A (the part of the samples that hit
+// something), samples.N (how many the pixel has). Means over samples, misses being 0; depth, Z, position and uv over
+// those that hit. The film must have the sums of `which`.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
 
 // The alpha channel, "A": as mask.A. The film must have its sums.

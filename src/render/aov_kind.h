@@ -5,10 +5,10 @@
 
 namespace lancer {
 
-enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat, samples };
+enum class Aov { albedo, normal, depth, position, uv, material, variance, mask, flat, samples, z };
 template <>
 inline constexpr auto enum_names<Aov> = std::to_array<std::string_view>({"albedo", "normal", "depth", "position", "uv",
                                                                          "material", "variance", "mask", "flat",
-                                                                         "samples"});
+                                                                         "samples", "z"});
 
 }  // namespace lancer

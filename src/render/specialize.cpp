@@ -42,6 +42,10 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                 if (choice.wide)
                     return [&, choice](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile,
                                        SampleRange samples, Workspace& w, Counters& counters) {
+                        // Layers are what the scalar loop alone tells apart.
+                        if (film.layers.size() > 0)
+                            return Kernels<Integrator>::render(View{scene, plan}, accel, camera, settings, concrete,
+                                                               film, tile, samples, w, counters);
                         const WideScene& wide = choice.wide_for(plan);
                         with_wide_kernel(wide.shading, [&](auto kernel) {
                             kernel.render(View{scene, plan}, accel, camera, settings, concrete, wide, film, tile,

@@ -79,6 +79,7 @@ struct Workspace {
     std::vector<double> aov_block;    // the sums for AOVs of each, if there are any
     std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
     std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
+    std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any
     bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
@@ -94,10 +95,10 @@ struct NoListener {
     void ray(const PathState&, const Hit&) const {}
     void background_only(const SampleId&) const {}  // instead of ray(), for samples that are not traced
     void vertex(const PathState&, const Surface&) const {}
-    void added(const PathState&, Color) const {}
-    void shadow(uint32_t /*slot*/, uint32_t /*light*/, const Ray&, Color, bool) const {}
+    void added(const PathState&, const Hit&, Color) const {}  // by a ray that hit something, or nothing
+    void shadow(const ShadowEnds&, const Ray&, Color, bool /*occluded*/) const {}
     // A shadow ray by way of a mirror: the part that was stopped, or the last one.
-    void mirrored_shadow(const Ray&, Color, bool) const {}
+    void mirrored_shadow(const ShadowEnds&, const Ray&, Color, bool) const {}
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

@@ -47,6 +47,9 @@ public:
 
     friend bool operator==(const Camera&, const Camera&) = default;
 
+    // Its direction, unit.
+    Vec3 axis() const { return forward_; }
+
 private:
     // Direction through the centre of the lens, with length 1 along the optical axis.
     template <class T>

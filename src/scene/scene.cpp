@@ -80,4 +80,22 @@ uint64_t Scene::triangle_count() const
     return n;
 }
 
+uint8_t Scene::group_of_light(uint32_t light) const
+{
+    if (light == none) return light_groups.of_sky;
+    const auto of_material = [&](uint32_t material) { return light_groups.of_material[material]; };
+    return std::visit(
+        [&]<class L>(const L& l) {
+            if constexpr (is_delta_light<L>)
+                return light_groups.of_delta[light];
+            else if constexpr (std::is_same_v<L, SphereLight>)
+                return of_material(sphere_material[l.sphere]);
+            else if constexpr (std::is_same_v<L, TriangleLight>)
+                return of_material(shading[l.mesh].material_of(l.triangle));
+            else
+                return light_groups.of_sky;
+        },
+        lights.lights[light]);
+}
+
 }  // namespace lancer

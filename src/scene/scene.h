@@ -17,6 +17,7 @@
 #include "scene/corner_normals.h"
 #include "scene/corner_table.h"
 #include "scene/description/description.h"
+#include "scene/lights/groups.h"
 #include "scene/lights/light.h"
 #include "scene/placement.h"
 #include "scene/planar_mirror.h"
@@ -57,7 +58,8 @@ struct Scene {
     static constexpr uint32_t none = UINT32_MAX;
 
     Geometry geometry;
-    std::vector<MeshShading> shading;  // parallel to geometry.meshes
+    std::vector<MeshShading> shading;     // parallel to geometry.meshes
+    std::vector<std::string> mesh_names;  // likewise: as the description names them, else of their files; each differs
     std::vector<uint32_t> sphere_material, plane_material;
     std::vector<PlaneMap> plane_maps;  // parallel to geometry.planes
 
@@ -72,6 +74,7 @@ struct Scene {
     MediumStack camera_media;   // media around the camera
 
     LightTable lights;
+    LightGroups light_groups;
     std::vector<uint32_t> mesh_first_light, instance_first_light, sphere_light;  // ids in lights, or none
     uint32_t environment_light = none;
     Color environment{};  // constant radiance of the environment, if there is no map
@@ -126,6 +129,13 @@ struct Scene {
         if (hit.kind == Kind::sphere) return sphere_material[hit.primitive];
         if (hit.kind == Kind::plane) return plane_material[hit.primitive];
         return shading[hit.geometry].material_of(hit.primitive);
+    }
+    // The group, as its index in LightGroups::names, of a light of the table, or of what a ray hit or, where it hit
+    // nothing, of the sky. none: the sky.
+    uint8_t group_of_light(uint32_t light) const;
+    uint8_t group_of(const Hit& hit) const
+    {
+        return hit ? light_groups.of_material[material_of(hit)] : light_groups.of_sky;
     }
     // The mirror that a ray has hit, as its index in `mirrors` plus 1; else 0.
     uint8_t mirror_at(const Hit& hit) const

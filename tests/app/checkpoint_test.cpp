@@ -190,7 +190,8 @@ TEST_F(Checkpoint, OneThatCannotBeWrittenEndsNoRender)
 
 PictureRecipe small_recipe()
 {
-    PictureRecipe recipe{.options = {}, .stats = {}, .curve = {}, .normalisation = {}, .keeps_blocks_open = true};
+    PictureRecipe recipe;
+    recipe.keeps_blocks_open = true;
     recipe.options.denoise_sets = true;
     recipe.options.aovs = {Aov::depth};
     RenderSettings& settings = recipe.stats.settings.render;

@@ -64,6 +64,8 @@ std::string range_of(ParameterRange range, bool is_color)
             return "-1000000 to 1000000";
         case ParameterRange::name:
             return "a `[material.NAME]` or a preset";
+        case ParameterRange::group:
+            return "letters, digits, `_`, `-`";
         case ParameterRange::boolean:
             return "`true`, `false`";
         case ParameterRange::choice:
@@ -85,6 +87,7 @@ std::string listed(const std::vector<MaterialType>& types)
 template <class Row>
 std::string defaults(const Row& row)
 {
+    if (row.range == ParameterRange::group) return "none";
     std::vector<MaterialType> types = types_with(row.key);
     if (types.empty()) types = {MaterialType::lambert};
     std::vector<std::pair<std::string, std::vector<MaterialType>>> groups;

@@ -212,6 +212,7 @@ Needs needs_of(Aov aov)
         case Aov::uv:
             return {16, false, true};
         case Aov::depth:
+        case Aov::z:
             return {8, false, true};
         case Aov::mask:
             return {0, true, true};
@@ -250,7 +251,7 @@ TEST(Aovs, CostNoMoreThanWhatIsAsked)
         const size_t counts = size_t{a.samples || b.samples} + size_t{a.hits || b.hits};
         EXPECT_EQ(bytes(which), a.own + b.own + 8 * counts) << static_cast<int>(which.front());
     }
-    EXPECT_EQ(bytes(all_aovs()), 144u);
+    EXPECT_EQ(bytes(all_aovs()), 152u);
     EXPECT_EQ(bytes({}), 0u);
 }
 

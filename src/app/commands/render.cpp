@@ -89,11 +89,13 @@ private:
     RunStats stats_;
     HalfBuffers halves_;
     std::optional<ErrorLog> log_;
-    std::vector<std::string> written_;  // pictures
-    bool has_failed_ = false;           // something could not be written as it was asked for
-    bool can_go_on_ = false;            // the last checkpoint is written
-    uint64_t pixels_ = 0;               // of the picture, or of the shard
-    Normalisation normalisation_;       // of the scene, once it is built
+    std::vector<std::string> written_;       // pictures
+    bool has_failed_ = false;                // something could not be written as it was asked for
+    bool can_go_on_ = false;                 // the last checkpoint is written
+    uint64_t pixels_ = 0;                    // of the picture, or of the shard
+    Normalisation normalisation_;            // of the scene, once it is built
+    std::vector<std::string> light_groups_;  // likewise
+    std::vector<MatteManifest> manifests_;
 };
 
 template <class F>
@@ -116,6 +118,7 @@ void Run::load()
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
     if (options_.denoise || options_.denoise_sets || options_.guides) require_denoisable(settings_);
+    if (options_.light_layers || options_.part_layers) require_layers(settings_);
     if (options_.denoise && options_.error) hold_samples_out();
     if (!options_.shard.is_whole() && settings_.stop)
         throw Error(ErrorKind::usage, {}, "--shard: is not for stop=true, where samples depend on each other");
@@ -203,6 +206,8 @@ PictureRecipe Run::recipe() const
             .stats = stats_,
             .curve = curve_,
             .normalisation = normalisation_,
+            .light_groups = light_groups_,
+            .manifests = manifests_,
             .has_stop_rule = options_.time || options_.error,
             .keeps_blocks_open = options_.time || options_.error || Checkpoints::are_wanted(options_)};
 }
@@ -272,6 +277,8 @@ void Run::render(const Renderer& renderer)
     const uint32_t width = s.size.width, height = s.size.height;
     const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, width, height, pixel_grid(s));
     normalisation_ = renderer.scene().normalisation;
+    light_groups_ = renderer.scene().light_groups.names;
+    if (options_.mattes) manifests_ = matte_manifests(renderer.scene());
     const std::vector<Tile> tiles =
         options_.shard.is_whole() ? make_tiles(crop_, options_.tile) : tiles_of(options_.shard, crop_);
     pixels_ = pixels_of(tiles);

@@ -65,7 +65,7 @@ Tile to_crop(const std::string& text);                                          
 double to_seconds(const std::string& option, const std::string& text);          // "90", "90s", "1.5m", "2h", "500ms"
 MemorySize to_memory_size(const std::string& option, const std::string& text);  // "4G", "500M", "80%"
 std::string to_output(const std::string& path);                                 // ends in .exr, .png or .ppm
-// "albedo,normal" or "all"; "denoise" and "oidn", which are not among all.
+// "albedo,normal" or "all"; "lights", "parts", "cryptomatte", "denoise" and "oidn", which are not among all.
 void add_aovs(const std::string& text, RenderOptions& options);
 ViewDirection to_view(const std::string& text);                            // "front" or "30,15"
 std::string listed_views();                                                // "front|...|AZIMUTH,ELEVATION"

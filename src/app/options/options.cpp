@@ -67,13 +67,17 @@ void add_render_options(OptionParser& p, RenderOptions& o)
             [&](const std::string& t) { o.crop = to_crop(t); });
     p.values("--aov", "NAME,...",
              "More channels of EXR pictures: " + listed(enum_names<Aov>) +
-                 "|all; also denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
+                 "|all; also lights, a layer for each group of lights, parts, emission, direct and indirect light, "
+                 "cryptomatte, which objects and materials a pixel shows, "
+                 "denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
              [&](const std::string& t) { add_aovs(t, o); });
     p.value("--background", listed(enum_names<BackgroundChoice>),
             "transparent: an alpha channel in EXR and PNG, and black where camera rays hit nothing (keep)",
             [&](const std::string& t) { o.background = to_enum<BackgroundChoice>("--background", t); });
     p.flag("--denoise", "The picture is denoised when it is complete; EXR keeps the noisy one as layer noisy",
            o.denoise);
+    p.value("--layer-names", listed(enum_names<LayerNames>), "EXR: whose names the layers have (lancer)",
+            [&](const std::string& t) { o.layer_names = to_enum<LayerNames>("--layer-names", t); });
     p.flag("--half", "EXR with 16-bit floats; AOVs keep 32 bits", o.half);
     p.value("--exr-compression", listed(enum_names<ExrCompression>),
             "EXR: how it is compressed; dwaa and dwab lose what is hardly seen (zip)",
@@ -198,9 +202,12 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
         for (const std::string& path : o.outputs)
             if (extension_of(path) == ".ppm")
                 fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
-    if (o.shard.is_whole() && (!o.aovs.empty() || o.denoise_sets || o.guides) &&
+    if (o.shard.is_whole() &&
+        (!o.aovs.empty() || o.light_layers || o.part_layers || o.mattes || o.denoise_sets || o.guides) &&
         std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
+    if (o.mattes && (o.compression == ExrCompression::dwaa || o.compression == ExrCompression::dwab))
+        fail_usage("--exr-compression: dwaa and dwab would destroy the names of cryptomatte");
     if (o.frames) require_numbers(o);
     std::vector<std::string> files = o.outputs;
     if (!o.stats.empty()) files.push_back(o.stats);

@@ -41,6 +41,11 @@ enum class BackgroundChoice { keep, transparent };
 template <>
 inline constexpr auto enum_names<BackgroundChoice> = std::to_array<std::string_view>({"keep", "transparent"});
 
+// Whose names the layers of EXR pictures have.
+enum class LayerNames { lancer, nuke, blender };
+template <>
+inline constexpr auto enum_names<LayerNames> = std::to_array<std::string_view>({"lancer", "nuke", "blender"});
+
 struct DisplayAddress {
     std::string host;  // name or numeric address, without brackets
     uint16_t port = 0;
@@ -65,9 +70,13 @@ struct RenderOptions {
     std::optional<FrameRange> frames;  // #### in the names of scene and outputs stands for the number
     std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
     std::optional<Tile> crop;
-    uint32_t tile = 16;     // side in pixels
-    uint32_t batch = 256;   // paths under way at once
-    std::vector<Aov> aovs;  // each once, in the order of Aov
+    uint32_t tile = 16;         // side in pixels
+    uint32_t batch = 256;       // paths under way at once
+    std::vector<Aov> aovs;      // each once, in the order of Aov
+    bool light_layers = false;  // the light of each group of lights, likewise
+    bool part_layers = false;   // emission, direct and indirect light, likewise
+    bool mattes = false;        // Cryptomatte of objects and materials, likewise
+    LayerNames layer_names = LayerNames::lancer;
     bool denoise = false;
     bool denoise_sets = false;  // what `lancer denoise` needs, as layers of EXR
     bool guides = false;        // what Open Image Denoise takes, likewise

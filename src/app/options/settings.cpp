@@ -39,6 +39,13 @@ void require_denoisable(const RenderSettings& s)
     if (s.spp < 2) fail_usage("denoise: needs two halves of the samples; --spp must be at least 2");
 }
 
+void require_layers(const RenderSettings& s)
+{
+    if (s.legacy || s.integrator == IntegratorKind::ao)
+        fail_usage("--aov: lights and parts do not work with " +
+                   std::string(s.legacy ? "legacy" : "the integrator ao"));
+}
+
 PixelGrid pixel_grid(const RenderSettings& s)
 {
     if (!s.legacy) return PixelGrid::centres;

@@ -17,6 +17,8 @@ RenderSettings resolve_settings(const RenderSettings& command_line, const Render
 
 // Throws Error (usage) where the denoiser has no use: it needs two samples per pixel, of path or direct.
 void require_denoisable(const RenderSettings& settings);
+// Throws Error (usage) for integrators whose light cannot be divided into layers.
+void require_layers(const RenderSettings& settings);
 
 // What else depends on the settings: where pixels lie, and the tone map unless --tonemap gives another.
 PixelGrid pixel_grid(const RenderSettings& settings);

@@ -10,7 +10,7 @@ namespace lancer {
 namespace {
 
 // The last character is the version of the format. The number behind it shows the order of its bytes.
-constexpr std::string_view magic = "lancer checkpoint 2\n";
+constexpr std::string_view magic = "lancer checkpoint 3\n";
 constexpr uint32_t byte_order = 0x01020304;
 
 // Every member in turn.
@@ -91,6 +91,10 @@ void visit_film(Stream& stream, AnyFilm& film, AnyHalves& halves, const std::vec
     visit_all(film.aovs, stream), visit_all(film.open_aovs, stream);
     visit_all(film.replicates, pixel);
     visit_all(film.sets, [&](auto& set) { visit_set(set, stream); });
+    visit_all(film.layer_sums, [&](auto& sum) {
+        for (auto& channel : sum) stream(channel);
+    });
+    visit_all(film.mattes, [&](auto& matte) { stream(matte.id), stream(matte.n); });
     visit_all(film.wanted, stream);
     uint32_t has_halves = halves.empty() ? 0 : 1;
     stream(has_halves);

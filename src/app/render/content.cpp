@@ -1,7 +1,9 @@
 #include "app/render/content.h"
 
+#include "app/render/layer_names.h"
 #include "render/aov.h"
 #include "render/denoise/film_halves.h"
+#include "render/light_layers.h"
 
 namespace lancer {
 namespace {
@@ -47,10 +49,16 @@ PictureContent content_of(const Film& film, const Denoised& denoised, const Pict
                                      .ascii_ppm = options.ascii_ppm,
                                      .half = options.half,
                                      .compression = options.compression}};
+    append(content.planes, layer_planes(film, recipe.light_groups, denoised.layers));
+    if (options.mattes) {
+        append(content.planes, matte_planes(film));
+        content.attributes = attributes_of(recipe.manifests);
+    }
     if (options.background == BackgroundChoice::transparent) content.planes.push_back(alpha_of(film));
     if (options.denoise_sets) add_halves(film, content);
     if (options.guides) append(content.planes, guide_planes(film));
     if (!denoised.pixels.empty()) append(content.planes, layers_of_denoised(to_image(film), denoised));
+    for (ImagePlane& plane : content.planes) plane.name = layer_name(plane.name, options.layer_names);
     return content;
 }
 

@@ -62,7 +62,8 @@ void write_picture(AtomicFile& file, const PictureContent& picture)
     const PictureStyle& style = picture.style;
     const std::string extension = extension_of(file.path());
     if (extension == ".exr")
-        return write_exr(file, picture.image, picture.metadata, {.half = style.half, .compression = style.compression},
+        return write_exr(file, picture.image, picture.metadata,
+                         {.half = style.half, .compression = style.compression, .attributes = picture.attributes},
                          picture.planes);
     Metadata of_display = picture.metadata;
     of_display.emplace_back("exposure", shortest(style.curve.exposure_stops));

@@ -53,6 +53,7 @@ struct PictureContent {
     std::vector<ImagePlane> planes;  // in EXR only, but for alpha
     Metadata metadata;
     PictureStyle style;
+    std::vector<std::pair<std::string, std::string>> attributes{};  // of EXR, by their full names
 };
 
 // Writes a picture under each name, all or none. Throws Error (failed).

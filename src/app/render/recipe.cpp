@@ -21,10 +21,11 @@ template <class Stream, class AnyOptions>
 void visit_options(Stream& stream, AnyOptions& o)
 {
     stream.each(o.aovs, [&](auto& aov) { visit_enum(stream, aov, enum_names<Aov>.size()); });
-    for (auto* flag :
-         {&o.denoise, &o.denoise_sets, &o.guides, &o.half, &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata})
+    for (auto* flag : {&o.light_layers, &o.part_layers, &o.mattes, &o.denoise, &o.denoise_sets, &o.guides, &o.half,
+                       &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata})
         visit_flag(stream, *flag);
     visit_enum(stream, o.background, enum_names<BackgroundChoice>.size());
+    visit_enum(stream, o.layer_names, enum_names<LayerNames>.size());
     visit_enum(stream, o.compression, enum_names<ExrCompression>.size());
 }
 
@@ -48,6 +49,8 @@ void visit_recipe(Stream& stream, AnyRecipe& r)
     stream(r.curve.exposure_stops), visit_enum(stream, r.curve.tonemap, enum_names<ToneMap>.size());
     auto& [center, scale] = r.normalisation;
     stream(center.x), stream(center.y), stream(center.z), stream(scale);
+    stream.each(r.light_groups, [&](auto& name) { stream(name); });
+    stream.each(r.manifests, [&](auto& m) { stream(m.layer), stream(m.names); });
     visit_flag(stream, r.has_stop_rule), visit_flag(stream, r.keeps_blocks_open);
 }
 
@@ -61,11 +64,14 @@ Film empty_film(const PictureRecipe& recipe)
     film.hides_background = o.background == BackgroundChoice::transparent;
     AovLayout layout = layout_of(o.aovs);
     if (film.hides_background) layout.add(AovSum::hits), layout.add(AovSum::samples);
+    if (o.mattes) layout.add(AovSum::samples), film.keep_mattes();
     film.keep_aovs(layout);
     if (s.stop) film.wanted.resize(film.pixels.size());
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
     if (o.denoise || o.denoise_sets || o.guides)
         film.keep_sets({.replicates = s.replicates, .second_half = recipe.has_stop_rule ? 0 : s.spp / 2});
+    film.keep_layers({.groups = o.light_layers ? static_cast<uint32_t>(recipe.light_groups.size()) : 0,
+                      .has_segments = o.part_layers});
     if (recipe.keeps_blocks_open) film.keep_blocks_open();
     return film;
 }

@@ -5,6 +5,7 @@
 #include "app/options/options.h"
 #include "app/render/checkpoint_stream.h"
 #include "app/render/outputs.h"
+#include "render/mattes.h"
 #include "report/stats_json.h"
 #include "scene/placement.h"
 
@@ -15,7 +16,9 @@ struct PictureRecipe {
     RunStats stats;         // context, scene and settings, with the number of samples
     DisplayCurve curve;
     Normalisation normalisation;
-    bool has_stop_rule = false;  // --time, --error
+    std::vector<std::string> light_groups;  // LightGroups::names
+    std::vector<MatteManifest> manifests;   // with --aov cryptomatte
+    bool has_stop_rule = false;             // --time, --error
     bool keeps_blocks_open = false;
 };
 

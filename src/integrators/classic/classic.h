@@ -78,7 +78,8 @@ private:
         Ray ray = shadow_ray(surface_, *light);
         ray.key = key;
         const float weight = light->infinite && !light->delta ? power_heuristic(light->pdf, f.pdf) : 1;
-        actions.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance);
+        actions.tinted_shadow(ray, throughput * f.f_cos * light->radiance * (weight / light->pdf), light->radiance,
+                              light->light);
     }
     // Samples the environment by the BSDF: a narrow highlight is rarely found by light sampling. Other lights are small
     // and left to light sampling.

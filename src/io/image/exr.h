@@ -28,6 +28,7 @@ ImageRows rows_of(const Image& image);
 struct ExrOptions {
     bool half = false;  // 16-bit floats; a picture with finite values beyond 65504 is written as 32-bit all the same
     ExrCompression compression = ExrCompression::zip;
+    std::vector<std::pair<std::string, std::string>> attributes{};  // more text, by its full name
 };
 
 // Writes R, G, B, Rec. 709 chromaticities, with the image's display and data windows. Each metadata

@@ -111,6 +111,7 @@ void write_exr(AtomicFile& file, const ImageRows& image, const Metadata& metadat
         Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709
         header.insert("software", Imf::StringAttribute("lancer"));
         add_metadata(header, metadata);
+        for (const auto& [name, text] : options.attributes) header.insert(name, Imf::StringAttribute(text));
         for (const char* name : channel_names) header.channels().insert(name, Imf::Channel(type));
         for (const ImagePlane& plane : planes) header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
         FileOut stream(file);

@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "io/scene/light_group.h"
+
 namespace lancer {
 namespace {
 
@@ -58,9 +60,10 @@ void read_background(const TomlTable& root, const AssetFolder& assets, SceneDesc
 {
     const std::optional<TomlTable> table = root.table("background");
     if (!table) return;
-    table->allow({"sky", "ground", "fade", "up", "strength", "glow"});
+    table->allow({"sky", "ground", "fade", "up", "strength", "glow", "group"});
     BackgroundDescription b;
     b.where = table->where();
+    b.group = read_group(*table).value_or("");
     if (const auto sky = find_table(*table, "sky")) {
         b.sky = SkyType::picture;
         b.sky_picture = read_picture(*sky, assets, false);

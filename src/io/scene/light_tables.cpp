@@ -1,5 +1,6 @@
 #include "io/scene/light_tables.h"
 
+#include "io/scene/light_group.h"
 #include "io/scene/number_rule.h"
 
 namespace lancer {
@@ -57,7 +58,7 @@ LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
 {
     const NameList types{enum_names<LightType>.begin(), enum_names<LightType>.end()};
     const std::vector<TypedKey> keys = typed_keys();
-    NameList known{"type"};
+    NameList known{"type", "group"};
     for (const TypedKey& k : keys) known.push_back(k.key);
     table.allow(known);
 
@@ -72,6 +73,7 @@ LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
         });
     }
     for_each_light_parameter([&](const auto& row) { read_field(table, row, light); });
+    light.group = read_group(table).value_or("");
     if (table.has("file")) {
         read_picture(table, assets, light);
     } else {

@@ -1,5 +1,7 @@
 #include "io/scene/material_tables.h"
 
+#include "io/scene/light_group.h"
+
 #include <functional>
 
 #include "io/scene/number_rule.h"
@@ -100,7 +102,7 @@ std::optional<T> MaterialReader::read_value(const TomlTable& table, const Row& r
         return word ? std::optional(*word == 1) : std::nullopt;
     } else {
         static_assert(std::is_same_v<T, std::string>);
-        return read_name(table, row.key);
+        return row.range == ParameterRange::group ? read_group(table) : read_name(table, row.key);
     }
 }
 

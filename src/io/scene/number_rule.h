@@ -23,6 +23,7 @@ inline const NumberRule& rule_of(ParameterRange range, const NumberRule& positiv
         case ParameterRange::choice:
         case ParameterRange::boolean:
         case ParameterRange::name:
+        case ParameterRange::group:
         case ParameterRange::texture:
             break;
     }

@@ -93,7 +93,7 @@ Denoised denoise_picture(const DenoiseInput& input)
     const ColorPlanes variance = variance_of_half(halves);
     const FilteredHalves filtered = filter_halves(halves, variance);
     const size_t size = size_t{input.width} * input.height;
-    Denoised out{std::vector<Color>(size), std::vector<float>(size)};
+    Denoised out{std::vector<Color>(size), std::vector<float>(size), {}};
     for (size_t c = 0; c < 3; ++c) finish_channel(halves, filtered, variance[c], c, out);
     return out;
 }

@@ -39,6 +39,7 @@ struct Denoised {
     // The squared error that is expected of each pixel, as the halves tell it of the pixels around: the mean over
     // channels of (x - r)^2 / (r^2 + 0.01).
     std::vector<float> error;
+    std::vector<std::vector<Color>> layers;  // of a film that has layers, each filtered alike
 };
 
 // Uses the threads of the innermost with_threads().

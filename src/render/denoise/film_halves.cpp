@@ -27,6 +27,36 @@ void add_means(const SampleSet& set, std::array<std::vector<float>, HalfPlanes::
     if (distance > 0) distance = 1 / distance;
 }
 
+// Light spread around an object would shine where the picture is transparent.
+void hide_background(const Film& film, std::vector<Color>& pixels)
+{
+    const size_t hits = film.aov_layout.offset(AovSum::hits);
+    for (size_t i = 0; i < pixels.size(); ++i)
+        if (film.whole_aov(i, hits) == 0) pixels[i] = {};
+}
+
+// Puts the light of a layer in the place of all light. Its variance is known from the halves alone.
+void set_layer(const Film& film, uint32_t layer, HalfPlanes& planes)
+{
+    const size_t sets = film.deal.count();
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        std::array<Color, 2> means{};
+        for (size_t h = 0; h < 2; ++h) {
+            std::array<double, 3> sum{};
+            size_t used = h;
+            if (half_of(film, i, h, UsedSets::all).n == 0) used = 1 - h;
+            for (size_t set = used; set < sets; set += 2)
+                for (size_t c = 0; c < 3; ++c)
+                    sum[c] += film.layer_sums[(i * sets + set) * film.layers.size() + layer][c];
+            const double n = std::max(half_of(film, i, used, UsedSets::all).n, 1u);
+            for (size_t c = 0; c < 3; ++c) planes.halves[h][c][i] = static_cast<float>(sum[c] / n);
+            means[h] = {planes.halves[h][0][i], planes.halves[h][1][i], planes.halves[h][2][i]};
+        }
+        const float difference = luminance(means[0]) - luminance(means[1]);
+        planes.variance[i] = difference * difference / 4;
+    }
+}
+
 }  // namespace
 
 DenoiseInput HalfPlanes::input(uint32_t width, uint32_t height) const
@@ -67,12 +97,18 @@ HalfPlanes halves_of(const Film& film, UsedSets used)
 
 Denoised denoise_film(const Film& film, UsedSets used)
 {
-    Denoised denoised = denoise_picture(halves_of(film, used).input(film.crop.width(), film.crop.height()));
-    if (!film.hides_background) return denoised;
-    // Light spread around an object would shine where the picture is transparent.
-    const size_t hits = film.aov_layout.offset(AovSum::hits);
-    for (size_t i = 0; i < denoised.pixels.size(); ++i)
-        if (film.whole_aov(i, hits) == 0) denoised.pixels[i] = {};
+    HalfPlanes halves = halves_of(film, used);
+    const auto denoised_of = [&](const HalfPlanes& planes) {
+        Denoised denoised = denoise_picture(planes.input(film.crop.width(), film.crop.height()));
+        if (film.hides_background) hide_background(film, denoised.pixels);
+        return denoised;
+    };
+    Denoised denoised = denoised_of(halves);
+    if (used == UsedSets::without_held_out) return denoised;
+    for (uint32_t k = 0; k < film.layers.size(); ++k) {
+        set_layer(film, k, halves);
+        denoised.layers.push_back(denoised_of(halves).pixels);
+    }
     return denoised;
 }
 

@@ -30,17 +30,16 @@ public:
     {
         if (arrivals_ && !s.last) vertex(s.slot, surface.origin, surface.n);
     }
-    void shadow(uint32_t slot, uint32_t light, const Ray&, Color radiance, bool occluded) const
+    void shadow(const ShadowEnds& ends, const Ray&, Color radiance, bool occluded) const
     {
         if (!arrivals_) return;
-        Arrival& a = (*arrivals_)[last_[slot]];
-        a.light = light;
+        Arrival& a = (*arrivals_)[last_[ends.slot]];
+        a.light = ends.light;
         if (!occluded) a.brought = luminance(radiance);
     }
-    void ray(const PathState&, const Hit& hit) const { misses_ = !hit; }
-    void added(const PathState& s, Color radiance) const
+    void added(const PathState& s, const Hit& hit, Color radiance) const
     {
-        if (arrivals_ && misses_) sky(s.slot, s, radiance);
+        if (arrivals_ && !hit) sky(s.slot, s, radiance);
     }
     // The same events for kernels without a Surface at hand; only if it listens. A vertex that paths go on from, and
     // what a ray that left the scene added.
@@ -60,7 +59,6 @@ public:
 private:
     std::vector<Arrival>* arrivals_;
     mutable std::vector<size_t> last_;  // vertex of each slot
-    mutable bool misses_ = false;       // the present ray
 };
 
 // The choice for a pilot: everywhere the same, half by power and half at random, so that each light is tried. Empty

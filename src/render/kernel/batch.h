@@ -134,7 +134,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             const size_t k = i % lookahead;
             if (k == 0) prepare_hits(i);
             PathState& s = w.states[i];
-            PathActions actions(w.queue, s.slot);
+            PathActions actions(w.queue, s.slot, segment_after(s.segment, false));
             const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
             if (w.hits[i]) {
@@ -150,7 +150,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, actions);
             }
-            listener.added(s, w.queue.radiance[s.slot].since(before));
+            listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));
         }
 
         w.occluded.resize(w.queue.shadow_rays.size());
@@ -158,8 +158,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         counters.shadow_rays += w.queue.shadow_rays.size();
         for (size_t i = 0; i < w.occluded.size(); ++i) {
             const Queue::Shadow& shadow = w.queue.shadows[i];
-            listener.shadow(shadow.slot, shadow.light, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
-            if (!w.occluded[i]) w.queue.radiance[shadow.slot] += shadow.radiance;
+            listener.shadow(shadow.ends, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
+            if (!w.occluded[i]) w.queue.radiance[shadow.ends.slot] += shadow.radiance;
         }
         if constexpr (TintsShadows<Integrator>)
             trace_tinted_shadows(view, accel, integrator, w, counters, listener);

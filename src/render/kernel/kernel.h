@@ -9,6 +9,7 @@
 #include "render/blocks.h"
 #include "render/kernel/batch.h"
 #include "render/kernel/kernels.h"
+#include "render/light_layers.h"
 
 namespace lancer {
 
@@ -40,13 +41,14 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
                    Counters& counters, const Listener& listener)
 {
     const auto index = [&](const SampleId& id) { return size_t{id.y - tile.y0} * tile.width() + (id.x - tile.x0); };
-    const auto count = [&](const SampleId& id, Color c) {
+    // layers: those of the sample; null: it is black in all, or there are none.
+    const auto count = [&](const SampleId& id, Color c, const RadianceSum* layers) {
         if (!is_finite(c)) return counters.drop(id);
         Pixel& p = w.block[index(id)];
         const double y = luminance(c);
         p += {{c.r, c.g, c.b}, y * y, 1};
         if (!w.last.empty()) w.last[index(id)] = c;
-        if ((film.replicates.empty() && film.sets.empty()) || w.is_pilot) return;
+        if ((film.replicates.empty() && film.sets.empty() && film.layer_sums.empty()) || w.is_pilot) return;
         const auto add_to = [c](auto& r) {
             r.sum[0] += double{c.r}, r.sum[1] += double{c.g}, r.sum[2] += double{c.b}, ++r.n;
         };
@@ -54,13 +56,20 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         if (!film.replicates.empty())
             add_to(film.replicates[film.index(id.x, id.y) * settings.replicates + settings.replicate_of(path)]);
         if (!film.sets.empty()) add_to(film.set_of(film.index(id.x, id.y), path));
+        if (!layers) return;
+        std::array<double, 3>* const sums =
+            film.layers_of(film.index(id.x, id.y), film.sets.empty() ? 0 : film.deal.set_of(path));
+        for (uint32_t k = 0; k < film.layers.size(); ++k)
+            sums[k][0] += layers[k].r, sums[k][1] += layers[k].g, sums[k][2] += layers[k].b;
     };
     const auto flush = [&] {
         if (film.hides_background) w.has_missed.assign(w.slots.size(), 0);
+        w.layers.assign(w.slots.size() * film.layers.size(), RadianceSum{});
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
             const bool is_hidden = film.hides_background && w.has_missed[i];
-            count(w.slots[i], is_hidden ? Color{} : film_radiance(w.queue.radiance[i].color(), settings));
+            count(w.slots[i], is_hidden ? Color{} : film_radiance(w.queue.radiance[i].color(), settings),
+                  is_hidden || w.layers.empty() ? nullptr : &w.layers[i * film.layers.size()]);
         }
         w.slots.clear();
     };
@@ -73,9 +82,12 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     const Color sky = view.plan.background_only.empty() || film.hides_background
                           ? Color{}
                           : film_radiance(background_only_radiance(view, integrator, w), settings);
+    std::vector<RadianceSum> sky_layers;
+    if (film.layers.size() > 0 && !film.hides_background)
+        sky_layers = layers_of_sky(view.scene.light_groups, film.layers, sky);
     const auto count_background_only = [&](uint32_t x, uint32_t y) {
         for (uint32_t i = samples.begin, end = end_of(x, y); i < end; ++i, ++counters.background_only_samples) {
-            count({x, y, i}, sky);
+            count({x, y, i}, sky, sky_layers.empty() ? nullptr : sky_layers.data());
             listener.background_only({x, y, i});
         }
     };
@@ -172,11 +184,12 @@ void render_tile(const V& view, const Accelerator& accel, const Camera& camera, 
 
 // Calls render(listener) with the listener that fills the film's AOVs and features, if it has any.
 template <class Render>
-void for_listener(const Scene& scene, const Accelerator& accel, Film& film, const Tile& tile, Workspace& w,
-                  const Render& render)
+void for_listener(const Scene& scene, const Accelerator& accel, const Camera& camera, Film& film, const Tile& tile,
+                  Workspace& w, const Render& render)
 {
-    if (film.aovs.empty() && film.sets.empty()) return render(NoListener{});
-    render(AovListener(scene, accel, film, tile, w));
+    if (film.aovs.empty() && film.sets.empty() && film.layer_sums.empty() && film.mattes.empty())
+        return render(NoListener{});
+    render(AovListener(scene, accel, camera.axis(), film, tile, w));
 }
 
 template <class Integrator>
@@ -184,7 +197,7 @@ void Kernels<Integrator>::render(const View& view, const Accelerator& accel, con
                                  const KernelSettings& settings, const Integrator& integrator, Film& film, Tile tile,
                                  SampleRange samples, Workspace& w, Counters& counters)
 {
-    for_listener(view.scene, accel, film, tile, w, [&](const auto& listener) {
+    for_listener(view.scene, accel, camera, film, tile, w, [&](const auto& listener) {
         render_tile(view, accel, camera, settings, integrator, film, tile, samples, w, counters, listener);
     });
 }
@@ -204,9 +217,12 @@ struct ReplayListener {
 
     void ray(const PathState& s, const Hit& hit) const { listener.ray(s, hit); }
     void vertex(const PathState& s, const Surface& at) const { listener.vertex(s, at); }
-    void added(const PathState& s, Color c) const { listener.added(s, c); }
-    void shadow(uint32_t, uint32_t, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
-    void mirrored_shadow(const Ray& ray, Color c, bool occluded) const { listener.mirrored_shadow(ray, c, occluded); }
+    void added(const PathState& s, const Hit&, Color c) const { listener.added(s, c); }
+    void shadow(const ShadowEnds&, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
+    void mirrored_shadow(const ShadowEnds&, const Ray& ray, Color c, bool occluded) const
+    {
+        listener.mirrored_shadow(ray, c, occluded);
+    }
 };
 
 template <class Integrator>

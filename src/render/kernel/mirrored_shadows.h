@@ -46,7 +46,7 @@ void trace_mirrored_shadows(const View& view, const Accelerator& accel, Workspac
         Queue::MirroredShadow s = shadows[i];
         const Ray sent = s.ray;
         if (!turn_at_mirror(view, w.hits[i], s)) {
-            listener.mirrored_shadow(sent, s.radiance, true);
+            listener.mirrored_shadow(s.ends, sent, s.radiance, true);
             continue;
         }
         w.rays.push_back(s.ray);
@@ -57,8 +57,9 @@ void trace_mirrored_shadows(const View& view, const Accelerator& accel, Workspac
     accel.any(w.rays, w.occluded);
     counters.shadow_rays += kept;
     for (size_t i = 0; i < kept; ++i) {
-        listener.mirrored_shadow(shadows[i].ray, shadows[i].radiance, w.occluded[i]);
-        if (!w.occluded[i]) w.queue.radiance[shadows[i].slot] += shadows[i].radiance;
+        const Queue::MirroredShadow& s = shadows[i];
+        listener.mirrored_shadow(s.ends, s.ray, s.radiance, w.occluded[i]);
+        if (!w.occluded[i]) w.queue.radiance[s.ends.slot] += s.radiance;
     }
 }
 

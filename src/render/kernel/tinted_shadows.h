@@ -45,7 +45,7 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                 s.radiance *= part;
                 s.light *= part;
                 if (is_black(s.radiance)) {
-                    listener.shadow(s.slot, s.to, s.ray, s.radiance, true);
+                    listener.shadow(s.ends, s.ray, s.radiance, true);
                     continue;
                 }
                 // The end point stays the same: the offset of the new origin is subtracted, or the ray could hit its
@@ -59,8 +59,8 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                 }
             }
             if (has_media) s.radiance *= s.media.transmittance(view.scene.media, s.ray.t_max);
-            listener.shadow(s.slot, s.to, s.ray, s.radiance, false);
-            w.queue.radiance[s.slot] += s.radiance;
+            listener.shadow(s.ends, s.ray, s.radiance, false);
+            w.queue.radiance[s.ends.slot] += s.radiance;
         }
         shadows.resize(kept);
     }

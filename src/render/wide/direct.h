@@ -272,8 +272,8 @@ inline void WideBatch<shading>::add_unoccluded()
             const Color radiance{brought.x, brought.y, brought.z};
             const bool occluded = w_.occluded[first + i] != 0;
             if (arrivals_)
-                arrivals_->shadow(shadow.slot[i], w_.wide.shadow_lights[first + i], shadows_.rays()[first + i],
-                                  radiance, occluded);
+                arrivals_->shadow({.slot = shadow.slot[i], .light = w_.wide.shadow_lights[first + i]},
+                                  shadows_.rays()[first + i], radiance, occluded);
             if (!occluded) w_.queue.radiance[shadow.slot[i]] += radiance;
         }
     }

@@ -16,7 +16,7 @@ void WideKernel<shading>::render(const View& view, const Accelerator& accel, con
                                  const KernelSettings& settings, const Path& path, const WideScene& scene, Film& film,
                                  Tile tile, SampleRange samples, Workspace& w, Counters& counters)
 {
-    for_listener(view.scene, accel, film, tile, w, [&](const auto& listener) {
+    for_listener(view.scene, accel, camera, film, tile, w, [&](const auto& listener) {
         render_tile(view, accel, camera, settings, WidePath<shading>{path, scene}, film, tile, samples, w, counters,
                     listener);
     });

@@ -7,6 +7,7 @@
 
 #include "core/names.h"
 #include "scene/build/fill_parameters.h"
+#include "scene/build/light_group.h"
 #include "scene/build/media.h"
 #include "scene/description/presets.h"
 
@@ -118,6 +119,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.medium = add_medium(m, bsdf, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
+    scene_.light_groups.of_material.push_back(light_group(scene_, m.group, m.where, diagnostics_));
     if (!scene_.mix_of.empty()) scene_.mix_of.push_back(Scene::none);
     return static_cast<uint32_t>(scene_.materials.size() - 1);
 }

@@ -1,12 +1,15 @@
 #include "scene/build/scene_builder.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <set>
 
 #include "core/names.h"
 #include "core/srgb.h"
 #include "scene/alpha_test.h"
 #include "scene/build/fold.h"
+#include "scene/build/light_group.h"
 #include "scene/build/light_table.h"
 #include "scene/build/material_table.h"
 #include "scene/build/mesh_tables.h"
@@ -106,7 +109,8 @@ private:
             if (l.type != LightType::sphere || is_black(l.power)) continue;
             const Sphere added =
                 add(l.position, l.radius,
-                    materials_.add({.name = "light", .where = l.where, .base_color = {}, .emission = l.power}));
+                    materials_.add(
+                        {.name = "light", .where = l.where, .base_color = {}, .emission = l.power, .group = l.group}));
             check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, l.where, "this light");
         }
     }
@@ -166,6 +170,18 @@ private:
         scene_.has_normals |= !shading.normals.empty();
         scene_.geometry.meshes.push_back(std::move(mesh));
         scene_.shading.push_back(std::move(shading));
+        scene_.mesh_names.push_back(own_name(m));
+    }
+    // The second of a name is called "NAME.2".
+    std::string own_name(const MeshDescription& m)
+    {
+        std::string name = m.name;
+        if (name.empty())
+            name = m.data->file.empty() ? m.data->shape : std::filesystem::path(m.data->file).stem().string();
+        std::string own = name;
+        size_t& count = mesh_name_counts_[name];
+        for (++count; !mesh_names_.insert(own).second; ++count) own = name + "." + std::to_string(count);
+        return own;
     }
     static std::vector<Color> linear_colors(const MeshData& data, VertexColors meaning)
     {
@@ -213,14 +229,17 @@ private:
     {
         const auto add = [&]<class Of>(std::type_identity<Of>) {
             for (const auto& l : d_.lights)
-                if (l.type == Of::type && !is_black(l.power))
+                if (l.type == Of::type && !is_black(l.power)) {
                     scene_.delta_lights.push_back(Of::make(l, scene_.normalisation));
+                    scene_.light_groups.of_delta.push_back(light_group(scene_, l.group, l.where, diagnostics_));
+                }
         };
         (add(std::type_identity<L>{}), ...);
     }
     // Constant ones add up; of pictures there can be one.
     void add_environment(const LightDescription& l)
     {
+        add_to_sky(l.group, l.where);
         if (l.file.empty()) {
             scene_.environment += l.power;
         } else if (pending_.environment) {
@@ -231,9 +250,20 @@ private:
         }
     }
 
+    // All light from outside of the scene is one, and of one group.
+    void add_to_sky(const std::string& group, const Location& where)
+    {
+        const uint8_t index = light_group(scene_, group, where, diagnostics_);
+        if (sky_ && scene_.light_groups.of_sky != index)
+            diagnostics_.error(where, "all environments and the background are of one group; the first is stated at " +
+                                          to_string(*sky_));
+        if (!sky_) scene_.light_groups.of_sky = index, sky_ = where;
+    }
+
     void add_background(const BackgroundDescription& b)
     {
         scene_.glow = b.glow;
+        add_to_sky(b.group, b.where);
         if (b.sky == SkyType::color && b.ground == GroundType::none) {
             scene_.environment += b.sky_color * b.strength;
             return;
@@ -252,7 +282,10 @@ private:
     PendingPictures& pending_;
     MaterialTable materials_;
     std::vector<Normalisation> own_;  // of each mesh
-    std::vector<Transform> places_;   // likewise, from its units to those of its positions
+    std::set<std::string> mesh_names_;
+    std::map<std::string, size_t> mesh_name_counts_;
+    std::vector<Transform> places_;  // likewise, from its units to those of its positions
+    std::optional<Location> sky_;    // where the first light from outside of the scene stands
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ struct BackgroundDescription {
     std::optional<Color> fade{};  // what checker and planar pictures pass into; default: the sky at the horizon
     bool z_up = false;            // else y points up
     float strength = 1;           // factor on sky and ground, >= 0
+    std::string group{};          // of lights, see scene/lights/groups.h; empty: none
     bool glow = false;            // point and directional lights are seen as discs
 };
 

@@ -36,6 +36,7 @@ struct LightDescription {
                                 // (sphere, environment; with a file its factor); finite, >= 0
     std::string file{};         // environment: latitude-longitude picture; empty: constant
     Vec3d rotate_deg{0, 0, 0};  // environment with a file: about x, then y, then z
+    std::string group{};        // of lights, see scene/lights/groups.h; empty: none
 };
 
 // Each must be given.

@@ -52,6 +52,7 @@ struct MaterialDescription {
     Color emission{};         // radiance
     TextureUse emission_map{};
     bool emission_both_sides = false;  // else only on the side of the normal
+    std::string group{};               // of lights, see scene/lights/groups.h; empty: none
     std::string first{}, second{};     // mix: names of [material.NAME]
     float weight = 0.5f;               // mix: of the second
     TextureUse weight_map{};
@@ -160,7 +161,8 @@ inline constexpr std::tuple all{
     number("bump_scale", &M::bump_scale, finite),
     image("normal_texture", &M::normal_map, TextureRole::normal),
     mapped("emission", &M::emission, not_negative, "emission_texture", &M::emission_map, TextureRole::color),
-    number("emission_sides", &M::emission_both_sides, choice, {"front", "both"})};
+    number("emission_sides", &M::emission_both_sides, choice, {"front", "both"}),
+    number("group", &M::group, ParameterRange::group)};
 
 }  // namespace material_rows
 

@@ -14,6 +14,7 @@ enum class ParameterRange {
     choice,   // one of two words, false or true
     boolean,  // false or true
     name,     // that of a material, required
+    group,    // that of a group of lights: see is_group_name()
     texture,  // one itself
 };
 
