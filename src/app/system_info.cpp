@@ -74,6 +74,14 @@ uint64_t peak_memory_bytes()
     return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+uint64_t resident_bytes()
+{
+    std::ifstream in("/proc/self/statm");
+    uint64_t all = 0, resident = 0;
+    in >> all >> resident;
+    return in ? resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
 double wall_seconds()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

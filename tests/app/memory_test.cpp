@@ -93,6 +93,24 @@ TEST_F(Memory, PicturesBeyondItAreRefusedBeforeTheyAreRead)
     EXPECT_EQ(image("a.exr").at(12, 15), (Color{}));
 }
 
+// A film that does not fit is refused before it is made.
+TEST_F(Memory, ARenderBeyondItIsRefusedBeforeItsFirstSample)
+{
+    const std::vector<std::string> large{"render", "scene.toml", "-s", "2", "--size", "6000x5000", "-o", "a.exr", "-q"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), large.begin(), large.end());
+        return run(more);
+    };
+    const Said refused = with({"--memory", "500M", "--aov", "all"});
+    EXPECT_EQ(refused.code, 71);
+    expect_words(refused.err, "error: this render takes ");
+    expect_words(refused.err, " GB, and --memory allows 500.0 MB:");
+    expect_words(refused.err, "film: 30.0 million pixels of 192 bytes");
+    EXPECT_FALSE(exists("a.exr"));
+    expect_words(with({"--memory", "3G", "--denoise"}).err, "18000.0 MB denoiser");
+    EXPECT_EQ(with({"--memory", "500M", "--crop", "0,0,60,50"}).code, 0);
+}
+
 TEST_F(Memory, APictureNeverDependsOnIt)
 {
     for (const auto& [name, memory] :

@@ -324,7 +324,7 @@ TEST_F(Render, AovsAreFurtherChannels)
     for (const auto& c : read_exr_info(file("some.exr")).channels) channels += c.name + " " + c.type + ", ";
     EXPECT_EQ(channels,
               "B half, G half, R half, depth.Z float, mask.A float, normal.X float, normal.Y float, normal.Z float, ");
-    EXPECT_EQ(read_exr_info(file("all.exr")).channels.size(), 3 + 3 + 3 + 1 + 3 + 2 + 1 + 1 + 1 + 3 + 1u);
+    EXPECT_EQ(read_exr_info(file("all.exr")).channels.size(), 3 + 3 + 3 + 1 + 3 + 2 + 1 + 1 + 1 + 3 + 1 + 1u);
     const std::vector<float> depth = read_exr_channel(file("all.exr"), "depth.Z");
     EXPECT_EQ(depth, read_exr_channel(file("some.exr"), "depth.Z"));
     EXPECT_EQ(depth.size(), 24u * 16u);

@@ -18,6 +18,7 @@
 #include "app/render/phase_clock.h"
 #include "app/render/progress.h"
 #include "app/render/recipe.h"
+#include "app/render/render_memory.h"
 #include "app/render/shard.h"
 #include "app/render/summary.h"
 #include "app/signals.h"
@@ -284,6 +285,7 @@ void Run::render(const Renderer& renderer)
     pixels_ = pixels_of(tiles);
     RenderLimits limits(
         {.spp = s.spp, .time = options_.time, .error = options_.error, .looks_early = log_->is_wanted()});
+    require_memory(recipe());
     Film film = empty_film(recipe());
     LiveView live_view(options_, film, stats_.scene.warnings);
     Checkpoints checkpoints(recipe(), film);
