@@ -10,6 +10,8 @@
 namespace lancer {
 namespace {
 
+using std::string_literals::operator""s;
+
 // Values over the whole range of floats, no two alike.
 Image test_image(const Window& display, const Window& data)
 {
@@ -165,6 +167,30 @@ TEST(Exr, AbsurdSizesAreRefusedBeforeAllocation)
     expect_error(ErrorKind::invalid_input, path, "too short", [&] { read_exr(path); });
     with_window(3, 0, 0, 3);
     expect_error(ErrorKind::invalid_input, path, "-2 x 4", [&] { read_exr(path); });
+}
+
+// The library reads as many bytes as a type has and takes the rest for another attribute, of any size.
+TEST(Exr, AttributesAreAsLongAsTheirTypes)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("a.exr");
+    write_exr(path, make_image(4, 4));
+    const std::string whole = read_bytes(path);
+    const std::string huge = "a\0b\0\0\0\0\x70"s;  // an attribute of a type that is not known, and its size
+    for (const std::string& start :
+         {"channels\0chlist\0"s, "compression\0compression\0"s, "lineOrder\0lineOrder\0"s, "pixelAspectRatio\0float\0"s,
+          "chromaticities\0chromaticities\0"s, "screenWindowCenter\0v2f\0"s}) {
+        SCOPED_TRACE(start);
+        std::string changed = whole;
+        const size_t at = whole.find(start) + start.size();
+        int32_t size = 0;
+        std::memcpy(&size, &changed[at], sizeof size);
+        changed.insert(at + sizeof size + static_cast<size_t>(size), huge);
+        size += static_cast<int32_t>(huge.size());
+        std::memcpy(&changed[at], &size, sizeof size);
+        write_bytes(path, changed);
+        expect_error(ErrorKind::invalid_input, path, "is not as long as its type", [&] { read_exr(path); });
+    }
 }
 
 TEST(Exr, MalformedFilesAreReadOrRefused)

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace lancer {
 namespace {
@@ -62,6 +63,41 @@ void read_window(HeaderReader& in, Extent& extent)
     extent.has_window = true;
 }
 
+// Bytes of a value of the types that have always as many. The library reads so many, whatever the size field says, and
+// would take what comes next for an attribute.
+constexpr std::pair<std::string_view, int32_t> sizes_of_types[] = {{"box2f", 16},
+                                                                   {"box2i", 16},
+                                                                   {"chromaticities", 32},
+                                                                   {"compression", 1},
+                                                                   {"deepImageState", 1},
+                                                                   {"double", 8},
+                                                                   {"envmap", 1},
+                                                                   {"float", 4},
+                                                                   {"int", 4},
+                                                                   {"keycode", 28},
+                                                                   {"lineOrder", 1},
+                                                                   {"m33d", 72},
+                                                                   {"m33f", 36},
+                                                                   {"m44d", 128},
+                                                                   {"m44f", 64},
+                                                                   {"rational", 8},
+                                                                   {"tiledesc", 9},
+                                                                   {"timecode", 8},
+                                                                   {"v2d", 16},
+                                                                   {"v2f", 8},
+                                                                   {"v2i", 8},
+                                                                   {"v3d", 24},
+                                                                   {"v3f", 12},
+                                                                   {"v3i", 12}};
+
+bool fits_type(const std::string& type, int32_t size)
+{
+    if (type == "floatvector") return size % 4 == 0;
+    for (const auto& [name, bytes] : sizes_of_types)
+        if (type == name) return size == bytes;
+    return true;
+}
+
 void read_channels(HeaderReader& in, Extent& extent)
 {
     extent.pixel_bytes = 0;
@@ -78,10 +114,11 @@ int64_t rows_of_block(uint8_t compression)
     return compression < std::size(rows) ? rows[compression] : 256;  // the last one, DWAB, and what may follow it
 }
 
-void read_attribute(HeaderReader& in, const std::string& name, int32_t size, Extent& extent)
+void read_attribute(HeaderReader& in, const std::string& name, const std::string& type, int32_t size, Extent& extent)
 {
     if (name == "dataWindow" && size == 16) read_window(in, extent);
-    if (name == "channels") read_channels(in, extent);
+    Extent of_no_picture;
+    if (type == "chlist") read_channels(in, name == "channels" ? extent : of_no_picture);
     if (name == "compression" && size == 1) extent.block_rows = rows_of_block(in.value<uint8_t>());
     if (name == "chunkCount" && size == 4) extent.chunks = in.value<int32_t>();
     if (name == "tiles" && size == 9) {
@@ -125,7 +162,7 @@ void check_part(HeaderReader& in, const std::string& first_name, bool has_type, 
     Extent extent;
     extent.is_tiled = is_tiled;
     for (std::string name = first_name; !name.empty(); name = in.name()) {
-        in.name();  // the type; the library checks it
+        const std::string attribute_type = in.name();
         const int32_t size = in.value<int32_t>();
         const uint64_t start = file.tell();
         if (size < 0 || static_cast<uint64_t>(size) > file.size() - std::min(start, file.size())) {
@@ -136,8 +173,11 @@ void check_part(HeaderReader& in, const std::string& first_name, bool has_type, 
             while (type.size() < static_cast<size_t>(std::min(size, 16))) type += in.value<char>();
             extent.is_tiled = type.starts_with("tiled") || type.starts_with("deeptile");
         }
-        read_attribute(in, name, size, extent);
-        file.seek(start + static_cast<uint64_t>(size));
+        read_attribute(in, name, attribute_type, size, extent);
+        const uint64_t end = start + static_cast<uint64_t>(size);
+        if (!fits_type(attribute_type, size) || (attribute_type == "chlist" && file.tell() != end))
+            throw file.invalid("not a valid OpenEXR file: attribute " + name + " is not as long as its type");
+        file.seek(end);
     }
     check_extent(file, extent);
 }
