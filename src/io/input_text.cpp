@@ -29,13 +29,11 @@ size_t skip_quoted(std::string_view text, size_t i)
     return text.size();
 }
 
-// The line of the first dotted key with too many parts, else 0. toml++ makes a table of each part and recurses once
-// for each when it frees them; a hundred thousand parts end in a stack overflow.
+// The line of the first dotted key with too many parts, else 0.
 uint32_t line_of_too_deep_key(std::string_view text)
 {
-    constexpr int max_dots = 8;
     uint32_t line = 1;
-    int dots = 0;
+    size_t dots = 0;
     for (size_t i = 0; i < text.size();) {
         const char c = text[i];
         if (c == '"' || c == '\'') {
@@ -50,7 +48,7 @@ uint32_t line_of_too_deep_key(std::string_view text)
         }
         if (c == '\n') ++line;
         if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') dots = 0;
-        if (c == '.' && ++dots > max_dots) return line;
+        if (c == '.' && ++dots >= most_key_parts) return line;
         ++i;
     }
     return 0;
@@ -79,7 +77,7 @@ bool check_toml_text(std::string_view text, const std::string& path, Diagnostics
         return false;
     }
     if (const uint32_t line = line_of_too_deep_key(text)) {
-        diagnostics.error({path, line}, "a key with more than 9 parts");
+        diagnostics.error({path, line}, "a key with more than " + std::to_string(most_key_parts) + " parts");
         return false;
     }
     return true;

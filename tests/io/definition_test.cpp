@@ -61,6 +61,20 @@ TEST_F(Definitions, AWordThatIsNoTomlIsAString)
     EXPECT_NE(problem.find("unknown integrator 'a=b?[x]' in [render]"), std::string::npos) << problem;
 }
 
+// They come from the headers of pictures, too. Tables are freed one within the other.
+TEST_F(Definitions, AKeyOfVeryManyPartsIsRefused)
+{
+    std::string key = "a";
+    for (int i = 0; i < 200000; ++i) key += ".a";
+    try {
+        problems_with(key + "=1", "version = 1");
+        ADD_FAILURE() << "not refused";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(e.what()).find("has a key with more than 9 parts"), std::string::npos) << e.what();
+    }
+}
+
 TEST_F(Definitions, TheLastOfEqualsCounts)
 {
     EXPECT_EQ(with({"render.spp=1", "render.spp=2"}, "[render]\nspp = 3").render.spp, 2u);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "io/input_text.h"
+
 namespace lancer {
 namespace {
 
@@ -79,6 +81,10 @@ Definition parse_definition(std::string_view text)
             i = end;
         } else if (c == '.' || c == '=') {
             if (part.empty() && !was_quoted) fail();
+            if (result.path.size() == most_key_parts)
+                throw Error(ErrorKind::usage, {},
+                            "-D: " + in_quotes(text.substr(0, 80)) + " has a key with more than " +
+                                std::to_string(most_key_parts) + " parts");
             result.path.push_back(std::exchange(part, {}));
             was_quoted = false;
             if (c == '.') continue;
