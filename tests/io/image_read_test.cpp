@@ -177,6 +177,15 @@ TEST(ImageRead, ChangedBytesNeverCrash)
     }
 }
 
+TEST(ImageRead, ASegmentOfAJpegTooShortForItsLengthIsEmpty)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("a.jpg");
+    write_bytes(path, jpeg().insert(2, "\xff\xe1\0\1"s));
+    EXPECT_EQ(read_raster(path)->width, 8u);
+    EXPECT_EQ(read_raster_header(path).width, 8u);
+}
+
 TEST(ImageRead, SeveralThreadsMayRead)
 {
     const TempFolder folder;
