@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -17,12 +18,19 @@ std::string text_at(const Json& object, const char* key)
     return it != object.end() && it->is_string() ? it->get<std::string>() : "";
 }
 
-template <class T>
-std::optional<T> value_at(const Json& object, const char* key)
+std::optional<bool> flag_at(const Json& object, const char* key)
 {
     const auto it = object.find(key);
-    if (it == object.end() || (!it->is_number() && !it->is_boolean())) return {};
-    return it->get<T>();
+    return it != object.end() && it->is_boolean() ? std::optional(it->get<bool>()) : std::nullopt;
+}
+
+std::optional<int> count_at(const Json& object, const char* key)
+{
+    const auto it = object.find(key);
+    if (it == object.end() || !it->is_number()) return {};
+    const double count = it->get<double>();
+    if (!(count >= 0 && count <= std::numeric_limits<int>::max())) return {};
+    return static_cast<int>(count);
 }
 
 MachineBlock machine_of(const Json& context)
@@ -32,8 +40,8 @@ MachineBlock machine_of(const Json& context)
     m.embree = text_at(context, "embree"), m.embree_isa = text_at(context, "embree_isa");
     m.tbb = text_at(context, "tbb"), m.date = text_at(context, "date");
     m.executable = text_at(context, "executable"), m.lancer = text_at(context, "lancer");
-    m.num_cpus = value_at<int>(context, "num_cpus"), m.threads = value_at<int>(context, "threads");
-    m.embree_asserts = value_at<bool>(context, "embree_asserts");
+    m.num_cpus = count_at(context, "num_cpus"), m.threads = count_at(context, "threads");
+    m.embree_asserts = flag_at(context, "embree_asserts");
     const auto load = context.find("load_avg");
     if (load != context.end() && load->is_array() && !load->empty() && load->front().is_number())
         m.load = load->front().get<double>();

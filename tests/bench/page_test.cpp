@@ -180,6 +180,15 @@ TEST(BenchResults, RefusesWhatIsNoRun)
     EXPECT_FALSE(verdicts({bare}).empty());
 }
 
+TEST(BenchResults, WhatTheMachineCannotBeIsNotKnown)
+{
+    const MachineBlock machine =
+        read_bench("x.json", R"({"context": {"num_cpus": 1e300, "threads": -1, "embree_asserts": 1},
+                                 "benchmarks": [{"name": "a", "family": "f"}]})")
+            .machine;
+    EXPECT_FALSE(machine.num_cpus || machine.threads || machine.embree_asserts);
+}
+
 TEST(BenchSpeed, ComparesWithBothModesOfEmbree)
 {
     const auto sections = speed_sections({whole_file()});

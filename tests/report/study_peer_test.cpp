@@ -67,6 +67,11 @@ TEST(StudyPeer, RecordsAreReadAndAnythingElseIsRefused)
     EXPECT_EQ(what_of("Traceback\n", {1}), no_json + "Traceback");
     const std::string negative = R"({"spp":1,"render_wall_s":-1,"render_cpu_s":null,"biases":[]})";
     EXPECT_EQ(what_of(negative, {1}), "error: fake reported invalid seconds");
+    for (const char* const spp : {"4294967297", "-4294967295", "1e300"}) {
+        const std::string wrong =
+            R"({"render_wall_s":1,"render_cpu_s":null,"biases":[],"spp":)" + std::string(spp) + "}";
+        EXPECT_EQ(what_of(wrong, {1}), "error: fake told of 0 samples and was asked for 1") << spp;
+    }
     EXPECT_THROW(read_peer_about("fake", "{\"version\":\"1\"}"), Error);
     EXPECT_TRUE(read_peer_about("fake", R"({"version":"1","seeds":true,"squares":false})").seeds);
 }

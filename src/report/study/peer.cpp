@@ -26,7 +26,9 @@ auto read_json(const std::string& name, const std::string& text, const Function&
 PeerRecord record_of(const Json& json)
 {
     PeerRecord record;
-    record.spp = json.at("spp").get<uint32_t>();
+    // What is no number of samples becomes 0, for which nobody asks.
+    const double spp = json.at("spp").get<double>();
+    if (spp >= 0 && spp <= std::numeric_limits<uint32_t>::max()) record.spp = static_cast<uint32_t>(spp);
     record.render_wall_s = json.at("render_wall_s").get<double>();
     if (!json.at("render_cpu_s").is_null()) record.render_cpu_s = json.at("render_cpu_s").get<double>();
     record.biases = json.at("biases").get<std::vector<std::string>>();
