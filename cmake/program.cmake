@@ -1,6 +1,9 @@
 # The program. cpu_check.cpp alone is compiled for any x86-64, so that an older CPU gets a message instead of SIGILL.
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "/(cpu_check|main)\\.cpp$")
+if(LANCER_FUZZ)
+  list(FILTER app_sources INCLUDE REGEX "/app/(options/[a-z_]+|render/(checkpoint_file|recipe|shard)|console|version)\\.cpp$")
+endif()
 add_library(lancer_app STATIC ${app_sources})
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
 target_precompile_headers(lancer_app PRIVATE ${standard_headers})

@@ -7,7 +7,8 @@ usage() {
 usage: scripts/test.sh [--slow]
   (nothing)  release build with warnings as errors, benchmarks too, and all its tests
   --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer; each way to leave
-             parts out, and a build without x86 intrinsics, is built and draws a picture
+             parts out, and a build without x86 intrinsics, is built and draws a picture; each fuzz target runs
+             for a minute
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
 END
 }
@@ -123,6 +124,18 @@ build_variants() {
     build_variant "${options[@]}"
 }
 
+# Each target of scripts/fuzz.sh counts as one test.
+run_fuzz() {
+    local log=$PWD/build/fuzz.log good bad
+    mkdir -p build
+    echo 'Fuzzing (log: build/fuzz.log)'
+    scripts/fuzz.sh --seconds 60 --jobs 2 >"$log" 2>&1 </dev/null
+    read -r good bad < <(sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$log" | tail -n 1)
+    if [[ ${bad:-1} != 0 ]]; then tail -n 60 "$log"; fi
+    passed=$((passed + ${good:-0}))
+    failed=$((failed + ${bad:-1}))
+}
+
 if ! scripts/install-deps.sh; then
     failed=1
     finish
@@ -140,5 +153,6 @@ if $slow; then
     run tsan -DLANCER_WERROR=OFF
     run_under=(env)
     build_variants
+    run_fuzz
 fi
 finish

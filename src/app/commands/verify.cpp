@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/console.h"
+#include "app/options/option_values.h"
 #include "app/paths.h"
 #include "app/prepare.h"
 #include "app/version.h"
@@ -68,30 +69,6 @@ Claim read_claim(const std::string& path)
     if (claim.has_alpha) names.emplace_back("A");
     claim.channels = read_exr_channels(path, names);
     return claim;
-}
-
-// The words of a command line that was quoted for a shell: blanks divide, a word in single quotes is kept as it is, and
-// a backslash takes the next character as it is.
-std::vector<std::string> words_of(const std::string& line)
-{
-    std::vector<std::string> words;
-    bool is_open = false, is_quoted = false;
-    for (size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (!is_quoted && c == ' ') {
-            is_open = false;
-            continue;
-        }
-        if (!is_open) words.emplace_back();
-        is_open = true;
-        if (c == '\'')
-            is_quoted = !is_quoted;
-        else if (c == '\\' && !is_quoted && i + 1 < line.size())
-            words.back() += line[++i];
-        else
-            words.back() += c;
-    }
-    return words;
 }
 
 PictureOptions options_of(const Claim& claim, const VerifyOptions& verify)

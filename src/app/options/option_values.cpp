@@ -40,6 +40,28 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
+std::vector<std::string> words_of(const std::string& line)
+{
+    std::vector<std::string> words;
+    bool is_open = false, is_quoted = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (!is_quoted && c == ' ') {
+            is_open = false;
+            continue;
+        }
+        if (!is_open) words.emplace_back();
+        is_open = true;
+        if (c == '\'')
+            is_quoted = !is_quoted;
+        else if (c == '\\' && !is_quoted && i + 1 < line.size())
+            words.back() += line[++i];
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
 std::string option_name(const RenderOption& option)
 {
     std::string name = "--" + std::string(option.name);

@@ -55,6 +55,10 @@ std::string listed(std::span<const std::string_view> names);
 // The parts between separators; one, perhaps empty, if there are none.
 std::vector<std::string> split(const std::string& text, char separator);
 
+// The words of a command line that was quoted for a shell: blanks divide, a word in single quotes is kept as it is, and
+// a backslash takes the next character as it is.
+std::vector<std::string> words_of(const std::string& line);
+
 // As the command line names it: "--max-depth".
 std::string option_name(const RenderOption& option);
 
