@@ -15,7 +15,7 @@ void try_picture(const std::string& path, const ReadHeader& read_header, const R
     std::optional<RasterHeader> header;
     reads([&] { header = read_header(path); });
     // A picture of a few bytes may be large. Most of the time would go into clearing memory.
-    constexpr uint64_t most_values = uint64_t{1} << 20;
+    constexpr uint64_t most_values = 1 << 16;
     if (header && header->value_count() > most_values) return;
     reads([&] {
         const Raster raster = read(path);
