@@ -10,6 +10,7 @@ packages=(
     libembree-dev libtbb-dev                                # rays, threads
     libtinyobjloader-dev libtomlplusplus-dev                # scenes
     libopenimageio-dev libopenexr-dev libimath-dev libpng-dev libjpeg-dev # pictures
+    libopencolorio-dev                                      # their colours
     libcli11-dev nlohmann-json3-dev                         # command line, reports
     libgtest-dev libgmock-dev                               # tests
 )

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "io/image/exr.h"
-#include "io/image/png.h"
 #include "io/image/read.h"
 
 namespace lancer {
@@ -13,7 +12,6 @@ void read_variance(ComparedPicture& picture)
 {
     constexpr const char* name = "variance.V";
     const ExrInfo info = read_exr_info(picture.path);
-    picture.metadata = info.metadata;
     const bool is_half =
         std::any_of(info.channels.begin(), info.channels.end(), [](const auto& c) { return c.type == "half"; });
     picture.rounding = is_half ? 0x1p-11 : 0x1p-24;
@@ -43,8 +41,8 @@ ComparedPicture read_compared(const std::string& path)
     picture.image = read_image(path, Encoding::of_file, &kind);
     picture.is_float = kind.is_float;
     picture.no_variance = "has no variance channel (render an EXR with --aov variance)";
+    picture.metadata = read_picture_metadata(path);
     if (kind.format == "openexr") read_variance(picture);
-    if (kind.format == "png") picture.metadata = read_png_info(path).metadata;
     return picture;
 }
 

@@ -14,7 +14,7 @@ struct ComparedPicture {
     std::string path;
     Image image;            // linear light
     bool is_float = false;  // false: its file holds integers
-    Metadata metadata;      // of EXR and PNG pictures of lancer
+    Metadata metadata;      // of pictures of lancer
 
     // Variance of each pixel's mean luminance: the channel variance.V, if it is usable.
     std::optional<std::vector<float>> variance;

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -39,6 +40,13 @@ AtomicFile::AtomicFile(const std::string& path, Temporary temporary) : path_(pat
     const bool exists = stat(path.c_str(), &old) == 0;
     if (!exists && errno != ENOENT) fail(errno);
     if ((exists && S_ISDIR(old.st_mode)) || path.back() == '/') fail(EISDIR);
+    if (exists && S_ISFIFO(old.st_mode)) {
+        if (access(path.c_str(), W_OK) != 0) fail(errno);
+        is_pipe_ = true;
+        file_ = std::tmpfile();
+        if (!file_) fail(errno);
+        return;
+    }
     if (exists && !S_ISREG(old.st_mode)) {
         const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor < 0) fail(errno);
@@ -156,6 +164,7 @@ void AtomicFile::close_file()
 void AtomicFile::commit()
 {
     finish();
+    if (is_pipe_) return send_to_pipe();
     // A file without a name cannot take that of another: it gets one of its own for a moment.
     if (is_unnamed_) {
         const std::string own = "/proc/self/fd/" + std::to_string(fileno(file_));
@@ -169,6 +178,25 @@ void AtomicFile::commit()
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
     sync_folder();
+}
+
+void AtomicFile::send_to_pipe()
+{
+    std::rewind(file_);
+    const int pipe = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (pipe < 0) fail(errno);
+    std::array<char, 1 << 16> bytes;
+    int reason = 0;
+    for (size_t count; !reason && (count = std::fread(bytes.data(), 1, bytes.size(), file_)) > 0;)
+        for (size_t sent = 0; !reason && sent < count;) {
+            const ssize_t n = ::write(pipe, &bytes[sent], count - sent);
+            if (n >= 0)
+                sent += static_cast<size_t>(n);
+            else if (errno != EINTR)
+                reason = errno;
+        }
+    close(pipe);
+    if (reason) fail(reason);
 }
 
 // Makes the new name survive a power cut. The file is in place already, so a folder that may not be opened or a file

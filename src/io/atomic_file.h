@@ -13,7 +13,8 @@
 namespace lancer {
 
 // All failures are Error(ErrorKind::failed) with the path and the system's reason. A symbolic link stays a link: the
-// file it points to is replaced. A device or a pipe (/dev/null, /dev/stdout) is written directly.
+// file it points to is replaced. A device (/dev/null) is written directly. What a pipe gets (/dev/stdout, a FIFO) waits
+// in a file without a name until commit(), which may wait for a reader: writers may seek, and a probe leaves no trace.
 class AtomicFile {
 public:
     // How it is written until it is whole. named: also where it could do without.
@@ -45,12 +46,14 @@ private:
     void find_free_name(const Take& take);
     void close_file();
     void attach(int descriptor);
+    void send_to_pipe();
     void sync_folder() const;
 
     std::string path_;       // as given: for messages
     std::string target_;     // with symbolic links followed
     std::string temporary_;  // the name until it is renamed, if it has one
     bool is_unnamed_ = false;
+    bool is_pipe_ = false;
     std::FILE* file_ = nullptr;
     int reason_ = 0;  // errno of the first failure
 };

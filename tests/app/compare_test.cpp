@@ -97,7 +97,7 @@ TEST_F(Compare, RefusesWhatCannotBeCompared)
     EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--fail-above", "-1"}).code, 2);
     EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--metric", "psnr"}).code, 2);
     EXPECT_EQ(run({"compare", "a.exr", "b.exr", "--map", "heat"}).code, 2);
-    EXPECT_EQ(run({"compare", "a.exr", "b.exr", "-o", "map.jpg"}).code, 2);
+    EXPECT_EQ(run({"compare", "a.exr", "b.exr", "-o", "map.tif"}).code, 2);
     EXPECT_EQ(run({"compare", "a.exr", "b.exr", "-o", "map.png", "-o", "./map.png"}).code, 2);
     EXPECT_EQ(run({"compare", "a.exr", "none.exr"}).code, 66);
     EXPECT_EQ(run({"compare", "a.exr", "small.exr"}).code, 65);

@@ -55,7 +55,7 @@ TEST_F(Wrong, Options)
     expect_usage({"--set", "nee=maybe"}, "'nee=maybe' is not nee=true or =false");
     expect_usage({"--progress", "bar"}, "--progress: unknown name 'bar'");
     expect_usage({"--aov", "normal", "-o", "a.png"}, "--aov: its channels are written to EXR pictures");
-    expect_usage({"-o", "a.jpg"}, "'a.jpg' must end in .exr, .png or .ppm");
+    expect_usage({"-o", "a.tif"}, "'a.tif' must end in .exr, .png, .ppm, .jpg, .jpeg or .hdr");
     expect_usage({"--size", "8x8", "-o", "a.exr", "-o", "./a.exr"}, "is named twice");
 }
 
@@ -122,7 +122,7 @@ TEST_F(Wrong, WarningsFailOnlyIfStrict)
 TEST_F(Wrong, OutputsThatCannotBeWritten)
 {
     expect_usage({"--aov", "normal", "-o", "a.png"}, "--aov: its channels are written to EXR pictures");
-    expect_usage({"-o", "a.jpg"}, "must end in");
+    expect_usage({"-o", "a.tif"}, "must end in");
     expect_fault({"scene.toml", "-o", "none/a.exr"}, 1, "none/a.exr: error: cannot write: No such file or directory");
     expect_fault({"scene.toml", "-o", "quad.obj/a.png"}, 1, "quad.obj/a.png: error: cannot write: Not a directory");
     expect_fault({"scene.toml", "--stats", "none/s.json"}, 1, "none/s.json: error: cannot write");

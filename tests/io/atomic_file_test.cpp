@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <thread>
 
 #include "io/temp_folder.h"
 
@@ -153,6 +154,30 @@ TEST(AtomicFile, ADeviceIsWrittenDirectlyAndItsErrorsAreReported)
     struct stat facts = {};
     ASSERT_EQ(stat("/dev/null", &facts), 0);
     EXPECT_TRUE(S_ISCHR(facts.st_mode));
+}
+
+// Writers seek, and what only looks whether a file can be written must not end the pipe for its reader.
+TEST(AtomicFile, APipeGetsTheWholeAtOnce)
+{
+    const TempFolder folder;
+    const std::string path = folder.file("pipe");
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    {
+        const AtomicFile probe(path);
+    }
+    std::string got;
+    std::thread reader([&] { got = read_bytes(path); });
+    {
+        AtomicFile file(path);
+        file.write("1234", 4);
+        file.seek(1);
+        file.write("x", 1);
+        EXPECT_EQ(file.tell(), 2u);
+        file.commit();
+    }
+    reader.join();
+    EXPECT_EQ(got, "1x34");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"pipe"});
 }
 
 TEST(AtomicFile, TwoAtOnceForOneNameDoNotMix)

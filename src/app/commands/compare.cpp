@@ -16,6 +16,8 @@
 #include "core/names.h"
 #include "io/atomic_file.h"
 #include "io/image/exr.h"
+#include "io/image/hdr.h"
+#include "io/image/jpeg.h"
 #include "io/image/png.h"
 #include "io/image/ppm.h"
 #include "io/image/read.h"
@@ -70,6 +72,8 @@ void print_shared(const ComparedPicture& a, const ComparedPicture& b)
 void check_outputs(const CompareOptions& options)
 {
     for (const std::string& path : options.outputs) {
+        if (path == standard_output)
+            throw Error(ErrorKind::usage, {}, "--output: the figures are printed there; name a file");
         std::error_code absent;
         for (const std::string& input : {options.picture, options.reference, options.reference2})
             if (std::filesystem::equivalent(path, input, absent))
@@ -95,12 +99,23 @@ void write_map(const CompareOptions& options, const Image& picture, const Image&
     std::deque<AtomicFile> files;
     for (const std::string& path : options.outputs) {
         AtomicFile& file = files.emplace_back(path);
-        if (extension_of(path) == ".exr")
-            write_exr(file, rows_of(numbers), metadata);
-        else if (extension_of(path) == ".png")
-            write_png(file, colours, metadata);
-        else
-            write_ppm(file, colours, metadata, {}, false);
+        switch (format_of(path, options.format)) {
+            case PictureFormat::exr:
+                write_exr(file, rows_of(numbers), metadata);
+                break;
+            case PictureFormat::hdr:
+                write_hdr(file, rows_of(numbers), metadata);
+                break;
+            case PictureFormat::png:
+                write_png(file, colours, metadata);
+                break;
+            case PictureFormat::ppm:
+                write_ppm(file, colours, metadata);
+                break;
+            case PictureFormat::jpg:
+                write_jpeg(file, colours, metadata);
+                break;
+        }
         file.finish();
     }
     for (AtomicFile& file : files) file.commit();

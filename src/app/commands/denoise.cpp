@@ -64,6 +64,7 @@ int run_denoise(int argc, char** argv)
     const Image noisy = read_exr(options->picture, &metadata);
     const HalfPlanes halves = read_halves(options->picture, metadata);
     check_outputs(*options);
+    if (options->ocio.is_given()) open_ocio(options->ocio);  // its errors come before the work
     Denoised denoised;
     with_threads(options->threads.value_or(available_threads()), [&] {
         denoised = denoise_picture(
@@ -74,8 +75,12 @@ int run_denoise(int argc, char** argv)
     write_outputs(options->outputs, {.image = rows_of(image),
                                      .planes = layers_of_denoised(noisy, denoised),
                                      .metadata = denoised_metadata(std::move(metadata)),
-                                     .style = {.curve = {options->exposure, options->tonemap}}});
-    for (const std::string& path : options->outputs) print_path(path);
+                                     .style = {.format = options->format,
+                                               .curve = {options->exposure, options->tonemap},
+                                               .jpeg_quality = options->jpeg_quality,
+                                               .ocio = options->ocio,
+                                               .exr = {.camera = read_exr_info(options->picture).camera}}});
+    print_written(options->outputs);
     return exit_done;
 }
 

@@ -223,6 +223,9 @@ void print_picture(const std::string& path)
         for (const auto& c : info.channels) channels += (channels.empty() ? "" : ", ") + c.name + " " + c.type;
         print_field("channels", channels);
         print_field("compression", info.compression);
+        if (info.tile_width > 0) print_field("tiles", format_text("%ux%u", info.tile_width, info.tile_height));
+        if (info.parts > 1) print_field("parts", std::to_string(info.parts));
+        if (info.space != ColorSpace::lin_rec709) print_field("color space", std::string(name_of(info.space)));
         return print_metadata(info.metadata);
     }
     if (extension_of(path) == ".png") {
@@ -236,6 +239,7 @@ void print_picture(const std::string& path)
     print_field("file", path);
     print_field("size", format_text("%ux%u", header.width, header.height));
     print_field("channels", std::to_string(header.channels));
+    print_metadata(read_picture_metadata(path));
 }
 
 int print_scene(const InfoOptions& options)

@@ -115,10 +115,10 @@ Checkpoint Merge::finish(const std::string& command_line)
     return all;
 }
 
-void write(Checkpoint all, const std::vector<std::string>& outputs, bool with_pictures)
+void write(Checkpoint all, const MergeOptions& options, bool with_pictures)
 {
     std::vector<std::string> pictures;
-    for (const std::string& path : outputs) {
+    for (const std::string& path : options.outputs) {
         if (extension_of(path) != ".lancer") {
             pictures.push_back(path);
             continue;
@@ -132,8 +132,9 @@ void write(Checkpoint all, const std::vector<std::string>& outputs, bool with_pi
         denoised = denoise_film(all.film);
         all.recipe.stats.denoised = true;
     }
+    all.recipe.options.format = options.format;
     write_outputs(pictures, content_of(all.film, denoised, all.recipe));
-    for (const std::string& path : pictures) print_path(path);
+    print_written(pictures);
 }
 
 int merge(const MergeOptions& options)
@@ -144,7 +145,7 @@ int merge(const MergeOptions& options)
     const bool is_complete = merge.is_complete();
     if (!is_complete) print_problem("warning: missing: " + merge.text_of_missing());
     if (!merge.has_any()) return exit_unfinished;
-    write(merge.finish(format_text("lancer merge (%zu parts)", options.parts.size())), options.outputs,
+    write(merge.finish(format_text("lancer merge (%zu parts)", options.parts.size())), options,
           is_complete || options.allow_missing);
     return is_complete || options.allow_missing ? exit_done : exit_unfinished;
 }

@@ -6,12 +6,14 @@
 
 #include "app/commands/commands.h"
 #include "app/console.h"
+#include "app/paths.h"
 #include "app/prepare.h"
 #include "app/render/checkpoints.h"
 #include "app/render/content.h"
 #include "app/render/describe.h"
 #include "app/render/error_log.h"
 #include "app/render/frames.h"
+#include "app/render/header_camera.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
@@ -24,8 +26,10 @@
 #include "app/signals.h"
 #include "app/system_info.h"
 #include "app/write_scene.h"
+#include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
+#include "io/image/jpeg.h"
 #include "io/scene/scene_file.h"
 #include "render/denoise/film_halves.h"
 #include "render/estimators/auto_exposure.h"
@@ -49,6 +53,7 @@ private:
     template <class F>
     auto timed(const char* phase, F&& f);
     void load();
+    void check_ocio() const;
     void hold_samples_out();
     void describe_settings(const Renderer& renderer);
     void render(const Renderer& renderer);
@@ -97,6 +102,7 @@ private:
     Normalisation normalisation_;            // of the scene, once it is built
     std::vector<std::string> light_groups_;  // likewise
     std::vector<MatteManifest> manifests_;
+    std::optional<ExrCamera> camera_;        // likewise
 };
 
 template <class F>
@@ -127,9 +133,24 @@ void Run::load()
     crop_ = options_.crop.value_or(Tile{0, 0, width, height});
     if (crop_.x1 > width || crop_.y1 > height)
         throw Error(ErrorKind::usage, {}, format_text("--crop: reaches beyond the picture of %ux%u", width, height));
+    for (const std::string& path : options_.outputs)
+        if (std::max(crop_.x1 - crop_.x0, crop_.y1 - crop_.y0) > max_jpeg_side &&
+            format_of(path, options_.format) == PictureFormat::jpg)
+            throw Error(ErrorKind::usage, {},
+                        format_text("--output: a JPEG has at most %u pixels across and down", max_jpeg_side));
+    if (options_.ocio.is_given()) check_ocio();
     log_.emplace(options_);
     if (log_->is_wanted()) log_->require_size(to_image(Film(width, height, crop_)));
     log_->warn_of_shared_samples(settings_.seed);
+}
+
+// What is wrong with it is told before the render.
+void Run::check_ocio() const
+{
+    const OcioView view = open_ocio(options_.ocio);
+    if (!options_.quiet)
+        print_note("OpenColorIO: from " + in_quotes(view.input) + " to the display " + in_quotes(view.choice.display) +
+                   ", view " + in_quotes(view.choice.view));
 }
 
 // --error with --denoise asks for the error of the denoised picture, which samples tell that are held out of it.
@@ -209,6 +230,7 @@ PictureRecipe Run::recipe() const
             .normalisation = normalisation_,
             .light_groups = light_groups_,
             .manifests = manifests_,
+            .camera = camera_,
             .has_stop_rule = options_.time || options_.error,
             .keeps_blocks_open = options_.time || options_.error || Checkpoints::are_wanted(options_)};
 }
@@ -280,6 +302,7 @@ void Run::render(const Renderer& renderer)
     normalisation_ = renderer.scene().normalisation;
     light_groups_ = renderer.scene().light_groups.names;
     if (options_.mattes) manifests_ = matte_manifests(renderer.scene());
+    camera_ = header_camera(camera, normalisation_, width, height);
     const std::vector<Tile> tiles =
         options_.shard.is_whole() ? make_tiles(crop_, options_.tile) : tiles_of(options_.shard, crop_);
     pixels_ = pixels_of(tiles);
@@ -416,7 +439,7 @@ void Run::choose_curve(const Renderer& renderer)
             auto_exposure(renderer, *prepared_.description.camera, settings_.size, pixel_grid(settings_));
     });
     if (!options_.quiet)
-        print_note("PNG and PPM: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
+        print_note("PNG, PPM and JPEG: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");
 }
 
 // The picture is worth more than its place: where it cannot be written, others are tried.
@@ -485,8 +508,8 @@ int Run::execute()
     if (stats_.error_sources && !options_.quiet)
         print_error_sources(*stats_.error_sources, settings_, options_.picture.scene);
     if (!options_.quiet) print_summary(stats_, options_, log_->last());
-    if (!options_.write_scene.empty()) print_path(options_.write_scene);
-    for (const std::string& path : written_) print_path(path);
+    if (!options_.write_scene.empty()) written_.insert(written_.begin(), options_.write_scene);
+    print_written(written_);
     if (log_->is_behind()) {
         has_failed_ = true;
         print_problem("error: the error log could not be written");

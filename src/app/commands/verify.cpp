@@ -28,6 +28,7 @@ struct Claim {
     Window display, data;
     uint32_t spp_done = 0;  // what all pixels have; a render that time has stopped may have the next pass in some
     bool is_half = false, has_alpha = false, is_denoised = false;
+    ColorSpace space = ColorSpace::lin_rec709;
     std::vector<std::vector<float>> channels;  // red, green, blue before denoising; alpha, if there is one
 };
 
@@ -38,7 +39,7 @@ struct Claim {
 
 Claim read_claim(const std::string& path)
 {
-    if (extension_of(path) != ".exr")
+    if (format_of(path).value_or(PictureFormat::exr) != PictureFormat::exr)
         fail(path, "8 bits do not tell one picture from another; verify the EXR of the same render");
     const ExrInfo info = read_exr_info(path);
     Claim claim{.scene = text_of(info.metadata, "scene"),
@@ -46,6 +47,7 @@ Claim read_claim(const std::string& path)
                 .options = text_of(info.metadata, "options"),
                 .display = info.display,
                 .data = info.data,
+                .space = info.space,
                 .channels = {}};
     if (claim.options.empty()) fail(path, "its header does not say how it was made");
     if (text_of(info.metadata, "partial") != "0")
@@ -111,7 +113,8 @@ std::vector<float> traced(const Renderer& renderer, const Camera& camera, const 
     if (settings.stop) film.wanted.resize(1);
     if (settings.replicates > 1) film.replicates.resize(settings.replicates);
     renderer.pass(camera, film, std::vector{pixel}, {0, spp});
-    const Color c = film.whole(0).mean();
+    Color c = film.whole(0).mean();
+    if (claim.space != ColorSpace::lin_rec709) c = transformed(to_space(claim.space), c);
     std::vector<float> values{c.r, c.g, c.b};
     if (claim.is_half)
         for (float& x : values) x = through_half(x);

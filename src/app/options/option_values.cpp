@@ -168,12 +168,19 @@ MemorySize to_memory_size(const std::string& option, const std::string& text)
     return {value * unit, is_part};
 }
 
-std::string to_output(const std::string& path)
+std::string to_output(const std::string& path, std::optional<PictureFormat> format)
 {
-    const std::string extension = extension_of(path);
-    if (extension != ".exr" && extension != ".png" && extension != ".ppm")
-        fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png or .ppm");
-    return path;
+    if (format_of(path)) return path;
+    const bool has_ending = !extension_of(path).empty();
+    if (!format || has_ending)
+        fail_usage("--output: " + in_quotes(path) + " must end in .exr, .png, .ppm, .jpg, .jpeg or .hdr" +
+                   (has_ending ? "" : ", or --format say what it is"));
+    return path == "-" ? standard_output : path;
+}
+
+void take_outputs(std::vector<std::string>& paths, std::optional<PictureFormat> format)
+{
+    for (std::string& path : paths) path = to_output(path, format);
 }
 
 Exposure to_exposure(const std::string& option, const std::string& text)

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -68,7 +69,10 @@ FrameRange to_frames(const std::string& option, const std::string& text);       
 Tile to_crop(const std::string& text);                                          // "x0,y0,x1,y1"
 double to_seconds(const std::string& option, const std::string& text);          // "90", "90s", "1.5m", "2h", "500ms"
 MemorySize to_memory_size(const std::string& option, const std::string& text);  // "4G", "500M", "80%"
-std::string to_output(const std::string& path);                                 // ends in .exr, .png or .ppm
+// A picture's name that says its format; one without an ending may do where a format is given. "-" is the standard
+// output.
+std::string to_output(const std::string& path, std::optional<PictureFormat> format);
+void take_outputs(std::vector<std::string>& paths, std::optional<PictureFormat> format);  // each
 // "albedo,normal" or "all"; "lights", "parts", "cryptomatte", "denoise" and "oidn", which are not among all.
 void add_aovs(const std::string& text, RenderOptions& options);
 ViewDirection to_view(const std::string& text);                            // "front" or "30,15"

@@ -11,6 +11,7 @@
 #include "app/options/shared_options.h"
 #include "app/paths.h"
 #include "app/render/shard.h"
+#include "io/image/exr.h"
 
 namespace lancer {
 namespace {
@@ -34,6 +35,38 @@ void take_checkpoint(const std::string& text, RenderOptions& o)
     o.checkpoint_interval = to_seconds("--checkpoint", text.substr(comma + 1));
 }
 
+void add_format(OptionParser& p, std::optional<PictureFormat>& format)
+{
+    p.value("--format", listed(enum_names<PictureFormat>),
+            "What pictures are whose names have no ending: a pipe, or - for the standard output",
+            [&](const std::string& t) { format = to_enum<PictureFormat>("--format", t); });
+}
+
+void add_jpeg_quality(OptionParser& p, uint32_t& quality)
+{
+    p.value("--jpeg-quality", "N", "JPEG: 1, small, to 100 (95)",
+            [&](const std::string& t) { quality = to_count("--jpeg-quality", t, 1, 100); });
+}
+
+void add_ocio(OptionParser& p, OcioChoice& o)
+{
+    p.value("--ocio", "CONFIG", "PNG, PPM and JPEG by a view of this OpenColorIO configuration, not by a tone map",
+            [&](const std::string& t) { o.config = t; });
+    p.value("--ocio-display", "NAME", "Its display (the default of the configuration)",
+            [&](const std::string& t) { o.display = t; });
+    p.value("--ocio-view", "NAME", "Its view (the default of the display)", [&](const std::string& t) { o.view = t; });
+}
+
+// given: the options that were.
+void check_ocio(const std::vector<std::string>& given, const OcioChoice& o)
+{
+    const auto is_given = [&](const char* name) { return std::find(given.begin(), given.end(), name) != given.end(); };
+    for (const char* name : {"--ocio-display", "--ocio-view"})
+        if (is_given(name) && !o.is_given()) fail_usage(std::string(name) + ": needs --ocio CONFIG");
+    if (is_given("--ocio") && !o.is_given()) fail_usage("--ocio: needs the name of a configuration");
+    if (o.is_given() && is_given("--tonemap")) fail_usage("--tonemap: has no use with --ocio, which takes its place");
+}
+
 void add_render_options(OptionParser& p, RenderOptions& o)
 {
     add_picture_options(p, o.picture);
@@ -55,8 +88,10 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.flag("-q,--quiet", "Only warnings and errors", o.quiet);
     p.flag("-v,--verbose", "Also say what was loaded and with what settings", o.verbose);
     p.group("What is written");
-    p.values("-o,--output", "FILE", "Picture, .exr, .png or .ppm; may be given several times (NAME.exr in this folder)",
+    p.values("-o,--output", "FILE",
+             "Picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times (NAME.exr in this folder)",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    add_format(p, o.format);
     p.value("--shard", "K/N|auto",
             "Only part K of N of the picture, for lancer merge: -o names it, and it is its own checkpoint "
             "(NAME.%k-of-%n.lancer; %k and %n stand for K and N). auto: as Slurm, Open MPI or PMI say",
@@ -82,20 +117,29 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.value("--exr-compression", listed(enum_names<ExrCompression>),
             "EXR: how it is compressed; dwaa and dwab lose what is hardly seen (zip)",
             [&](const std::string& t) { o.compression = to_enum<ExrCompression>("--exr-compression", t); });
+    p.value("--exr-tiles", "N", "EXR: tiles of N by N pixels, 16 to 1024, in place of scan lines",
+            [&](const std::string& t) { o.exr_tile = to_count("--exr-tiles", t, least_exr_tile, most_exr_tile); });
+    p.flag("--exr-multipart", "EXR: a part for each layer; R, G, B and A are the first", o.exr_multipart);
+    p.value("--color-space", listed(enum_names<ColorSpace>),
+            "EXR: what its colours are, as the header says, too: linear Rec. 709 or ACEScg (lin_rec709)",
+            [&](const std::string& t) { o.space = to_enum<ColorSpace>("--color-space", t); });
     p.flag("--no-metadata", "Pictures whose headers say nothing of how they were made", o.no_metadata);
     p.flag("--reproducible",
            "Pictures without times, threads and command line in their headers: of two runs the same bytes",
            o.reproducible);
-    p.value("--tonemap", listed(enum_names<ToneMap>),
-            "PNG and PPM: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
-            "curve with steps that round down (srgb; with --legacy one of the last two)",
-            [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
-    p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
+    add_jpeg_quality(p, o.jpeg_quality);
     p.value(
-        "--exposure", "STOPS|auto",
-        "PNG and PPM are brightened by 2^STOPS; auto: so that objects are of a middle brightness (0; of a mesh auto)",
-        [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
-    p.flag("--dither", "PNG and PPM with a fixed dither pattern against banding", o.dither);
+        "--tonemap", listed(enum_names<ToneMap>),
+        "PNG, PPM and JPEG: the sRGB curve, cut off at 1; AgX, which rolls off; linear values; a power of 1/2.2 or no "
+        "curve with steps that round down (srgb; with --legacy one of the last two)",
+        [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
+    add_ocio(p, o.ocio);
+    p.flag("--ascii-ppm", "PPM as text", o.ascii_ppm);
+    p.value("--exposure", "STOPS|auto",
+            "PNG, PPM and JPEG are brightened by 2^STOPS; auto: so that objects are of a middle brightness (0; of a "
+            "mesh auto)",
+            [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
+    p.flag("--dither", "PNG, PPM and JPEG with a fixed dither pattern against banding", o.dither);
     p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
             [&](const std::string& t) { o.reference = t; });
     p.value("--reference2", "FILE", "A second one, independent of the first: their noise then cancels out",
@@ -152,6 +196,7 @@ std::string with_numbers(std::string text, const Shard& shard)
 void require_numbers(const RenderOptions& o)
 {
     std::vector<std::string> names = o.outputs;
+    std::erase(names, standard_output);  // a pipe takes one picture after the other
     names.push_back(o.picture.scene.file);
     for (const std::string& name : {o.checkpoint, o.stats, o.error_log, o.write_scene})
         if (!name.empty()) names.push_back(name);
@@ -192,15 +237,19 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     add_render_options(p, o);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.picture.threads);
+    check_ocio(p.given(), o.ocio);
+    if (o.space != ColorSpace::lin_rec709 && o.denoise_sets)
+        fail_usage("--color-space: lancer denoise takes linear Rec. 709; use --denoise");
     if (!o.shard.is_whole())
         take_part(p.given(), o);
     else if (o.outputs.empty())
         o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
-    for (const std::string& path : o.outputs) to_output(path);
-    const auto is_exr = [](const std::string& path) { return extension_of(path) == ".exr"; };
+    take_outputs(o.outputs, o.format);
+    const auto format = [&](const std::string& path) { return format_of(path, o.format); };
+    const auto is_exr = [&](const std::string& path) { return format(path) == PictureFormat::exr; };
     if (o.background == BackgroundChoice::transparent)
         for (const std::string& path : o.outputs)
-            if (extension_of(path) == ".ppm")
+            if (!is_exr(path) && format(path) != PictureFormat::png)
                 fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
     if (o.shard.is_whole() &&
         (!o.aovs.empty() || o.light_layers || o.part_layers || o.mattes || o.denoise_sets || o.guides) &&
@@ -234,16 +283,21 @@ std::optional<DenoiseOptions> parse_denoise(int argc, char** argv)
                    "Example:\n  lancer render scene.toml -s 16 --aov denoise -o noisy.exr\n"
                    "  lancer denoise noisy.exr -o picture.exr -o picture.png\n");
     p.argument("PICTURE", "EXR of lancer render --aov denoise", [&](const std::string& t) { o.picture = t; });
-    p.values("-o,--output", "FILE", "Denoised picture, .exr, .png or .ppm; may be given several times",
-             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
-    p.value("--tonemap", listed(enum_names<ToneMap>), "PNG and PPM: as of lancer render (srgb)",
+    p.values("-o,--output", "FILE", "Denoised picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(t); });
+    add_format(p, o.format);
+    add_jpeg_quality(p, o.jpeg_quality);
+    p.value("--tonemap", listed(enum_names<ToneMap>), "PNG, PPM and JPEG: as of lancer render (srgb)",
             [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
-    p.value("--exposure", "STOPS", "PNG and PPM are brightened by 2^STOPS (0)", [&](const std::string& t) {
+    p.value("--exposure", "STOPS", "PNG, PPM and JPEG are brightened by 2^STOPS (0)", [&](const std::string& t) {
         o.exposure = static_cast<float>(to_number<double>("--exposure", t, -100, 100, "a number"));
     });
+    add_ocio(p, o.ocio);
     add_threads(p, o.threads);
     if (!p.parse(argc, argv)) return {};
+    check_ocio(p.given(), o.ocio);
     if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
+    take_outputs(o.outputs, o.format);
     refuse_doubles(o.outputs);
     take_environment(o.threads);
     return o;
@@ -261,13 +315,16 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
     p.arguments("PART", "Files of lancer render --shard, and of earlier merges, in any order",
                 [&](const std::string& t) { o.parts.push_back(t); });
     p.values("-o,--output", "FILE",
-             "Picture, .exr, .png or .ppm, or all parts as one, .lancer; may be given several times",
-             [&](const std::string& t) { o.outputs.push_back(extension_of(t) == ".lancer" ? t : to_output(t)); });
+             "Picture, .exr, .png, .ppm, .jpg or .hdr, or all parts as one, .lancer; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(t); });
+    add_format(p, o.format);
     p.flag("--allow-missing", "Write the picture although parts are missing: black, and marked partial",
            o.allow_missing);
     add_threads(p, o.threads);
     if (!p.parse(argc, argv)) return {};
     if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
+    for (std::string& path : o.outputs)
+        if (extension_of(path) != ".lancer") path = to_output(path, o.format);
     refuse_doubles(o.outputs);
     for (const std::string& part : o.parts)
         for (const std::string& output : o.outputs)
@@ -339,7 +396,7 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
         "Example:\n  lancer slurm scene.toml --shards 16 -o picture.exr --render='-s 4096' > job.sh\n  sh job.sh\n");
     p.argument("SCENE", "Scene file (.toml) or mesh (.obj)", [&](const std::string& t) { o.scene = t; });
     p.value("-o,--output", "FILE", "Picture, .exr, .png or .ppm (NAME.exr in this folder)",
-            [&](const std::string& t) { o.output = to_output(t); });
+            [&](const std::string& t) { o.output = to_output(t, {}); });
     p.value("--shards", "N", "Parts of each picture (1)",
             [&](const std::string& t) { o.shards = to_count("--shards", t, 1, 1u << 20); });
     p.value("--frames", "A-B", "Numbered scene files: as of lancer render",
@@ -507,13 +564,15 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
         o.fail_above = to_number<double>("--fail-above", t, 0, std::numeric_limits<double>::max(), "a number");
     });
     p.values("-o,--output", "FILE",
-             "Map of the errors: .png or .ppm in colours, .exr as numbers; may be given several times",
-             [&](const std::string& t) { o.outputs.push_back(to_output(t)); });
+             "Map of the errors: .png, .ppm or .jpg in colours, .exr or .hdr as numbers; may be given several times",
+             [&](const std::string& t) { o.outputs.push_back(t); });
+    add_format(p, o.format);
     p.value("--map", listed(enum_names<ErrorMap>),
             "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "
             "(flip)",
             [&](const std::string& t) { o.map = to_enum<ErrorMap>("--map", t); });
     if (!p.parse(argc, argv)) return {};
+    take_outputs(o.outputs, o.format);
     refuse_doubles(o.outputs);
     return o;
 }

@@ -9,7 +9,10 @@
 #include "app/load_scene.h"
 #include "core/enum_names.h"
 #include "core/film.h"
+#include "io/image/color_space.h"
 #include "io/image/exr_compression.h"
+#include "io/image/ocio.h"
+#include "io/image/picture_format.h"
 #include "io/image/tonemap.h"
 #include "render/aov_kind.h"
 #include "scene/description/exposure.h"
@@ -67,8 +70,9 @@ struct FrameRange {
 
 struct RenderOptions {
     PictureOptions picture;
-    std::optional<FrameRange> frames;  // #### in the names of scene and outputs stands for the number
-    std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
+    std::optional<FrameRange> frames;     // #### in the names of scene and outputs stands for the number
+    std::vector<std::string> outputs;     // never empty; each ends as a format is called, or `format` is given
+    std::optional<PictureFormat> format;  // of outputs whose names have no ending
     std::optional<Tile> crop;
     uint32_t tile = 16;         // side in pixels
     uint32_t batch = 256;       // paths under way at once
@@ -83,12 +87,17 @@ struct RenderOptions {
     BackgroundChoice background = BackgroundChoice::keep;
     bool half = false;
     ExrCompression compression = ExrCompression::zip;
-    bool no_metadata = false;          // nothing about the render in the pictures' headers
-    bool reproducible = false;         // nothing in the pictures' headers that changes from run to run
-    std::optional<Exposure> exposure;  // else usual_exposure()
-    std::optional<ToneMap> tonemap;    // else usual_tonemap()
+    uint32_t exr_tile = 0;  // side in pixels; 0: scan lines
+    bool exr_multipart = false;
+    ColorSpace space = ColorSpace::lin_rec709;  // of EXR
+    bool no_metadata = false;                   // nothing about the render in the pictures' headers
+    bool reproducible = false;                  // nothing in the pictures' headers that changes from run to run
+    std::optional<Exposure> exposure;           // else usual_exposure()
+    std::optional<ToneMap> tonemap;             // else usual_tonemap()
+    OcioChoice ocio;                            // in place of the tone map
     bool dither = false;
     bool ascii_ppm = false;
+    uint32_t jpeg_quality = 95;         // 1 to 100
     std::string write_scene;            // empty: none
     std::string checkpoint, resume;     // likewise; resume may be "auto"
     double checkpoint_interval = 60;    // seconds
@@ -106,14 +115,18 @@ struct RenderOptions {
 
 struct DenoiseOptions {
     std::string picture;
-    std::vector<std::string> outputs;  // never empty; each ends in .exr, .png or .ppm
+    std::vector<std::string> outputs;     // never empty; as of RenderOptions
+    std::optional<PictureFormat> format;  // likewise
     std::optional<uint32_t> threads;
-    float exposure = 0;  // stops; PNG and PPM
+    float exposure = 0;  // stops; formats for displays
+    uint32_t jpeg_quality = 95;
     ToneMap tonemap = ToneMap::srgb;
+    OcioChoice ocio;  // in place of the tone map
 };
 
 struct MergeOptions {
-    std::vector<std::string> parts, outputs;  // neither is empty; outputs end in .exr, .png, .ppm or .lancer
+    std::vector<std::string> parts, outputs;  // neither is empty; outputs are as of RenderOptions, or end in .lancer
+    std::optional<PictureFormat> format;
     bool allow_missing = false;
     std::optional<uint32_t> threads;
 };
@@ -188,7 +201,8 @@ struct CompareOptions {
     Metric metric = Metric::relmse;
     bool steps = false;
     std::optional<double> fail_above;
-    std::vector<std::string> outputs;  // of the map; each ends in .exr, .png or .ppm
+    std::vector<std::string> outputs;     // of the map; as of RenderOptions
+    std::optional<PictureFormat> format;  // likewise
     ErrorMap map = ErrorMap::flip;
 };
 

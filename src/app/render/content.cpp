@@ -44,15 +44,22 @@ PictureContent content_of(const Film& film, const Denoised& denoised, const Pict
     PictureContent content{.image = denoised.pixels.empty() ? rows_of(film) : rows_of(film, denoised.pixels),
                            .planes = aov_planes(film, options.aovs, recipe.normalisation),
                            .metadata = std::move(metadata),
-                           .style = {.curve = recipe.curve,
+                           .style = {.format = options.format,
+                                     .curve = recipe.curve,
                                      .dither = options.dither,
                                      .ascii_ppm = options.ascii_ppm,
-                                     .half = options.half,
-                                     .compression = options.compression}};
+                                     .jpeg_quality = options.jpeg_quality,
+                                     .ocio = options.ocio,
+                                     .exr = {.half = options.half,
+                                             .compression = options.compression,
+                                             .tile = options.exr_tile,
+                                             .is_multipart = options.exr_multipart,
+                                             .camera = options.no_metadata ? std::nullopt : recipe.camera,
+                                             .space = options.space}}};
     append(content.planes, layer_planes(film, recipe.light_groups, denoised.layers));
     if (options.mattes) {
         append(content.planes, matte_planes(film));
-        content.attributes = attributes_of(recipe.manifests);
+        content.style.exr.attributes = attributes_of(recipe.manifests);
     }
     if (options.background == BackgroundChoice::transparent) content.planes.push_back(alpha_of(film));
     if (options.denoise_sets) add_halves(film, content);

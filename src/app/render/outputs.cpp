@@ -10,6 +10,8 @@
 #include "core/names.h"
 #include "io/atomic_file.h"
 #include "io/image/exr.h"
+#include "io/image/hdr.h"
+#include "io/image/jpeg.h"
 #include "io/image/png.h"
 #include "io/image/ppm.h"
 #include "render/bias_ledger.h"
@@ -32,8 +34,6 @@ Image to_image(const ImageRows& rows)
         rows.fill(y, std::span(image.pixels).subspan(static_cast<size_t>(y - rows.data.y0) * width, width));
     return image;
 }
-
-bool is_for_displays(const std::string& path) { return extension_of(path) != ".exr"; }
 
 MetadataValue value_of(const RenderSettings& settings, const RenderOption& option)
 {
@@ -60,18 +60,28 @@ std::span<const float> alpha_of(const PictureContent& picture)
 void write_picture(AtomicFile& file, const PictureContent& picture)
 {
     const PictureStyle& style = picture.style;
-    const std::string extension = extension_of(file.path());
-    if (extension == ".exr")
-        return write_exr(file, picture.image, picture.metadata,
-                         {.half = style.half, .compression = style.compression, .attributes = picture.attributes},
-                         picture.planes);
+    const PictureFormat format = format_of(file.path(), style.format);
+    if (format == PictureFormat::exr)
+        return write_exr(file, picture.image, picture.metadata, style.exr, picture.planes);
+    if (format == PictureFormat::hdr) return write_hdr(file, picture.image, picture.metadata);
     Metadata of_display = picture.metadata;
     of_display.emplace_back("exposure", shortest(style.curve.exposure_stops));
-    of_display.emplace_back("tonemap", std::string(name_of(style.curve.tonemap)));
-    const ByteOptions bytes{
+    ByteOptions bytes{
         .exposure_stops = style.curve.exposure_stops, .dither = style.dither, .tonemap = style.curve.tonemap};
-    if (extension == ".png")
+    if (style.ocio.is_given()) {
+        OcioView view = open_ocio(style.ocio);
+        of_display.emplace_back("ocio", view.choice.config);
+        of_display.emplace_back("ocio_display", view.choice.display);
+        of_display.emplace_back("ocio_view", view.choice.view);
+        of_display.emplace_back("ocio_input", view.input);
+        bytes.curve = std::move(view.curve);
+    } else {
+        of_display.emplace_back("tonemap", std::string(name_of(style.curve.tonemap)));
+    }
+    if (format == PictureFormat::png)
         write_png(file, to_image(picture.image), of_display, bytes, alpha_of(picture));
+    else if (format == PictureFormat::jpg)
+        write_jpeg(file, to_image(picture.image), of_display, bytes, static_cast<int>(style.jpeg_quality));
     else
         write_ppm(file, to_image(picture.image), of_display, bytes, style.ascii_ppm);
 }
@@ -176,7 +186,14 @@ Metadata make_metadata(const RunStats& s, bool reproducible)
 
 bool has_display_output(const RenderOptions& options)
 {
-    return std::any_of(options.outputs.begin(), options.outputs.end(), is_for_displays);
+    return std::any_of(options.outputs.begin(), options.outputs.end(),
+                       [&](const std::string& path) { return is_for_displays(format_of(path, options.format)); });
+}
+
+void print_written(const std::vector<std::string>& paths)
+{
+    if (std::find(paths.begin(), paths.end(), standard_output) != paths.end()) return;
+    for (const std::string& path : paths) print_path(path);
 }
 
 void write_outputs(const std::vector<std::string>& paths, const PictureContent& picture)

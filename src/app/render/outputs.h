@@ -29,10 +29,10 @@ inline constexpr std::array<std::string_view, 2> names_of_samples{"denoise_sampl
 // The metadata of a picture. Pixels are the same for the same scene and settings; metadata are only if reproducible.
 Metadata make_metadata(const RunStats& stats, bool reproducible);
 
-// Whether one of them is for displays: PNG or PPM.
+// Whether one of them is for displays: PNG, PPM or JPEG.
 bool has_display_output(const RenderOptions& options);
 
-// How light becomes code values in PNG and PPM; EXR keeps the light.
+// How light becomes code values in formats for displays; EXR and HDR keep the light.
 struct DisplayCurve {
     float exposure_stops = 0;
     ToneMap tonemap = ToneMap::srgb;
@@ -40,10 +40,12 @@ struct DisplayCurve {
 
 // How pictures become files.
 struct PictureStyle {
-    DisplayCurve curve;  // in all formats but EXR; their headers tell of it
+    std::optional<PictureFormat> format;  // of names without an ending
+    DisplayCurve curve;                   // in formats for displays; their headers tell of it
     bool dither = false, ascii_ppm = false;
-    bool half = false;  // EXR
-    ExrCompression compression = ExrCompression::zip;
+    uint32_t jpeg_quality = 95;
+    OcioChoice ocio{};  // in place of the tone map
+    ExrOptions exr{};
 };
 // The name of the plane that is the alpha channel, also of PNG. Colours are multiplied by it, in PNG divided again.
 inline constexpr const char* alpha_plane = "A";
@@ -53,9 +55,10 @@ struct PictureContent {
     std::vector<ImagePlane> planes;  // in EXR only, but for alpha
     Metadata metadata;
     PictureStyle style;
-    std::vector<std::pair<std::string, std::string>> attributes{};  // of EXR, by their full names
 };
 
+// Tells the names of what was written on the standard output, unless a picture went there.
+void print_written(const std::vector<std::string>& paths);
 // Writes a picture under each name, all or none. Throws Error (failed).
 void write_outputs(const std::vector<std::string>& paths, const PictureContent& picture);
 // Names that no file has, for what cannot be written under its own: beside it, and in the folder for temporary files.

@@ -22,8 +22,11 @@ void visit_options(Stream& stream, AnyOptions& o)
 {
     stream.each(o.aovs, [&](auto& aov) { visit_enum(stream, aov, enum_names<Aov>.size()); });
     for (auto* flag : {&o.light_layers, &o.part_layers, &o.mattes, &o.denoise, &o.denoise_sets, &o.guides, &o.half,
-                       &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata})
+                       &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata, &o.exr_multipart})
         visit_flag(stream, *flag);
+    stream(o.jpeg_quality), stream(o.exr_tile);
+    for (auto* text : {&o.ocio.config, &o.ocio.display, &o.ocio.view}) stream(*text);
+    visit_enum(stream, o.space, enum_names<ColorSpace>.size());
     visit_enum(stream, o.background, enum_names<BackgroundChoice>.size());
     visit_enum(stream, o.layer_names, enum_names<LayerNames>.size());
     visit_enum(stream, o.compression, enum_names<ExrCompression>.size());
@@ -51,6 +54,14 @@ void visit_recipe(Stream& stream, AnyRecipe& r)
     stream(center.x), stream(center.y), stream(center.z), stream(scale);
     stream.each(r.light_groups, [&](auto& name) { stream(name); });
     stream.each(r.manifests, [&](auto& m) { stream(m.layer), stream(m.names); });
+    bool has_camera = r.camera.has_value();
+    visit_flag(stream, has_camera);
+    if constexpr (Stream::loads)
+        if (has_camera) r.camera.emplace();
+    if (r.camera)
+        for (auto* matrix : {&r.camera->world_to_camera, &r.camera->world_to_ndc})
+            for (auto& row : *matrix)
+                for (auto& x : row) stream(x);
     visit_flag(stream, r.has_stop_rule), visit_flag(stream, r.keeps_blocks_open);
 }
 

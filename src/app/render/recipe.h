@@ -18,6 +18,7 @@ struct PictureRecipe {
     Normalisation normalisation;
     std::vector<std::string> light_groups;  // LightGroups::names
     std::vector<MatteManifest> manifests;   // with --aov cryptomatte
+    std::optional<ExrCamera> camera{};      // there once the scene is built
     bool has_stop_rule = false;             // --time, --error
     bool keeps_blocks_open = false;
 };

@@ -11,12 +11,15 @@
 #include <ImfIntAttribute.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <OpenEXRConfig.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <new>
 #include <optional>
 
@@ -65,6 +68,32 @@ Metadata read_metadata(const Imf::Header& header)
         }
     }
     return result;
+}
+
+// ACEScg where the chromaticities are its own, as far as programs round them.
+ColorSpace space_of(const Imf::Header& header)
+{
+    if (!Imf::hasChromaticities(header)) return ColorSpace::lin_rec709;
+    const Imf::Chromaticities& c = Imf::chromaticities(header);
+    const std::array<Imath::V2f, 4> there{c.red, c.green, c.blue, c.white};
+    const Chromaticities aces = chromaticities_of(ColorSpace::acescg);
+    constexpr double rounding = 1e-4;
+    for (size_t i = 0; i < there.size(); ++i)
+        if (!(std::abs(there[i].x - aces[i][0]) < rounding && std::abs(there[i].y - aces[i][1]) < rounding))
+            return ColorSpace::lin_rec709;
+    return ColorSpace::acescg;
+}
+
+std::optional<ExrCamera> camera_of(const Imf::Header& header)
+{
+    if (!Imf::hasWorldToCamera(header) || !Imf::hasWorldToNDC(header)) return {};
+    const auto rows = [](const Imath::M44f& m) {
+        ExrCamera::Matrix result;
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) result[static_cast<size_t>(i)][static_cast<size_t>(j)] = m[i][j];
+        return result;
+    };
+    return ExrCamera{rows(Imf::worldToCamera(header)), rows(Imf::worldToNDC(header))};
 }
 
 bool is_flat(const Imf::Header& header)
@@ -147,6 +176,9 @@ Image read_part(const InputFile& file, Imf::MultiPartInputFile& parts)
     });
     if (chosen.colors.size() == 1) {
         for (Color& c : image.pixels) c.g = c.b = c.r;
+    } else if (const ColorSpace space = space_of(header); space != ColorSpace::lin_rec709) {
+        const ColorMatrix back = from_space(space);
+        for (Color& c : image.pixels) c = transformed(back, c);
     }
     return image;
 }
@@ -218,6 +250,15 @@ Raster read_raster_part(const InputFile& file, Imf::MultiPartInputFile& parts)
                       return &raster.floats[end];
                   });
     if (data != found.display) raster.floats = move_window(raster.floats, data, found.display, channels);
+    const ColorSpace space = space_of(parts.header(static_cast<int>(found.chosen.part)));
+    if (space != ColorSpace::lin_rec709 && found.chosen.colors.size() == 3) {
+        const ColorMatrix back = from_space(space);
+        for (size_t i = 0; i < raster.floats.size(); i += channels) {
+            float* const v = &raster.floats[i];
+            const Color c = transformed(back, {v[0], v[1], v[2]});
+            v[0] = c.r, v[1] = c.g, v[2] = c.b;
+        }
+    }
     divide_by_alpha(raster);  // the format multiplies colours by alpha
     return raster;
 }
@@ -254,6 +295,33 @@ Image read_exr(const std::string& path, Metadata* metadata)
     });
 }
 
+namespace {
+
+// A channel of any part, under the name that is its own in the whole file.
+struct NamedChannel {
+    std::string name;
+    int part;
+    const char* in_part;  // its name there
+    Imf::Channel channel;
+};
+
+std::vector<NamedChannel> named_channels(const Imf::MultiPartInputFile& parts)
+{
+    std::vector<NamedChannel> all;
+    for (int part = 0; part < parts.parts(); ++part) {
+        const Imf::Header& header = parts.header(part);
+        if (!is_flat(header) || header.dataWindow() != parts.header(0).dataWindow()) continue;
+        for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+            const std::string name = i.name();
+            const bool needs_layer = part > 0 && header.hasName() && name.find('.') == std::string::npos;
+            all.push_back({needs_layer ? header.name() + "." + name : name, part, i.name(), i.channel()});
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
 ExrInfo read_exr_info(const std::string& path)
 {
     return with_parts(path, [&](const InputFile&, Imf::MultiPartInputFile& parts) {
@@ -266,13 +334,16 @@ ExrInfo read_exr_info(const std::string& path)
         constexpr const char* types[] = {"uint", "half", "float"};
         constexpr const char* compressions[] = {"none",  "rle", "zips", "zip",  "piz",
                                                 "pxr24", "b44", "b44a", "dwaa", "dwab"};
-        for (int part = 0; part < parts.parts(); ++part) {
-            const Imf::Header& of = parts.header(part);
-            const std::string name = parts.parts() > 1 && of.hasName() ? of.name() + ": " : "";
-            for (auto i = of.channels().begin(); i != of.channels().end(); ++i) {
-                const auto type = static_cast<size_t>(i.channel().type);
-                info.channels.push_back({name + i.name(), type < std::size(types) ? types[type] : "unknown"});
-            }
+        for (const NamedChannel& c : named_channels(parts)) {
+            const auto type = static_cast<size_t>(c.channel.type);
+            info.channels.push_back({c.name, type < std::size(types) ? types[type] : "unknown"});
+        }
+        info.parts = parts.parts();
+        info.space = space_of(header);
+        info.camera = camera_of(header);
+        if (header.hasTileDescription()) {
+            info.tile_width = header.tileDescription().xSize;
+            info.tile_height = header.tileDescription().ySize;
         }
         const auto compression = static_cast<size_t>(header.compression());
         info.compression = compression < std::size(compressions) ? compressions[compression] : "unknown";
@@ -283,21 +354,25 @@ ExrInfo read_exr_info(const std::string& path)
 std::vector<std::vector<float>> read_exr_channels(const std::string& path, std::span<const std::string> names)
 {
     return with_parts(path, [&](const InputFile& file, Imf::MultiPartInputFile& parts) {
-        const Imf::Header& header = parts.header(0);
-        const Window data = to_window(header.dataWindow());
+        const Imath::Box2i box = parts.header(0).dataWindow();
+        const Window data = to_window(box);
+        const std::vector<NamedChannel> there = named_channels(parts);
         std::vector<std::vector<float>> channels;
-        Imf::FrameBuffer buffer;
+        std::map<int, Imf::FrameBuffer> buffers;  // of parts
         for (const std::string& name : names) {
-            const Imf::Channel* const channel = header.channels().findChannel(name);
-            if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
+            const auto found = std::find_if(there.begin(), there.end(), [&](const auto& c) { return c.name == name; });
+            if (found == there.end() || found->channel.xSampling != 1 || found->channel.ySampling != 1)
                 throw file.invalid("has no channel " + name);
             std::vector<float>& values = channels.emplace_back(data.area());
-            buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float),
-                                                 sizeof(float) * static_cast<size_t>(data.width())));
+            buffers[found->part].insert(found->in_part,
+                                        Imf::Slice::Make(Imf::FLOAT, values.data(), box, sizeof(float),
+                                                         sizeof(float) * static_cast<size_t>(data.width())));
         }
-        Imf::InputPart part(parts, 0);
-        part.setFrameBuffer(buffer);
-        part.readPixels(data.y0, data.y1 - 1);
+        for (const auto& [number, buffer] : buffers) {
+            Imf::InputPart part(parts, number);
+            part.setFrameBuffer(buffer);
+            part.readPixels(data.y0, data.y1 - 1);
+        }
         return channels;
     });
 }

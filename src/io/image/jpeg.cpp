@@ -61,6 +61,15 @@ bool read_header(Reader& r, const std::vector<unsigned char>& bytes)
     jpeg_read_header(&r.jpeg, TRUE);
     return true;
 }
+bool read_comments(Reader& r, const std::vector<unsigned char>& bytes)
+{
+    if (setjmp(r.out)) return false;
+    jpeg_create_decompress(&r.jpeg);
+    jpeg_save_markers(&r.jpeg, JPEG_COM, 0xffff);
+    jpeg_mem_src(&r.jpeg, bytes.data(), bytes.size());
+    jpeg_read_header(&r.jpeg, TRUE);
+    return true;
+}
 bool start(Reader& r)
 {
     if (setjmp(r.out)) return false;
@@ -78,24 +87,46 @@ bool finish(Reader& r)
     return jpeg_finish_decompress(&r.jpeg) == TRUE;
 }
 
+Error broken(const InputFile& file, const Reader& r)
+{
+    return file.invalid("not a valid jpeg file: " + std::string(r.message[0] ? r.message.data() : "damaged"));
+}
+
+std::vector<unsigned char> read_all(InputFile& file)
+{
+    std::vector<unsigned char> stored(file.size());
+    file.seek(0);
+    stored.resize(file.read(stored.data(), stored.size()));
+    return stored;
+}
+
 }  // namespace
+
+Metadata read_jpeg_metadata(InputFile& file)
+{
+    Reader r;
+    if (!read_comments(r, read_all(file))) throw broken(file, r);
+    Metadata metadata;
+    for (const jpeg_marker_struct* m = r.jpeg.marker_list; m; m = m->next) {
+        const std::string text(reinterpret_cast<const char*>(m->data), m->data_length), prefix = "lancer:";
+        const size_t blank = text.find(' ');
+        if (text.starts_with(prefix) && blank != std::string::npos)
+            metadata.emplace_back(text.substr(prefix.size(), blank - prefix.size()), text.substr(blank + 1));
+    }
+    return metadata;
+}
 
 std::optional<Raster> read_jpeg(InputFile& file)
 {
     Reader r;
-    const auto broken = [&] {
-        return file.invalid("not a valid jpeg file: " + std::string(r.message[0] ? r.message.data() : "damaged"));
-    };
-    std::vector<unsigned char> stored(file.size());
-    file.seek(0);
-    stored.resize(file.read(stored.data(), stored.size()));
-    if (!read_header(r, stored)) throw broken();
+    const std::vector<unsigned char> stored = read_all(file);
+    if (!read_header(r, stored)) throw broken(file, r);
     if (r.jpeg.num_components != 1 && r.jpeg.num_components != 3) return {};
     const uint32_t width = r.jpeg.image_width, height = r.jpeg.image_height;
     if (int64_t{width} * height > max_image_pixels) {
         throw file.invalid("picture too large: " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
     }
-    if (!start(r)) throw broken();
+    if (!start(r)) throw broken(file, r);
     Raster raster = {.width = width,
                      .height = height,
                      .channels = static_cast<uint32_t>(r.jpeg.output_components),
@@ -111,9 +142,9 @@ std::optional<Raster> read_jpeg(InputFile& file)
     for (bool is_there = true; is_there && y < height; y += is_there) {
         raster.bytes.resize(row * (y + 1), grey);
         is_there = read_row(r, &raster.bytes[row * y]);
-        if (r.message[0] && pixels / most_pixels_per_byte > stored.size()) throw broken();
+        if (r.message[0] && pixels / most_pixels_per_byte > stored.size()) throw broken(file, r);
     }
-    if (y == 0) throw broken();
+    if (y == 0) throw broken(file, r);
     if (y == height) finish(r);
     raster.bytes.resize(row * height, grey);
     raster.damage = r.message.data();

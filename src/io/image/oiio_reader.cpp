@@ -1,10 +1,7 @@
 #include "io/image/oiio_reader.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +9,7 @@
 #include "io/image/oiio_module.h"
 #include "io/image/radiance.h"
 #include "io/image/sizes.h"
+#include "io/module_file.h"
 
 namespace lancer {
 namespace {
@@ -22,43 +20,17 @@ struct Module {
     decltype(&lancer_oiio_close) close;
 };
 
-template <class Function>
-void find_symbol(void* library, const char* name, Function& function)
-{
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (!function) throw Error(ErrorKind::failed, std::string("error: lancer_oiio.so lacks ") + name);
-}
-
-// Beside the program (a build folder), one up (test programs) or in ../lib/lancer (installed). Never closed again: the
-// libraries behind it do not survive that.
 Module load_module()
 {
-    std::error_code unknown;
-    const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-    std::string tried;
-    for (const char* place : {"lancer_oiio.so", "../lancer_oiio.so", "../lib/lancer/lancer_oiio.so"}) {
-        const std::string path = (folder / place).lexically_normal();
-        tried += (tried.empty() ? "" : ", ") + path;
-        if (!std::filesystem::exists(path, unknown)) continue;
-        void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (!library)
-            throw Error(ErrorKind::failed, std::string("error: cannot open the picture module: ") + dlerror());
-        decltype(&lancer_oiio_version) version = nullptr;
-        find_symbol(library, "lancer_oiio_version", version);
-        if (version() != lancer_oiio_current_version) {
-            throw Error(ErrorKind::failed, {path}, "is of another build of lancer; build the target lancer_oiio again");
-        }
-        Module m = {};
-        find_symbol(library, "lancer_oiio_open", m.open);
-        find_symbol(library, "lancer_oiio_read_rows", m.read_rows);
-        find_symbol(library, "lancer_oiio_close", m.close);
-        return m;
-    }
-    throw Error(
-        ErrorKind::failed,
-        "error: lancer_oiio.so, which reads pictures other than EXR, PNG, JPEG and TGA, is missing; build the target "
-        "lancer_oiio (it needs libopenimageio-dev) or convert the pictures. Looked for: " +
-            tried);
+    void* const library =
+        open_module("lancer_oiio", lancer_oiio_current_version,
+                    "which reads pictures other than EXR, PNG, JPEG and TGA, is missing; build the target lancer_oiio "
+                    "(it needs libopenimageio-dev) or convert the pictures");
+    Module m = {};
+    find_symbol(library, "lancer_oiio_open", m.open);
+    find_symbol(library, "lancer_oiio_read_rows", m.read_rows);
+    find_symbol(library, "lancer_oiio_close", m.close);
+    return m;
 }
 
 // Room grows with the rows read: reserved memory costs nothing until it is filled, and it is filled only as far as the

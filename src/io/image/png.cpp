@@ -73,7 +73,10 @@ struct Reader {
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-bool encode(png_structp png, png_infop info, const Window& data, int color_type, bool crop, bool linear,
+// What the code values mean.
+enum class PngCodes { srgb, linear, unknown };
+
+bool encode(png_structp png, png_infop info, const Window& data, int color_type, bool crop, PngCodes codes,
             png_textp texts, int text_count, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(png))) return false;
@@ -81,9 +84,9 @@ bool encode(png_structp png, png_infop info, const Window& data, int color_type,
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
     png_set_IHDR(png, info, static_cast<png_uint_32>(data.width()), static_cast<png_uint_32>(data.height()), 8,
                  color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (linear) {
+    if (codes == PngCodes::linear) {
         png_set_gAMA(png, info, 1);
-    } else {
+    } else if (codes == PngCodes::srgb) {
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
     if (crop) png_set_oFFs(png, info, data.x0, data.y0, PNG_OFFSET_PIXEL);
@@ -220,13 +223,15 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, c
     const size_t channels = alpha.empty() ? 3 : 4;
     std::vector<png_bytep> rows = row_pointers(bytes, channels * static_cast<size_t>(image.data.width()),
                                                static_cast<size_t>(image.data.height()));
+    const PngCodes codes = options.curve                      ? PngCodes::unknown
+                           : options.tonemap == ToneMap::none ? PngCodes::linear
+                                                              : PngCodes::srgb;
     Writer writer;
     writer.context.out = &file;
     if (!writer.info) throw Error(ErrorKind::failed, {file.path()}, "cannot write: not enough memory");
     const bool done =
         encode(writer.png, writer.info, image.data, alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
-               image.data != image.display, options.tonemap == ToneMap::none, texts.data(),
-               static_cast<int>(texts.size()), rows.data());
+               image.data != image.display, codes, texts.data(), static_cast<int>(texts.size()), rows.data());
     if (writer.context.thrown) std::rethrow_exception(writer.context.thrown);
     if (!done) throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + writer.context.message);
 }

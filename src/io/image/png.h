@@ -14,10 +14,10 @@ namespace lancer {
 
 class AtomicFile;
 
-// 8 bit, see to_bytes.h. Tagged as sRGB; without
-// a tone map as linear, gamma 1. Only the data window is
-// written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata pairs become text chunks
-// "lancer:NAME". The file appears whole or not at all; the second form fills a file made earlier, its owner commits it.
+// 8 bit, see to_bytes.h. Tagged as sRGB; without a tone map as linear, gamma 1; not tagged with a curve in its place.
+// Only the data window is written: a PNG has no display window, so a crop keeps its place as an oFFs chunk. Metadata
+// pairs become text chunks "lancer:NAME". The file appears whole or not at all; the second form fills a file made
+// earlier, its owner commits it.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
                const ByteOptions& options = {});
 // alpha: of each pixel in [0, 1], by which colours are multiplied; empty: no alpha channel. In the file they are not

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace lancer {
@@ -96,6 +97,9 @@ RadianceHeader read_radiance_header(InputFile& file)
             const std::array<double, 3> factors = read_factors<3>(file, *correction);
             for (size_t c = 0; c < 3; ++c) multiplied[c] *= factors[c];
         }
+        constexpr std::string_view prefix = "lancer:";
+        if (const size_t sign = line.find('='); line.starts_with(prefix) && sign != std::string::npos)
+            header.metadata.emplace_back(line.substr(prefix.size(), sign - prefix.size()), line.substr(sign + 1));
         if (const auto format = value_of(line, "FORMAT"); format && format->find("xyze") != std::string::npos)
             throw file.invalid("its pixels are in CIE XYZ; only RGB is read");
     }

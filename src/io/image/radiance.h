@@ -4,6 +4,7 @@
 
 #include "core/color.h"
 #include "core/raster.h"
+#include "io/image/metadata.h"
 #include "io/input_file.h"
 
 namespace lancer {
@@ -15,6 +16,8 @@ struct RadianceHeader {
     // are false.
     bool columns_first = false, from_right = false, from_bottom = false;
     Color factor{1, 1, 1};  // that gives radiance back: 1 / (EXPOSURE * COLORCORR), each the product of all lines
+
+    Metadata metadata;  // of the lines "lancer:NAME=VALUE"
 
     bool is_turned() const { return columns_first || from_right || from_bottom; }
     // Whether a decoder that knows rows alone has this size.

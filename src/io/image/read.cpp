@@ -11,6 +11,7 @@
 #include "io/image/jpeg.h"
 #include "io/image/oiio_reader.h"
 #include "io/image/png.h"
+#include "io/image/radiance.h"
 #include "io/image/sizes.h"
 #include "io/image/tga.h"
 #include "io/input_file.h"
@@ -107,6 +108,17 @@ RasterHeader read_raster_header(const std::string& path)
 {
     InputFile file(path);
     return read_header(file, find_format(file));
+}
+
+Metadata read_picture_metadata(const std::string& path)
+{
+    InputFile file(path);
+    const std::string format = find_format(file);
+    if (format == "openexr") return read_exr_info(path).metadata;
+    if (format == "png") return read_png_info(path).metadata;
+    if (format == "jpeg") return read_jpeg_metadata(file);
+    if (format == "hdr") return read_radiance_header(file).metadata;
+    return {};
 }
 
 Image read_image(const std::string& path, Encoding encoding, PictureKind* kind)

@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "core/raster.h"
 #include "core/srgb.h"
+#include "io/image/metadata.h"
 
 namespace lancer {
 
@@ -18,6 +19,9 @@ namespace lancer {
 std::shared_ptr<const Raster> read_raster(const std::string& path);
 // What its header says; no room is made for pixels. Throws the same, but for what is wrong with the pixels.
 RasterHeader read_raster_header(const std::string& path);
+
+// What lancer wrote into its header: EXR, PNG, JPEG and HDR. Empty of other formats. Throws the same.
+Metadata read_picture_metadata(const std::string& path);
 
 // The same in linear RGB: integer formats are decoded as `encoding` says, floats are taken as they stand; alpha is
 // dropped, grey becomes RGB. An EXR keeps its data window. A damaged picture of any format is invalid_input.
