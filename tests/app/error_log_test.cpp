@@ -47,7 +47,7 @@ TEST_F(ErrorLog, OneThatCannotBeWrittenCostsNoPicture)
 {
     for (const bool is_interrupted : {false, true}) {
         std::filesystem::create_directory(file("logs"));
-        Program program(folder_, {"scene.toml", "-s", is_interrupted ? "2000000000" : "20000", "--size", "32x32", "-o",
+        Program program(folder_, {"scene.toml", "-s", is_interrupted ? "2000000000" : "8000", "--size", "32x32", "-o",
                                   "a.exr", "--error-log", "logs/e.csv", "--progress", "json"});
         ASSERT_TRUE(program.wait_for_message("\"spp\":16"));
         // Renamed, not removed: the program may be writing into the folder at this moment.
