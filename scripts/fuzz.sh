@@ -56,7 +56,7 @@ fuzz() {
 
 # Where other programs take the processor an input may seem slow: it is one if it takes a second again, alone.
 drop_chance_timeouts() {
-    local input dropped=1
+    local input again dropped=1
     for input in "build/fuzz/crashes/$1"/timeout-*; do
         [[ -f $input ]] || continue
         for ((again = 0; again < 3; ++again)); do
