@@ -6,6 +6,7 @@
 
 #include "app/render/checkpoint_file.h"
 #include "app/run_program.h"
+#include "app/system_info.h"
 
 namespace lancer {
 namespace {
@@ -194,6 +195,9 @@ PictureRecipe small_recipe()
     recipe.keeps_blocks_open = true;
     recipe.options.denoise_sets = true;
     recipe.options.aovs = {Aov::depth};
+    recipe.options.light_layers = recipe.options.part_layers = recipe.options.mattes = true;
+    recipe.light_groups = {"rest", "key"};
+    recipe.manifests = {{"CryptoObject", "{}"}};
     RenderSettings& settings = recipe.stats.settings.render;
     settings.size = {3, 2}, settings.replicates = 2, settings.stop = true;
     recipe.stats.settings.crop = {0, 0, 3, 2};
@@ -215,6 +219,24 @@ RenderState small_state()
     RenderState state;
     state.held = {{0, 0, 3, 2}};
     return state;
+}
+
+// A small file may claim a large picture.
+TEST_F(Checkpoint, OneThatNeedsMoreMemoryThanThereIsIsRefused)
+{
+    if (memory_bytes() > uint64_t{1} << 37) GTEST_SKIP() << "there is room for it";
+    PictureRecipe recipe = small_recipe();
+    recipe.stats.settings.render.size = {16384, 16384};
+    recipe.stats.settings.crop = {0, 0, 16384, 16384};
+    RenderState state = small_state();
+    recipe.stats.settings.render.spp = 1;
+    state.held.clear(), state.shard = {1, 9}, state.pass = {0, 1};
+    write_checkpoint(file("c.lancer"), {}, recipe, state, small_film());
+    EXPECT_LT(read_bytes(file("c.lancer")).size(), 10000u);
+    expect_error(ErrorKind::no_memory, "film", "", [&] { read_checkpoint(file("c.lancer")); });
+    const Said said = run({"merge", "c.lancer", "-o", "a.exr"});
+    EXPECT_EQ(said.code, 71) << said.err;
+    expect_words(said.err, "film: 268.4 million pixels of ");
 }
 
 TEST_F(Checkpoint, EveryDamagedByteAndEveryLengthIsNoticed)

@@ -7,6 +7,7 @@
 #include "app/paths.h"
 #include "app/render/checkpoint_file.h"
 #include "app/render/content.h"
+#include "app/render/render_memory.h"
 #include "app/render/shard.h"
 #include "core/names.h"
 #include "core/parallel.h"
@@ -56,6 +57,7 @@ void Merge::add(const std::string& path)
     if (s.shard.count > 0) count_ = s.shard.count;
     if (!sum_) {
         first_ = path;
+        require_memory(part.recipe);
         sum_.emplace(Checkpoint{part.identity, part.recipe, part.state, empty_film(part.recipe)});
         sum_->state.held.clear();
         sum_->state.counters = {};

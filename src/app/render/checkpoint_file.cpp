@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/render/render_memory.h"
 #include "app/render/shard.h"
 #include "core/names.h"
 
@@ -174,6 +175,7 @@ void CheckpointFile::read_film(Film& film, std::vector<HalfBuffers::Half>& halve
 Checkpoint read_checkpoint(const std::string& path)
 {
     CheckpointFile file(path);
+    require_memory(file.recipe);
     Film film = empty_film(file.recipe);
     file.read_film(film, file.state.halves);
     return {std::move(file.identity), std::move(file.recipe), std::move(file.state), std::move(film)};
