@@ -96,25 +96,26 @@ TEST_F(Memory, PicturesBeyondItAreRefusedBeforeTheyAreRead)
 // A film that does not fit is refused before it is made.
 TEST_F(Memory, ARenderBeyondItIsRefusedBeforeItsFirstSample)
 {
-    const std::vector<std::string> large{"render", "scene.toml", "-s", "2", "--size", "6000x5000", "-o", "a.exr", "-q"};
+    const std::vector<std::string> large{"render",      "scene.toml", "-s",    "2", "--size",
+                                         "12000x10000", "-o",         "a.exr", "-q"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), large.begin(), large.end());
         return run(more);
     };
-    const Said refused = with({"--memory", "500M", "--aov", "all"});
+    const Said refused = with({"--memory", "2G", "--aov", "all"});
     EXPECT_EQ(refused.code, 71);
     expect_words(refused.err, "error: this render takes ");
-    expect_words(refused.err, " GB, and --memory allows 500.0 MB:");
-    expect_words(refused.err, "film: 30.0 million pixels of 192 bytes");
+    expect_words(refused.err, " GB, and --memory allows 2.00 GB:");
+    expect_words(refused.err, "film: 120.0 million pixels of 192 bytes");
     EXPECT_FALSE(exists("a.exr"));
-    expect_words(with({"--memory", "3G", "--denoise"}).err, "18000.0 MB denoiser");
-    EXPECT_EQ(with({"--memory", "500M", "--crop", "0,0,60,50"}).code, 0);
+    expect_words(with({"--memory", "3G", "--denoise"}).err, "72000.0 MB denoiser");
+    EXPECT_EQ(with({"--memory", "2G", "--crop", "0,0,60,50"}).code, 0);
 }
 
 TEST_F(Memory, APictureNeverDependsOnIt)
 {
     for (const auto& [name, memory] :
-         {std::pair("a.exr", "100%"), std::pair("b.exr", "3M"), std::pair("c.exr", "1k")}) {
+         {std::pair("a.exr", "100%"), std::pair("b.exr", "3G"), std::pair("c.exr", "1.5G")}) {
         const Said said = render_walls({"--memory", memory, "-o", name});
         EXPECT_EQ(said.code, 0) << said.err;
         EXPECT_TRUE(same_pixels(image(name), image("a.exr")));

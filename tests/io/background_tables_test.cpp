@@ -77,7 +77,7 @@ TEST_F(BackgroundTables, Mistakes)
         {"fade = 1", "2:8: error: 'fade' in [background] needs a ground that is a checker or a planar picture"},
         {"skye = 1",
          "2:1: error: unknown key 'skye' in [background]; did you mean 'sky'? known: sky, ground, fade, up, strength, "
-         "glow"},
+         "glow, group"},
         {"sky = {projection = \"lachaud\"}", "2:7: error: [background.sky] needs 'file'"},
         {"sky = {file = \"sly.png\"}", "2:15: error: picture 'sly.png' does not exist"},
         {"sky = {file = \"sky.png\", projection = \"planar\"}",

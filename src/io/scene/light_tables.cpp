@@ -58,8 +58,9 @@ LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
 {
     const NameList types{enum_names<LightType>.begin(), enum_names<LightType>.end()};
     const std::vector<TypedKey> keys = typed_keys();
-    NameList known{"type", "group"};
+    NameList known{"type"};
     for (const TypedKey& k : keys) known.push_back(k.key);
+    known.push_back("group");
     table.allow(known);
 
     LightDescription light;
