@@ -2,7 +2,7 @@
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
 list(FILTER app_sources EXCLUDE REGEX "/(cpu_check|main)\\.cpp$")
 if(LANCER_FUZZ)
-  list(FILTER app_sources INCLUDE REGEX "/app/(options/[a-z_]+|render/(checkpoint_file|recipe|shard)|console|version)\\.cpp$")
+  list(FILTER app_sources INCLUDE REGEX "/app/(options/[a-z_]+|render/(checkpoint_file|recipe|render_memory|shard)|console|picture_memory|system_info|version)\\.cpp$")
 endif()
 add_library(lancer_app STATIC ${app_sources})
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
