@@ -102,7 +102,7 @@ private:
     Normalisation normalisation_;            // of the scene, once it is built
     std::vector<std::string> light_groups_;  // likewise
     std::vector<MatteManifest> manifests_;
-    std::optional<ExrCamera> camera_;        // likewise
+    std::optional<ExrCamera> camera_;  // likewise
 };
 
 template <class F>

@@ -395,7 +395,7 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
         "Exit codes: 0 done; 2 wrong usage.\n\n"
         "Example:\n  lancer slurm scene.toml --shards 16 -o picture.exr --render='-s 4096' > job.sh\n  sh job.sh\n");
     p.argument("SCENE", "Scene file (.toml) or mesh (.obj)", [&](const std::string& t) { o.scene = t; });
-    p.value("-o,--output", "FILE", "Picture, .exr, .png or .ppm (NAME.exr in this folder)",
+    p.value("-o,--output", "FILE", "Picture, .exr, .png, .ppm, .jpg or .hdr (NAME.exr in this folder)",
             [&](const std::string& t) { o.output = to_output(t, {}); });
     p.value("--shards", "N", "Parts of each picture (1)",
             [&](const std::string& t) { o.shards = to_count("--shards", t, 1, 1u << 20); });

@@ -15,8 +15,7 @@ std::string row(uint64_t bytes, const std::string& of)
     return format_text("\n%8.1f MB %s", 1e-6 * static_cast<double>(bytes), of.c_str());
 }
 
-}  // namespace
-
+// Of a film with room for what the options ask for.
 uint64_t film_bytes(const PictureRecipe& recipe)
 {
     PictureRecipe small = recipe;
@@ -29,6 +28,8 @@ uint64_t film_bytes(const PictureRecipe& recipe)
     const Tile& crop = recipe.stats.settings.crop;
     return per_pixel * crop.width() * crop.height();
 }
+
+}  // namespace
 
 void require_memory(const PictureRecipe& recipe)
 {

@@ -5,9 +5,6 @@
 
 namespace lancer {
 
-// Bytes of a film with room for what the options ask for.
-uint64_t film_bytes(const PictureRecipe& recipe);
-
 // Throws Error (no_memory), with a table of what takes how much, if what this process holds already (scene, accelerator
 // and program), the film and, with --denoise, the denoiser take more than --memory. recipe: of the render to come.
 void require_memory(const PictureRecipe& recipe);

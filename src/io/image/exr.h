@@ -42,7 +42,7 @@ struct ExrOptions {
     bool half = false;  // 16-bit floats; a picture with finite values beyond 65504 is written as 32-bit all the same
     ExrCompression compression = ExrCompression::zip;
     std::vector<std::pair<std::string, std::string>> attributes{};  // more text, by its full name
-    uint32_t tile = 0;          // side of tiles; 0: scan lines
+    uint32_t tile = 0;                                              // side of tiles; 0: scan lines
     bool is_multipart = false;  // a part for each layer, called as it; the first, "rgba", has all without a layer
     std::optional<ExrCamera> camera{};
     ColorSpace space = ColorSpace::lin_rec709;  // the file's; what is given is linear Rec. 709
