@@ -93,7 +93,7 @@ TEST(Agreement, SkyPanelAndSphereLight)
     // Larger, so that the BSDF alone finds them often enough for a normal distribution of means.
     for (auto& l : d.lights) l.radius = 0.8;
     d.meshes[2].transform = {{-1.2, -0.4, 0}, {}, {2, 2, 2}};
-    expect_all_ways_agree(d, "lights", 16);
+    expect_all_ways_agree(d, "lights", 8);
 }
 
 TEST(Agreement, InstancedEmitters)
@@ -104,10 +104,10 @@ TEST(Agreement, InstancedEmitters)
     d.instances.back().transform.scale = {1.2, 1, 1};
     d.instances.push_back(instance_of("lamp", {{-2, 0.7, 0}, {0, 0, -60}, {-0.8, 1, 1.2}}));
     d.camera = make_camera({0, 1.5, 3}, {0, -0.3, 0}, 40);
-    expect_all_ways_agree(d, "instances", 16);
+    expect_all_ways_agree(d, "instances", 8);
 }
 
-TEST(Agreement, CutOutsAndGauze) { expect_all_ways_agree(holes_scene(), "holes", 16); }
+TEST(Agreement, CutOutsAndGauze) { expect_all_ways_agree(holes_scene(), "holes", 8); }
 
 // An emitting mesh that reflects, in a corner of an emitting sphere's inside: light sampling from emitters to
 // themselves.
@@ -124,7 +124,7 @@ TEST(Agreement, EmittersLightEachOther)
     d.spheres.push_back(sphere_of({0.5, -0.4, -0.3}, 0.4, "glow"));
     d.meshes.push_back(make_mesh(make_cube(glow), {{-0.5, -0.3, -0.2}, {10, 20, 30}, {0.3, 0.4, 0.3}}));
     d.camera = make_camera({0, 0.2, 1.6}, {0, -0.2, -0.3}, 60);
-    expect_all_ways_agree(d, "emitters", 16);
+    expect_all_ways_agree(d, "emitters", 8);
 }
 
 // Normals that are not those of the faces, coarse enough to differ much: what is sampled about the one and seen from
@@ -144,7 +144,7 @@ TEST(Agreement, ShadingNormals)
     d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(sheet)));
     d.lights = {sky_of({0.5f, 0.6f, 0.8f}), light_of(LightType::sphere, {3, 3, 2}, {2, 2, 1}, 0.9)};
     d.camera = make_camera({0.5, 0.8, 3.5}, {0, -0.1, 0}, 42);
-    expect_all_ways_agree(d, "shading normals", 16);
+    expect_all_ways_agree(d, "shading normals", 8);
 }
 
 TEST(Agreement, RouletteFromTheFirstVertexAndNever)

@@ -33,7 +33,7 @@ RasterSource fish_eye()
 TEST(Background, IsTheSameByLightSamplingByTheBsdfAndByBoth)
 {
     SameByAllWays same(0.03);
-    const Shot shot{.width = 16, .height = 16, .spp = 32};
+    const Shot shot{.width = 16, .height = 16, .spp = 8};
     const Path path{.max_depth = 3};
     same.add("gradient", stage_under(SkyType::gradient, GroundType::none), shot, path, 8);
     same.add("dawn", stage_under(SkyType::dawn, GroundType::none), shot, path, 8);

@@ -20,7 +20,7 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
     uint64_t seed = 100;
     for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
                              path_with(true, true), path_with(false, false, {.always = true})})
-        ways.emplace_back(d, Shot{.integrator = path, .spp = 32, .seed = ++seed});
+        ways.emplace_back(d, Shot{.integrator = path, .spp = 8, .seed = ++seed});
     expect_one_mean(std::move(ways), {.pictures = 16, .detectable = detectable, .rounding = 1e-5}, name);
 }
 

@@ -41,7 +41,7 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
     uint64_t seed = 500;
     for (const bool learned : {false, true})
         two.emplace_back(d,
-                         Shot{.integrator = path_with(learned), .width = 128, .height = 128, .spp = 4, .seed = ++seed});
+                         Shot{.integrator = path_with(learned), .width = 128, .height = 128, .spp = 2, .seed = ++seed});
     expect_one_mean(std::move(two), {.pictures = 8, .detectable = detectable, .rounding = 1e-5}, name);
 }
 

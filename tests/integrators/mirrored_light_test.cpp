@@ -131,10 +131,10 @@ TEST(MirroredLight, IsWhatBsdfSamplingFinds)
                     d, Shot{.integrator = Path{.max_depth = 4, .direct = how}, .spp = spp, .seed = found.size() + 1});
                 names.push_back(name);
             };
-            add("mirrors", {}, 16);
-            add("mirrors without mis", {.mis = false}, 16);
-            add("without mirrors", {.mirrors = false}, 64);
-            add("bsdf sampling", {.nee = false, .mis = false}, 256);
+            add("mirrors", {}, 4);
+            add("mirrors without mis", {.mis = false}, 4);
+            add("without mirrors", {.mirrors = false}, 16);
+            add("bsdf sampling", {.nee = false, .mis = false}, 64);
             expect_one_mean(std::move(found), {.pictures = 8, .detectable = 0.03, .names = names},
                             std::string(kind) + " above " + std::string(name_of(floor.type)));
         }

@@ -69,9 +69,9 @@ TEST(Allocations, DoNotGrowWithTheSamples)
                 RendererConfig settings;
                 settings.integrator = integrator;
                 const Renderer renderer(build_scene(s.description), settings);
-                const Camera camera = camera_of(s.description, renderer.scene(), 64, 48);
-                Film film(64, 48, {0, 0, 64, 48});
-                const std::vector<Tile> tiles = make_tiles(film.crop, 16);
+                const Camera camera = camera_of(s.description, renderer.scene(), 32, 24);
+                Film film(32, 24, {0, 0, 32, 24});
+                const std::vector<Tile> tiles = make_tiles(film.crop, 8);
                 const auto pass = [&](uint32_t begin, uint32_t end) {
                     return allocations_of([&] { renderer.pass(camera, film, tiles, {begin, end}); });
                 };

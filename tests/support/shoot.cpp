@@ -92,7 +92,8 @@ double expect_one_mean(std::vector<TilesOverSeeds> ways, const OneMean& claim, c
 {
     const double worst = add_until_detectable(ways, claim), mean = ways.at(0).whole().mean;
     EXPECT_LT(worst, claim.detectable) << name << ": too noisy to tell";
-    std::printf("%s: biases above %.2g %% would show\n", name.c_str(), 100 * worst);
+    std::printf("%s: biases above %.2g %% would show, of %.2g %% asked\n", name.c_str(), 100 * worst,
+                100 * claim.detectable);
     const auto name_of = [&](size_t way) {
         return way < claim.names.size() ? claim.names[way] : "way " + std::to_string(way + 1);
     };
