@@ -346,7 +346,7 @@ void Run::render(const Renderer& renderer)
                 }
                 if (has_samples() && checkpoints.are_due()) {
                     limits.pause();
-                    checkpoints.write(recipe(), state(range, left, limits), film);
+                    checkpoints.begin_write(recipe(), state(range, left, limits), film);
                     limits.resume();
                 }
                 std::stop_source halt;

@@ -122,11 +122,11 @@ void require_apart(const std::vector<Tile>& tiles, const Tile& crop, const Loade
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
-                      const RenderState& state, const Film& film)
+UnseenCheckpoint::UnseenCheckpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
+                                   const RenderState& state, const Film& film)
+    : file_(path)
 {
-    AtomicFile file(path);
-    Saver to(file);
+    Saver to(file_);
     to.bytes(magic.data(), magic.size());
     to(byte_order);
     visit_identity(to, identity);
@@ -134,11 +134,22 @@ void write_checkpoint(const std::string& path, const RenderIdentity& identity, c
     visit_state(to, state);
     visit_film(to, film, state.halves, state.held);
     to.end();
-    file.finish();
+}
+
+void UnseenCheckpoint::commit()
+{
+    file_.finish();
     // Whatever happens in between, one of the two has its name.
+    const std::string& path = file_.path();
     std::error_code absent;
     if (std::filesystem::is_regular_file(path, absent)) std::filesystem::rename(path, checkpoint_before(path), absent);
-    file.commit();
+    file_.commit();
+}
+
+void write_checkpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
+                      const RenderState& state, const Film& film)
+{
+    UnseenCheckpoint(path, identity, recipe, state, film).commit();
 }
 
 CheckpointFile::CheckpointFile(const std::string& path) : content_(path), from_(path, {})

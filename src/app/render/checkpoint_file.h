@@ -59,8 +59,22 @@ struct Checkpoint {
 // Where the file before this one is kept.
 inline std::string checkpoint_before(const std::string& path) { return path + ".old"; }
 
-// Writes a whole file and keeps the one before as checkpoint_before(). Of the film only the tiles that the state holds
-// are written. Throws Error (failed); both files are then as they were.
+// A checkpoint whose bytes are all written, while nothing of it is seen yet: what is left waits for the disk and needs
+// neither film nor state.
+class UnseenCheckpoint {
+public:
+    // Of the film only the tiles that the state holds are written. Throws Error (failed), as commit().
+    UnseenCheckpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
+                     const RenderState& state, const Film& film);
+    // Puts it under its name once it is on the disk, and keeps the one before as checkpoint_before(). If it throws,
+    // both files are as they were.
+    void commit();
+
+private:
+    AtomicFile file_;
+};
+
+// Writes a whole file. Throws Error (failed).
 void write_checkpoint(const std::string& path, const RenderIdentity& identity, const PictureRecipe& recipe,
                       const RenderState& state, const Film& film);
 

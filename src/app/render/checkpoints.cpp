@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "app/console.h"
 #include "app/system_info.h"
@@ -12,6 +13,8 @@ namespace lancer {
 namespace {
 
 constexpr double first_after = 10;  // seconds
+
+void warn(const Error& problem) { print_as_warning(problem, "the render goes on without this checkpoint"); }
 
 }  // namespace
 
@@ -63,18 +66,40 @@ std::optional<RenderState> Checkpoints::resume(Film& film) const
 
 bool Checkpoints::are_due() const { return !path_.empty() && wall_seconds() >= due_; }
 
+void Checkpoints::begin_write(const PictureRecipe& recipe, const RenderState& state, const Film& film)
+{
+    if (path_.empty()) return;
+    end_write();
+    try {
+        auto written = std::make_shared<UnseenCheckpoint>(path_, identity_, recipe, state, film);
+        being_written_ = std::async([written = std::move(written)] { written->commit(); });
+    } catch (const Error& problem) {
+        warn(problem);
+    }
+    due_ = wall_seconds() + interval_;
+}
+
+void Checkpoints::end_write()
+{
+    if (!being_written_.valid()) return;
+    try {
+        being_written_.get();
+    } catch (const Error& problem) {
+        warn(problem);
+    }
+}
+
 bool Checkpoints::write(const PictureRecipe& recipe, const RenderState& state, const Film& film)
 {
     if (path_.empty()) return false;
-    bool is_written = true;
+    end_write();
     try {
         write_checkpoint(path_, identity_, recipe, state, film);
     } catch (const Error& problem) {
-        is_written = false;
-        print_as_warning(problem, "the render goes on without this checkpoint");
+        warn(problem);
+        return false;
     }
-    due_ = wall_seconds() + interval_;
-    return is_written;
+    return true;
 }
 
 std::vector<std::string> Checkpoints::rescue(const PictureRecipe& recipe, const RenderState& state,

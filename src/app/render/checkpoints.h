@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <future>
 #include <optional>
 
 #include "app/options/options.h"
@@ -24,7 +25,10 @@ public:
     std::optional<RenderState> resume(Film& film) const;
     // Whether it is time for the next one; the first is due after ten seconds. From any thread.
     bool are_due() const;
-    // Returns whether a file was written. If it cannot be, a warning says so, and the render goes on.
+    // Writes one while the render goes on: returns when its bytes no longer need the film, and a thread of its own
+    // waits for the disk. If it cannot be written, a warning says so, here or in the next call.
+    void begin_write(const PictureRecipe& recipe, const RenderState& state, const Film& film);
+    // Writes one; returns whether it is on the disk. If it cannot be, a warning says so.
     bool write(const PictureRecipe& recipe, const RenderState& state, const Film& film);
 
     // Of what write() could not write: another place beside it, else in the folder for temporary files. Its name, or
@@ -33,13 +37,16 @@ public:
 
 private:
     RenderState read(const std::string& path, Film& film) const;
+    // Waits for what begin_write() left to do.
+    void end_write();
 
     std::string path_, resume_;  // empty: none
     bool may_begin_anew_ = false;
     RenderIdentity identity_;
     Shard shard_;
     double interval_;
-    std::atomic<double> due_;  // in wall_seconds()
+    std::atomic<double> due_;          // in wall_seconds()
+    std::future<void> being_written_;  // what begin_write() left to do
 };
 
 }  // namespace lancer
