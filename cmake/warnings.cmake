@@ -1,6 +1,12 @@
 # One interface target that carries the warnings of our own code.
 add_library(lancer_warnings INTERFACE)
-target_compile_options(lancer_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wno-psabi)
+target_compile_options(lancer_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wold-style-cast -Wno-psabi)
+# Where files are joined (cmake/unity.cmake), a local name hides no global of another file: only builds without that look.
+if(NOT LANCER_UNITY)
+  target_compile_options(lancer_warnings INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(lancer_warnings INTERFACE -Wshadow=local)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms about strings that are added up, by another name where <string> is precompiled (GCC's bug 105651).
   target_compile_options(lancer_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow

@@ -42,11 +42,11 @@ if [[ $mode == --format-only ]]; then exit "$status"; fi
 
 # Version 14 cannot read all of C++20: ranges, for one.
 tidy=$(tool clang-tidy 16 19 14) || exit 1
-cmake --preset dev >/dev/null || exit 1
+cmake --preset lint >/dev/null || exit 1
 "$tidy" --version | sed -n 's/^ *\(.*version.*\)/clang-tidy: \1/p'
 # What g++ alone understands in the recorded command lines is not this tool's business.
 find src -name '*.cpp' | sort |
-    xargs -P "$(build_jobs)" -n 1 "$tidy" -p build/dev --quiet --warnings-as-errors='*' \
+    xargs -P "$(build_jobs)" -n 1 "$tidy" -p build/lint --quiet --warnings-as-errors='*' \
         --extra-arg=-Wno-unknown-warning-option 2> >(grep -v -E '^[0-9]+ warnings? ' >&2) || status=1
 if ((status == 0)); then echo 'lint: nothing to say'; fi
 exit "$status"

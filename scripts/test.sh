@@ -7,8 +7,8 @@ usage() {
 usage: scripts/test.sh [--slow]
   (nothing)  release build with warnings as errors, benchmarks too, and all its tests
   --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer; each way to leave
-             parts out, and a build without x86 intrinsics, is built and draws a picture; each fuzz target runs
-             for a minute
+             parts out, a build without x86 intrinsics, and one that compiles each file alone, is built and draws
+             a picture; each fuzz target runs for a minute
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
 END
 }
@@ -92,23 +92,26 @@ run() {
     fi
 }
 
-# build_variant -DOPTION...: library and program in a folder that all variants share, so that little is compiled twice.
-# It must draw the pixels of the release build; counts as one test.
+# build_variant TARGET -DOPTION...: in a folder that all variants share, so that little is compiled twice. The program
+# must draw the pixels of the release build; counts as one test.
 build_variant() {
-    local folder=$PWD/build/parts status=0
+    local target=$1 folder=$PWD/build/parts status=0
+    shift
     echo "Building $* (log: build/parts/build.log)"
-    { cmake --preset release -B "$folder" -DLANCER_TESTS=OFF -DLANCER_WERROR=ON "$@" &&
-        cmake --build "$folder" -j "$(build_jobs)" --target lancer &&
+    { cmake --preset release -B "$folder" -DLANCER_WERROR=ON "$@" &&
+        cmake --build "$folder" -j "$(build_jobs)" --target "$target" &&
         "$folder/lancer" render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/variant.exr" &&
         "$folder/lancer" compare "$folder/variant.exr" "$folder/whole.exr" --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
     if ((status == 0)); then passed=$((passed + 1))
     else tail -n 25 "$folder/build.log"; failed=$((failed + 1)); fi
 }
 
-# Every combination of the parts that a build may do without, and one without x86 intrinsics.
+# Every combination of the parts that a build may do without, one without x86 intrinsics, and one of each file alone, in
+# which an include that is missing shows. The folder remembers options: each variant says them all.
 build_variants() {
     local i part options
     local parts=(OIIO DISPLAY_SERVER CLASSIC)
+    local usual=(-DLANCER_TESTS=OFF -DLANCER_BENCH=OFF -DLANCER_UNITY=ON -DLANCER_PORTABLE_LANES=OFF)
     mkdir -p build/parts
     build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o build/parts/whole.exr || return
     for ((i = 0; i < (1 << ${#parts[@]}) - 1; ++i)); do
@@ -117,11 +120,12 @@ build_variants() {
             if (((i >> part) & 1)); then options+=("-DLANCER_WITH_${parts[part]}=ON")
             else options+=("-DLANCER_WITH_${parts[part]}=OFF"); fi
         done
-        build_variant "${options[@]}"
+        build_variant lancer "${usual[@]}" "${options[@]}"
     done
-    options=(-DLANCER_PORTABLE_LANES=ON)
+    options=()
     for part in "${parts[@]}"; do options+=("-DLANCER_WITH_$part=ON"); done
-    build_variant "${options[@]}"
+    build_variant lancer "${usual[@]}" "${options[@]}" -DLANCER_PORTABLE_LANES=ON
+    build_variant all "${options[@]}" -DLANCER_TESTS=ON -DLANCER_BENCH=ON -DLANCER_UNITY=OFF -DLANCER_PORTABLE_LANES=OFF
 }
 
 # Each target of scripts/fuzz.sh counts as one test.

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Table = TomlValue::Table;
+using Entries = TomlValue::Table;
 
-TomlValue& entry(Table& table, const std::string& key, TomlValue usual)
+TomlValue& entry(Entries& table, const std::string& key, TomlValue usual)
 {
     const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
     if (found != table.end()) return found->value;
@@ -23,14 +23,14 @@ TomlValue& entry(Table& table, const std::string& key, TomlValue usual)
     return table.back().value;
 }
 
-Table& table_at(Table& table, const std::string& key)
+Entries& table_at(Entries& table, const std::string& key)
 {
-    return std::get<Table>(entry(table, key, {.data = Table{}}).data);
+    return std::get<Entries>(entry(table, key, {.data = Entries{}}).data);
 }
 
-void set(Table& table, const std::string& key, TomlValue value) { entry(table, key, {}) = std::move(value); }
+void set(Entries& table, const std::string& key, TomlValue value) { entry(table, key, {}) = std::move(value); }
 
-void drop(Table& table, const std::string& key)
+void drop(Entries& table, const std::string& key)
 {
     table.erase(std::remove_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; }),
                 table.end());
@@ -39,13 +39,13 @@ void drop(Table& table, const std::string& key)
 TomlValue to_value(Vec3d v) { return {.data = TomlValue::Array{{.data = v.x}, {.data = v.y}, {.data = v.z}}}; }
 
 // Adds to tables, and puts further elements behind those of lists.
-void merge(Table& into, const Table& more)
+void merge(Entries& into, const Entries& more)
 {
     for (const TomlEntry& e : more) {
-        if (const auto* table = std::get_if<Table>(&e.value.data)) {
+        if (const auto* table = std::get_if<Entries>(&e.value.data)) {
             merge(table_at(into, e.key), *table);
         } else if (const auto* array = std::get_if<TomlValue::Array>(&e.value.data);
-                   array && !array->empty() && std::holds_alternative<Table>(array->front().data)) {
+                   array && !array->empty() && std::holds_alternative<Entries>(array->front().data)) {
             auto& list = std::get<TomlValue::Array>(entry(into, e.key, {.data = TomlValue::Array{}}).data);
             list.insert(list.end(), array->begin(), array->end());
         } else {
@@ -55,17 +55,17 @@ void merge(Table& into, const Table& more)
 }
 
 // The camera that was rendered becomes [camera]. Others stay, with the values that they have inherited.
-void set_camera(Table& root, const std::string& chosen, const CameraDescription& camera)
+void set_camera(Entries& root, const std::string& chosen, const CameraDescription& camera)
 {
-    Table& table = table_at(root, "camera");
-    Table own;
+    Entries& table = table_at(root, "camera");
+    Entries own;
     for (const TomlEntry& e : table) {
-        const auto* named = std::get_if<Table>(&e.value.data);
+        const auto* named = std::get_if<Entries>(&e.value.data);
         if (!named) set(own, e.key, e.value);
     }
-    for (const TomlEntry& e : Table(table))
-        if (const auto* named = std::get_if<Table>(&e.value.data)) {
-            Table whole = own;
+    for (const TomlEntry& e : Entries(table))
+        if (const auto* named = std::get_if<Entries>(&e.value.data)) {
+            Entries whole = own;
             merge(whole, *named);
             if (e.key == chosen) {
                 for (const TomlEntry& value : whole) set(table, value.key, value.value);
@@ -80,7 +80,7 @@ void set_camera(Table& root, const std::string& chosen, const CameraDescription&
     set(table, "fov", {.data = camera.fov_deg});
 }
 
-void set_render_options(Table& root, const RenderSettings& settings)
+void set_render_options(Entries& root, const RenderSettings& settings)
 {
     for (const RenderOption& option : render_options()) {
         if (!is_given(settings, option)) continue;
@@ -93,12 +93,12 @@ void set_render_options(Table& root, const RenderSettings& settings)
 }
 
 // --smooth is for meshes that say nothing of it.
-void set_smoothing(Table& root, const Smoothing& smoothing)
+void set_smoothing(Entries& root, const Smoothing& smoothing)
 {
     const bool off = smoothing.faces == Smoothing::Faces::none;
     const TomlValue value = off ? TomlValue{.data = std::string("off")} : TomlValue{.data = smoothing.largest_deg};
     for (TomlValue& mesh : std::get<TomlValue::Array>(entry(root, "mesh", {.data = TomlValue::Array{}}).data))
-        entry(std::get<Table>(mesh.data), "smooth", value);
+        entry(std::get<Entries>(mesh.data), "smooth", value);
 }
 
 fs::path folder_of(const std::string& file)
@@ -115,17 +115,17 @@ fs::path common_folder(const fs::path& a, const fs::path& b)
 }
 
 // Names a file of the tables of a list, which goes by `name` there, by its whole path.
-void name_wholly(Table& root, const std::string& list, const std::string& name, const std::string& file)
+void name_wholly(Entries& root, const std::string& list, const std::string& name, const std::string& file)
 {
     for (TomlValue& table : std::get<TomlValue::Array>(entry(root, list, {.data = TomlValue::Array{}}).data))
-        for (TomlEntry& e : std::get<Table>(table.data))
+        for (TomlEntry& e : std::get<Entries>(table.data))
             if (const auto* named = std::get_if<std::string>(&e.value.data); named && e.key == "file" && *named == name)
                 e.value.data = (folder_of(file) / fs::path(file).filename()).string();
 }
 
 // The picture of --env is named from the working folder, those of scene files from theirs. It and the bare mesh may
 // have no folder in common from which short names would lead to both.
-void name_environment(Table& root, const SceneChoice& choice)
+void name_environment(Entries& root, const SceneChoice& choice)
 {
     if (choice.env.empty()) return;
     name_wholly(root, "light", choice.env, choice.env);
@@ -147,9 +147,9 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
 {
     Diagnostics none;  // all of it has been read before
     TomlValue tree = scene_tree(choice.file, choice.definitions, none);
-    auto& root = std::get<Table>(tree.data);
+    auto& root = std::get<Entries>(tree.data);
     if (const std::optional<TomlValue> more = parse_toml(added, choice.file, none)) {
-        Table what = std::get<Table>(more->data);
+        Entries what = std::get<Entries>(more->data);
         for (const char* const known : {"version", "mesh", "camera"}) drop(what, known);
         merge(root, what);
     }

@@ -27,6 +27,10 @@ constexpr Color operator/(Color a, float s) { return {a.r / s, a.g / s, a.b / s}
 constexpr float luminance(Color c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
 constexpr double luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
 constexpr float max_component(Color c) { return std::max(c.r, std::max(c.g, c.b)); }
+// From a at t = 0 to b at t = 1: a itself where both are the same, and never below 0 for a, b >= 0 and t in [0, 1].
+constexpr float mix(float a, float b, float t) { return a + (b - a) * t; }
+constexpr double mix(double a, double b, double t) { return a + (b - a) * t; }
+constexpr Color mix(Color a, Color b, float t) { return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)}; }
 constexpr bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 inline bool is_finite(Color c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 

@@ -9,7 +9,7 @@
 namespace lancer {
 namespace {
 
-std::string to_text(double x)
+std::string digits_of(double x)
 {
     std::array<char, 32> digits{};
     return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
@@ -152,7 +152,7 @@ std::optional<double> TomlTable::number(const TomlValue& value, std::string_view
     const std::optional<double> x = as_number(value);
     if (x && std::isfinite(*x) && rule.holds(*x)) return x;
     std::string must = "a number, not " + kind_of(value);
-    if (x) must = (std::isfinite(*x) ? rule.text : "finite") + (", not " + to_text(*x));
+    if (x) must = (std::isfinite(*x) ? rule.text : "finite") + (", not " + digits_of(*x));
     error(problems_->where(value), name(key) + " must be " + must);
     return {};
 }
@@ -167,7 +167,7 @@ std::optional<double> TomlTable::number(std::string_view key, double low, double
 {
     const std::optional<double> x = number(key, any_number);
     if (!x || (*x >= low && *x <= high)) return x;
-    error(key, " must be from " + to_text(low) + " to " + to_text(high) + ", not " + to_text(*x));
+    error(key, " must be from " + digits_of(low) + " to " + digits_of(high) + ", not " + digits_of(*x));
     return {};
 }
 

@@ -9,19 +9,19 @@ namespace {
 // Layers, or whole names of channels. Nuke splits a name at its first dot and knows Z as its depth. Blender's names are
 // those of its passes. It takes them as passes of a layer without a name, beside R, G and B as the combined picture;
 // with a layer before them it would see that picture alone.
-struct Row {
+struct AovNames {
     std::string_view lancer, nuke, blender;
 };
 constexpr std::array rows{
-    Row{"normal", "N", "Normal"},
-    Row{"position", "P", "Position"},
-    Row{"depth", "distance", "distance"},
-    Row{"Z", "Z", "Depth.Z"},
-    Row{"uv", "UV", "UV"},
-    Row{"flat", "flat", "DiffCol"},
-    Row{"emission", "emission", "Emit"},
-    Row{"oidn.albedo", "oidn_albedo", "Denoising Albedo"},
-    Row{"oidn.normal", "oidn_normal", "Denoising Normal"},
+    AovNames{"normal", "N", "Normal"},
+    AovNames{"position", "P", "Position"},
+    AovNames{"depth", "distance", "distance"},
+    AovNames{"Z", "Z", "Depth.Z"},
+    AovNames{"uv", "UV", "UV"},
+    AovNames{"flat", "flat", "DiffCol"},
+    AovNames{"emission", "emission", "Emit"},
+    AovNames{"oidn.albedo", "oidn_albedo", "Denoising Albedo"},
+    AovNames{"oidn.normal", "oidn_normal", "Denoising Normal"},
 };
 
 }  // namespace
@@ -31,7 +31,7 @@ std::string layer_name(const std::string& channel, LayerNames names)
     if (names == LayerNames::lancer) return channel;
     const size_t dot = channel.rfind('.');
     const std::string layer = channel.substr(0, dot), suffix = dot == std::string::npos ? "" : channel.substr(dot);
-    for (const Row& row : rows)
+    for (const AovNames& row : rows)
         if (layer == row.lancer) return std::string(names == LayerNames::nuke ? row.nuke : row.blender) + suffix;
     constexpr std::string_view group = "light.";
     if (!layer.starts_with(group)) return channel;

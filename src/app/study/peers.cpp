@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 // Exit codes of the script, besides those of this program.
 constexpr int exit_not_installed = 69;
 // Peers take seeds below 2^31: those of their references are far from those of runs.
-constexpr uint64_t first_reference_seed = uint64_t{1} << 30;
+constexpr uint64_t first_peer_reference_seed = uint64_t{1} << 30;
 constexpr uint32_t first_probe = 4;
 
 // The first line of an error message.
@@ -216,7 +216,7 @@ void PeerMethod::draw_own_reference(const StudyPlan::Scene& scene, const Referen
         Order order{.name = work_.file("references/" + scene.name + "-" + reference.hash + "." + method_.name + "." +
                                        std::to_string(i + 1)),
                     .samples = {method_.own_reference_spp},
-                    .seed = first_reference_seed + i};
+                    .seed = first_peer_reference_seed + i};
         drawn.files[i] = picture(order.name, method_.own_reference_spp);
         const std::string key = key_of(reference, on, order);
         if (!is_done(drawn.files[i], key)) {

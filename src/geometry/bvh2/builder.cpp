@@ -16,7 +16,7 @@ using Pair = BinaryTree::Pair;
 constexpr uint32_t chunk_size = 1 << 13;  // primitives that one step of a parallel loop handles
 
 // A range of primitives with its bounds.
-struct Bounds {
+struct PartBounds {
     BoxLanes box, centers;
 
     void grow(const BoxedPrimitive& p)
@@ -24,7 +24,7 @@ struct Bounds {
         box.grow(p.box);
         centers.grow(p.center());
     }
-    void grow(const Bounds& b)
+    void grow(const PartBounds& b)
     {
         box.grow(b.box);
         centers.grow(b.centers);
@@ -32,7 +32,7 @@ struct Bounds {
 };
 struct Range {
     uint32_t begin, end, depth;
-    Bounds bounds;
+    PartBounds bounds;
 
     uint32_t size() const { return end - begin; }
 };
@@ -172,7 +172,7 @@ public:
         const auto count = static_cast<uint32_t>(items_.size());
         if (count == 0) return built;
         Range whole{0, count, 0, {}};
-        whole.bounds = over_chunks<Bounds>(whole, [&](uint32_t begin, uint32_t end, Bounds& b) {
+        whole.bounds = over_chunks<PartBounds>(whole, [&](uint32_t begin, uint32_t end, PartBounds& b) {
             for (uint32_t i = begin; i < end; ++i) b.grow(items_[i]);
         });
         // Large nodes are split one after the other with all threads; smaller ones become tasks of one thread each.
@@ -261,7 +261,7 @@ private:
     {
         struct Part {
             uint32_t left = 0;
-            Bounds bounds[2];
+            PartBounds bounds[2];
         };
         std::vector<Part> parts((r.size() + chunk_size - 1) / chunk_size);
         const auto each_chunk = [&](const auto& f) {

@@ -18,7 +18,7 @@ constexpr float least_overlap = 1e-4f, least_own_overlap = 0.1f;
 constexpr float least_gain = 0.99f;  // a spatial split costs no more than this, over the object split
 // Sampling of references: every n-th reference decides whether a spatial split is worth testing for all. Boxes of a
 // sample are not larger than those of all, so it is mostly optimistic. Every eighth would miss splits that pay off.
-constexpr size_t many = 1 << 12, sample = 4;
+constexpr size_t many_references = 1 << 12, sample = 4;
 constexpr size_t chunk = 1 << 14;         // references that one thread looks at at a time
 constexpr size_t subtree_size = 1 << 12;  // references that one thread goes on with alone
 
@@ -121,7 +121,7 @@ private:
     // Divides by the best spatial split if it costs less than `cost`.
     std::optional<Halves> divide_space(const Range& r, const Box4& box, float cost)
     {
-        if (r.size() >= many && !promises_less(r, box, cost)) return {};
+        if (r.size() >= many_references && !promises_less(r, box, cost)) return {};
         SpaceBins bins(box);
         gather(r, bins, [&](auto& to, const Reference& x) { to.add(tree_.triangles, x); });
         const Division best = bins.best(cost, r.size(), r.room());
@@ -193,7 +193,7 @@ SplitTree build_split_tree(const TriangleSet& triangles)
 {
     const size_t n = triangles.size();
     const auto capacity = static_cast<size_t>(static_cast<double>(n) * (1 + duplicates)) + 1;
-    if (capacity >= size_t{1} << 31) throw Error(ErrorKind::failed, {}, "too many triangles for one tree");
+    if (capacity >= size_t{1} << 31) throw Error(ErrorKind::failed, {}, "too many_references triangles for one tree");
     SplitTree tree(triangles);
     RawArray<Reference> references(capacity);
     const size_t parts = (n + chunk - 1) / chunk;

@@ -41,24 +41,24 @@ std::vector<Layer> layers_of(const std::vector<std::string>& channels)
     return layers;
 }
 
-enum Kind { color, luminance, other, none };
+enum class LayerKind { color, luminance, other, none };
 
 // Fills `found`, but for its part.
-Kind read_layer(const Layer& layer, ExrChannels& found)
+LayerKind read_layer(const Layer& layer, ExrChannels& found)
 {
     found.alpha = layer.find("A");
     if (layer.has("R") && layer.has("G") && layer.has("B")) {
         found.colors = {layer.find("R"), layer.find("G"), layer.find("B")};
-        return color;
+        return LayerKind::color;
     }
-    if (layer.has("RY") || layer.has("BY")) return none;
+    if (layer.has("RY") || layer.has("BY")) return LayerKind::none;
     if (layer.has("Y") && !layer.has("X")) {
         found.colors = {layer.find("Y")};
-        return luminance;
+        return LayerKind::luminance;
     }
     std::vector<std::string> rest = layer.channels;
     if (rest.size() > 1) rest.erase(std::remove(rest.begin(), rest.end(), found.alpha), rest.end());
-    if (rest.empty() || rest.size() > 3) return none;
+    if (rest.empty() || rest.size() > 3) return LayerKind::none;
     if (rest.size() == 1) {
         if (rest[0] == found.alpha) found.alpha.clear();
     } else if (rest.size() == 2 && layer.has("R") + layer.has("G") + layer.has("B") == 2) {
@@ -66,15 +66,15 @@ Kind read_layer(const Layer& layer, ExrChannels& found)
     }
     if (rest.size() == 2) rest.emplace_back();
     found.colors = rest;
-    return other;
+    return LayerKind::other;
 }
 
 // The lower, the earlier.
-int rank_of(Kind kind, const std::string& layer)
+int rank_of(LayerKind kind, const std::string& layer)
 {
     const std::string last = in_capitals(layer.substr(layer.rfind('.') + 1));
     const bool is_whole = last == "COMBINED" || last == "BEAUTY" || last == "RGBA";
-    return 3 * kind + (layer.empty() ? 0 : is_whole ? 1 : 2);
+    return 3 * static_cast<int>(kind) + (layer.empty() ? 0 : is_whole ? 1 : 2);
 }
 
 }  // namespace
@@ -86,9 +86,9 @@ std::optional<ExrChannels> choose_exr_channels(const std::vector<std::vector<std
     for (size_t part = 0; part < parts.size(); ++part)
         for (const Layer& layer : layers_of(parts[part])) {
             ExrChannels found{.part = part, .colors = {}};
-            const Kind kind = read_layer(layer, found);
+            const LayerKind kind = read_layer(layer, found);
             const int rank = rank_of(kind, layer.name);
-            if (kind == none || (best && rank >= best_rank)) continue;
+            if (kind == LayerKind::none || (best && rank >= best_rank)) continue;
             best = std::move(found);
             best_rank = rank;
         }

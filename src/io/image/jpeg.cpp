@@ -14,23 +14,23 @@
 namespace lancer {
 namespace {
 
-struct Reader {
+struct JpegReader {
     jpeg_error_mgr errors;  // first: libjpeg hands out its address
     std::jmp_buf out;
     std::array<char, JMSG_LENGTH_MAX> message = {};  // of the first error or warning
     jpeg_decompress_struct jpeg = {};
 
-    Reader();
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
-    ~Reader() { jpeg_destroy_decompress(&jpeg); }
+    JpegReader();
+    JpegReader(const JpegReader&) = delete;
+    JpegReader& operator=(const JpegReader&) = delete;
+    ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
 };
 
-Reader& reader_of(j_common_ptr jpeg) { return *reinterpret_cast<Reader*>(jpeg->err); }
+JpegReader& reader_of(j_common_ptr jpeg) { return *reinterpret_cast<JpegReader*>(jpeg->err); }
 
-[[noreturn]] void on_error(j_common_ptr jpeg)
+[[noreturn]] void stop_reading(j_common_ptr jpeg)
 {
-    Reader& r = reader_of(jpeg);
+    JpegReader& r = reader_of(jpeg);
     if (r.message[0] == 0) r.errors.format_message(jpeg, r.message.data());
     std::longjmp(r.out, 1);
 }
@@ -39,21 +39,21 @@ Reader& reader_of(j_common_ptr jpeg) { return *reinterpret_cast<Reader*>(jpeg->e
 // traces.
 void on_message(j_common_ptr jpeg, int level)
 {
-    Reader& r = reader_of(jpeg);
+    JpegReader& r = reader_of(jpeg);
     if (level >= 0) return;
     ++r.errors.num_warnings;
     if (r.message[0] == 0) r.errors.format_message(jpeg, r.message.data());
 }
 
-Reader::Reader()
+JpegReader::JpegReader()
 {
     jpeg.err = jpeg_std_error(&errors);
-    errors.error_exit = on_error;
+    errors.error_exit = stop_reading;
     errors.emit_message = on_message;
 }
 
 // Each false after an error; what it is stands in the message.
-bool read_header(Reader& r, const std::vector<unsigned char>& bytes)
+bool read_header(JpegReader& r, const std::vector<unsigned char>& bytes)
 {
     if (setjmp(r.out)) return false;
     jpeg_create_decompress(&r.jpeg);
@@ -61,7 +61,7 @@ bool read_header(Reader& r, const std::vector<unsigned char>& bytes)
     jpeg_read_header(&r.jpeg, TRUE);
     return true;
 }
-bool read_comments(Reader& r, const std::vector<unsigned char>& bytes)
+bool read_comments(JpegReader& r, const std::vector<unsigned char>& bytes)
 {
     if (setjmp(r.out)) return false;
     jpeg_create_decompress(&r.jpeg);
@@ -70,24 +70,24 @@ bool read_comments(Reader& r, const std::vector<unsigned char>& bytes)
     jpeg_read_header(&r.jpeg, TRUE);
     return true;
 }
-bool start(Reader& r)
+bool start(JpegReader& r)
 {
     if (setjmp(r.out)) return false;
     jpeg_start_decompress(&r.jpeg);
     return true;
 }
-bool read_row(Reader& r, unsigned char* row)
+bool read_row(JpegReader& r, unsigned char* row)
 {
     if (setjmp(r.out)) return false;
     return jpeg_read_scanlines(&r.jpeg, &row, 1) == 1;
 }
-bool finish(Reader& r)
+bool finish(JpegReader& r)
 {
     if (setjmp(r.out)) return false;
     return jpeg_finish_decompress(&r.jpeg) == TRUE;
 }
 
-Error broken(const InputFile& file, const Reader& r)
+Error broken(const InputFile& file, const JpegReader& r)
 {
     return file.invalid("not a valid jpeg file: " + std::string(r.message[0] ? r.message.data() : "damaged"));
 }
@@ -104,7 +104,7 @@ std::vector<unsigned char> read_all(InputFile& file)
 
 Metadata read_jpeg_metadata(InputFile& file)
 {
-    Reader r;
+    JpegReader r;
     if (!read_comments(r, read_all(file))) throw broken(file, r);
     Metadata metadata;
     for (const jpeg_marker_struct* m = r.jpeg.marker_list; m; m = m->next) {
@@ -118,7 +118,7 @@ Metadata read_jpeg_metadata(InputFile& file)
 
 std::optional<Raster> read_jpeg(InputFile& file)
 {
-    Reader r;
+    JpegReader r;
     const std::vector<unsigned char> stored = read_all(file);
     if (!read_header(r, stored)) throw broken(file, r);
     if (r.jpeg.num_components != 1 && r.jpeg.num_components != 3) return {};

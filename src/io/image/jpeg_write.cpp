@@ -16,7 +16,7 @@
 namespace lancer {
 namespace {
 
-struct Writer {
+struct JpegWriter {
     jpeg_error_mgr errors;  // first: libjpeg hands out its address
     std::jmp_buf out;
     std::array<char, JMSG_LENGTH_MAX> message = {};
@@ -24,27 +24,27 @@ struct Writer {
     unsigned char* bytes = nullptr;  // the file, from malloc
     unsigned long size = 0;
 
-    Writer();
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-    ~Writer()
+    JpegWriter();
+    JpegWriter(const JpegWriter&) = delete;
+    JpegWriter& operator=(const JpegWriter&) = delete;
+    ~JpegWriter()
     {
         jpeg_destroy_compress(&jpeg);
         std::free(bytes);
     }
 };
 
-[[noreturn]] void on_error(j_common_ptr jpeg)
+[[noreturn]] void stop_writing(j_common_ptr jpeg)
 {
-    Writer& w = *reinterpret_cast<Writer*>(jpeg->err);
+    JpegWriter& w = *reinterpret_cast<JpegWriter*>(jpeg->err);
     w.errors.format_message(jpeg, w.message.data());
     std::longjmp(w.out, 1);
 }
 
-Writer::Writer()
+JpegWriter::JpegWriter()
 {
     jpeg.err = jpeg_std_error(&errors);
-    errors.error_exit = on_error;
+    errors.error_exit = stop_writing;
     errors.emit_message = [](j_common_ptr, int) {};
 }
 
@@ -54,7 +54,7 @@ struct Comment {
 };
 
 // rows: three bytes for each pixel. False after an error; what it is stands in the message.
-bool encode(Writer& w, const Window& data, int quality, const Comment* comments, size_t count,
+bool encode(JpegWriter& w, const Window& data, int quality, const Comment* comments, size_t count,
             const unsigned char* rows)
 {
     if (setjmp(w.out)) return false;
@@ -94,7 +94,7 @@ void write_jpeg(AtomicFile& file, const Image& image, const Metadata& metadata, 
     for (const std::string& text : texts)
         comments.push_back({reinterpret_cast<const unsigned char*>(text.data()), static_cast<unsigned>(text.size())});
     const std::vector<uint8_t> bytes = to_bytes(image, options);
-    Writer writer;
+    JpegWriter writer;
     if (!encode(writer, image.data, quality, comments.data(), comments.size(), bytes.data()))
         throw Error(ErrorKind::failed, {file.path()}, std::string("cannot write: ") + writer.message.data());
     file.write(writer.bytes, writer.size);

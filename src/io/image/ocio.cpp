@@ -9,19 +9,19 @@
 namespace lancer {
 namespace {
 
-struct Module {
+struct OcioModule {
     decltype(&lancer_ocio_open) open;
     decltype(&lancer_ocio_apply) apply;
     decltype(&lancer_ocio_close) close;
 };
 
-Module load_module()
+OcioModule load_ocio()
 {
     void* const library =
         open_module("lancer_ocio", lancer_ocio_current_version,
                     "which draws pictures by views of OpenColorIO, is missing; build the target lancer_ocio (it needs "
                     "libopencolorio-dev) or leave --ocio out");
-    Module m = {};
+    OcioModule m = {};
     find_symbol(library, "lancer_ocio_open", m.open);
     find_symbol(library, "lancer_ocio_apply", m.apply);
     find_symbol(library, "lancer_ocio_close", m.close);
@@ -32,7 +32,7 @@ Module load_module()
 
 OcioView open_ocio(const OcioChoice& choice)
 {
-    static const Module module = load_module();
+    static const OcioModule module = load_ocio();
     LancerOcioInfo info = {};
     LancerOcioView* const opened =
         module.open(choice.config.c_str(), choice.display.c_str(), choice.view.c_str(), &info);

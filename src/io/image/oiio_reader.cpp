@@ -14,19 +14,19 @@
 namespace lancer {
 namespace {
 
-struct Module {
+struct OiioModule {
     decltype(&lancer_oiio_open) open;
     decltype(&lancer_oiio_read_rows) read_rows;
     decltype(&lancer_oiio_close) close;
 };
 
-Module load_module()
+OiioModule load_oiio()
 {
     void* const library =
         open_module("lancer_oiio", lancer_oiio_current_version,
                     "which reads pictures other than EXR, PNG, JPEG and TGA, is missing; build the target lancer_oiio "
                     "(it needs libopenimageio-dev) or convert the pictures");
-    Module m = {};
+    OiioModule m = {};
     find_symbol(library, "lancer_oiio_open", m.open);
     find_symbol(library, "lancer_oiio_read_rows", m.read_rows);
     find_symbol(library, "lancer_oiio_close", m.close);
@@ -52,7 +52,7 @@ bool read_rows(std::vector<Value>& values, const LancerOiioInfo& info, const Rea
 // An open file, with what it says of its picture.
 struct OpenPicture {
     LancerOiioInfo info = {};
-    std::unique_ptr<LancerOiioPicture, decltype(Module::close)> picture{nullptr, nullptr};
+    std::unique_ptr<LancerOiioPicture, decltype(OiioModule::close)> picture{nullptr, nullptr};
 };
 
 Error broken(const InputFile& file, const std::string& format, const LancerOiioInfo& info)
@@ -60,9 +60,9 @@ Error broken(const InputFile& file, const std::string& format, const LancerOiioI
     return file.invalid("not a valid " + format + " file: " + info.message);
 }
 
-const Module& module()
+const OiioModule& module()
 {
-    static const Module loaded = load_module();  // a failure is tried again next time
+    static const OiioModule loaded = load_oiio();  // a failure is tried again next time
     return loaded;
 }
 

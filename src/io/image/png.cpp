@@ -55,22 +55,22 @@ void on_read(png_structp png, png_bytep bytes, size_t count)
     if (context_of(png).in->read(bytes, count) != count) png_error(png, "the file ends too early");
 }
 
-struct Writer {
+struct PngWriter {
     Context context;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &context, on_error, on_warning);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
-    Writer() = default;
-    Writer(const Writer&) = delete;
-    ~Writer() { png_destroy_write_struct(&png, &info); }
+    PngWriter() = default;
+    PngWriter(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
 };
 
-struct Reader {
+struct PngReader {
     Context context;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &context, on_error, on_warning);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
-    Reader() = default;
-    Reader(const Reader&) = delete;
-    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader() = default;
+    PngReader(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 // What the code values mean.
@@ -226,7 +226,7 @@ void write_png(AtomicFile& file, const Image& image, const Metadata& metadata, c
     const PngCodes codes = options.curve                      ? PngCodes::unknown
                            : options.tonemap == ToneMap::none ? PngCodes::linear
                                                               : PngCodes::srgb;
-    Writer writer;
+    PngWriter writer;
     writer.context.out = &file;
     if (!writer.info) throw Error(ErrorKind::failed, {file.path()}, "cannot write: not enough memory");
     const bool done =
@@ -246,7 +246,7 @@ void write_png(const std::string& path, const Image& image, const Metadata& meta
 namespace {
 
 // Throws for what is no PNG, is too large, or cannot be as large as it says.
-Layout read_layout(Reader& reader, InputFile& file)
+Layout read_layout(PngReader& reader, InputFile& file)
 {
     reader.context.in = &file;
     if (!reader.info) throw Error(ErrorKind::failed, {file.path()}, "not enough memory to read the picture");
@@ -270,7 +270,7 @@ Layout read_layout(Reader& reader, InputFile& file)
 RasterHeader read_png_raster_header(const std::string& path)
 {
     InputFile file(path);
-    Reader reader;
+    PngReader reader;
     const Layout layout = read_layout(reader, file);
     const bool is_bytes = layout.depth == 8;
     return {.width = layout.width,
@@ -284,7 +284,7 @@ RasterHeader read_png_raster_header(const std::string& path)
 Raster read_png_raster(const std::string& path)
 {
     InputFile file(path);
-    Reader reader;
+    PngReader reader;
     const Layout layout = read_layout(reader, file);
     std::vector<uint8_t> bytes(layout.row_bytes * layout.height);
     std::vector<png_bytep> rows = row_pointers(bytes, layout.row_bytes, layout.height);
@@ -315,7 +315,7 @@ PngInfo read_png_info(const std::string& path)
 {
     InputFile file(path);
     check_chunks(file);
-    Reader reader;
+    PngReader reader;
     reader.context.in = &file;
     if (!reader.info) throw Error(ErrorKind::failed, {path}, "not enough memory to read the picture");
     if (!decode_info(reader.png, reader.info))

@@ -12,7 +12,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "packets are little-endian");
 static_assert(sizeof(Color) == 3 * sizeof(float), "pixels go out as they stand in memory");
 
-constexpr std::array<std::string_view, 3> channels{"R", "G", "B"};
+constexpr std::array<std::string_view, 3> channel_names{"R", "G", "B"};
 
 enum class Operation : uint8_t { create_image = 4, update_image = 6 };
 
@@ -36,8 +36,8 @@ public:
     }
     void put_channels()
     {
-        put(static_cast<int32_t>(channels.size()));
-        for (const std::string_view channel : channels) put_text(channel);
+        put(static_cast<int32_t>(channel_names.size()));
+        for (const std::string_view channel : channel_names) put_text(channel);
     }
     void append(const void* data, size_t count)
     {
@@ -83,8 +83,8 @@ std::string DisplayServer::update(const Window& where, std::span<const Color> pi
     packet.put_text(name_);
     packet.put_channels();
     for (const int32_t x : {where.x0, where.y0, where.width(), where.height()}) packet.put(x);
-    for (size_t c = 0; c < channels.size(); ++c) packet.put(static_cast<int64_t>(c));
-    for (size_t c = 0; c < channels.size(); ++c) packet.put(static_cast<int64_t>(channels.size()));
+    for (size_t c = 0; c < channel_names.size(); ++c) packet.put(static_cast<int64_t>(c));
+    for (size_t c = 0; c < channel_names.size(); ++c) packet.put(static_cast<int64_t>(channel_names.size()));
     packet.append(pixels.data(), pixels.size_bytes());
     return packet.send(connection_, limit_);
 }

@@ -4,34 +4,20 @@
 #include <array>
 #include <limits>
 
+#include "io/obj/repeated_warning.h"
 #include "io/text_file.h"
 
 namespace lancer {
-namespace {
-
-// A warning and where it is due first.
-struct Tally {
-    const char* message;
-    uint32_t line = 0;
-    uint64_t count = 0;
-
-    void add(uint32_t at)
-    {
-        if (count++ == 0) line = at;
-    }
-};
-
-}  // namespace
 
 std::vector<Color> read_vertex_colors(std::string_view text, const std::string& file, Diagnostics& diagnostics)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     constexpr Color unknown{-infinity, -infinity, -infinity};  // becomes white
     std::vector<Color> colors;
-    Tally none{"vertex without a colour among such that have one: white is taken"};
-    Tally broken{"vertex colour is not finite numbers: white is taken"};
-    Tally above{"vertex colour above 1: all colours are divided by 255"};
-    Tally outside{"vertex colour outside of its range cut off"};
+    RepeatedWarning none{"vertex without a colour among such that have one: white is taken"};
+    RepeatedWarning broken{"vertex colour is not finite numbers: white is taken"};
+    RepeatedWarning above{"vertex colour above 1: all colours are divided by 255"};
+    RepeatedWarning outside{"vertex colour outside of its range cut off"};
     TextLines lines(text);
     while (lines.next()) {
         std::string_view rest = lines.line();
@@ -66,8 +52,7 @@ std::vector<Color> read_vertex_colors(std::string_view text, const std::string& 
         const auto part = [&](float x) { return std::clamp(x / most, 0.0f, 1.0f); };
         c = {part(c.r), part(c.g), part(c.b)};
     }
-    for (const Tally* t : {&none, &broken, &above, &outside})
-        if (t->count) diagnostics.warning({file, t->line, 0}, t->message, t->count);
+    for (const RepeatedWarning* w : {&none, &broken, &above, &outside}) w->give(file, diagnostics);
     return colors;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/names.h"
 #include "io/obj/corner.h"
+#include "io/obj/repeated_warning.h"
 
 namespace lancer {
 namespace {
@@ -17,13 +18,6 @@ std::string_view without_comment(std::string_view s)
     while (at != std::string_view::npos && at > 0 && s[at - 1] == '.') at = s.find('#', at + 1);
     return trim(s.substr(0, at));
 }
-
-// The same warning of many lines.
-struct Tally {
-    const char* message;
-    uint32_t line = 0;
-    uint64_t count = 0;
-};
 
 class Scanner {
 public:
@@ -43,17 +37,13 @@ private:
     void check_line(const ObjStatementText& statement);
     void check_vertex(std::string_view arguments);
     bool check_numbers(std::string_view& arguments);
-    bool check_attribute(std::string_view digits, Kind& kind, Tally& none);
+    bool check_attribute(std::string_view digits, Kind& kind, RepeatedWarning& none);
     void check_face(std::string_view corners);
     bool check_corner(std::string_view corner);
     bool check_index(std::string_view digits, Kind& kind);
     void use_material(std::string_view name);
     void add_library(std::string_view names);
     void check_limits();
-    void count(Tally& tally)
-    {
-        if (tally.count++ == 0) tally.line = line_;
-    }
     bool error(const std::string& message)
     {
         diagnostics_.error({file_, line_, 0}, message);
@@ -71,12 +61,12 @@ private:
     Kind vertex_{"face index ", "vertex", "vertices"};
     Kind texcoord_{"face texture index ", "texture coordinate", "texture coordinates"};
     Kind normal_{"face normal index ", "normal", "normals"};
-    Tally unknown_{"statement of an unknown kind ignored"};
-    Tally skipped_{"line or point ignored"};
-    Tally short_{"face with fewer than 3 corners dropped"};
-    Tally no_texcoord_{"texture index ignored: the file has no vt"};
-    Tally no_normal_{"normal index ignored: the file has no vn"};
-    Tally zero_index_{"index 0 of a texture coordinate or normal ignored"};
+    RepeatedWarning unknown_{"statement of an unknown kind ignored"};
+    RepeatedWarning skipped_{"line or point ignored"};
+    RepeatedWarning short_{"face with fewer than 3 corners dropped"};
+    RepeatedWarning no_texcoord_{"texture index ignored: the file has no vt"};
+    RepeatedWarning no_normal_{"normal index ignored: the file has no vn"};
+    RepeatedWarning zero_index_{"index 0 of a texture coordinate or normal ignored"};
 };
 
 std::optional<ObjSummary> Scanner::scan()
@@ -90,8 +80,8 @@ std::optional<ObjSummary> Scanner::scan()
     }
     line_ = 0;
     if (errors_ == 0) check_limits();
-    for (const Tally* t : {&unknown_, &skipped_, &short_, &no_texcoord_, &no_normal_, &zero_index_})
-        if (t->count) diagnostics_.warning({file_, t->line, 0}, t->message, t->count);
+    for (const RepeatedWarning* w : {&unknown_, &skipped_, &short_, &no_texcoord_, &no_normal_, &zero_index_})
+        w->give(file_, diagnostics_);
     if (errors_) return {};
     return std::move(summary_);
 }
@@ -135,9 +125,9 @@ void Scanner::check_line(const ObjStatementText& statement)
             summary_.smoothing_groups = summary_.smoothing_groups || smoothing_group(statement.arguments) != 0;
             return;
         case ObjStatement::line_or_point:
-            return count(skipped_);
+            return skipped_.add(line_);
         case ObjStatement::unknown:
-            return count(unknown_);
+            return unknown_.add(line_);
         case ObjStatement::ignored:
             return;
     }
@@ -172,7 +162,7 @@ void Scanner::check_face(std::string_view corners)
     for (std::string_view word = take_word(corners); !word.empty(); word = take_word(corners), ++n)
         if (!check_corner(word)) return;
     if (n > 0) ++summary_.faces;
-    if (n < 3) return count(short_);
+    if (n < 3) return short_.add(line_);
     if (n > limits_.corners_of_face)
         error("a face with " + std::to_string(n) + " corners; at most " + std::to_string(limits_.corners_of_face) +
               " are supported");
@@ -192,11 +182,11 @@ bool Scanner::check_corner(std::string_view corner)
 }
 
 // What a corner may do without is ignored where there is nothing that it could refer to.
-bool Scanner::check_attribute(std::string_view digits, Kind& kind, Tally& none)
+bool Scanner::check_attribute(std::string_view digits, Kind& kind, RepeatedWarning& none)
 {
     if (digits.empty()) return true;
     if (refers(digits, kind.all)) return check_index(digits, kind);
-    count(is_zero(digits) ? zero_index_ : none);
+    (is_zero(digits) ? zero_index_ : none).add(line_);
     return true;
 }
 

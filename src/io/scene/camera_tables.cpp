@@ -31,7 +31,7 @@ void check_view(const CameraDescription& camera, const TomlTable& table)
 }
 
 // The keys that only some types of camera have.
-const std::vector<TypedKey> typed_keys{{"aperture", {"thin_lens"}}, {"focus", {"thin_lens"}}};
+const std::vector<TypedKey> lens_keys{{"aperture", {"thin_lens"}}, {"focus", {"thin_lens"}}};
 
 CameraDescription read_camera(const TomlTable& table, const CameraDescription& base)
 {
@@ -40,7 +40,7 @@ CameraDescription read_camera(const TomlTable& table, const CameraDescription& b
     const NameList types{enum_names<CameraType>.begin(), enum_names<CameraType>.end()};
     if (const std::optional<size_t> type = table.choice("type", types, static_cast<size_t>(base.type))) {
         camera.type = static_cast<CameraType>(*type);
-        table.reject_keys_of_other_types(types[*type], typed_keys);
+        table.reject_keys_of_other_types(types[*type], lens_keys);
     }
     const std::optional<Vec3d> position = table.vector("position"), target = table.vector("target");
     camera.position = position.value_or(camera.position);

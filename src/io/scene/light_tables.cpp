@@ -14,7 +14,7 @@ NameList names_of(const std::vector<LightType>& types)
 }
 
 // Every key but the type, with the types of light that have it.
-std::vector<TypedKey> typed_keys()
+std::vector<TypedKey> keys_of_lights()
 {
     std::vector<TypedKey> keys;
     for_each_light_parameter([&](const auto& row) { keys.push_back({row.key, names_of(row.types)}); });
@@ -57,7 +57,7 @@ void read_picture(const TomlTable& table, const AssetFolder& assets, LightDescri
 LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
 {
     const NameList types{enum_names<LightType>.begin(), enum_names<LightType>.end()};
-    const std::vector<TypedKey> keys = typed_keys();
+    const std::vector<TypedKey> keys = keys_of_lights();
     NameList known{"type"};
     for (const TypedKey& k : keys) known.push_back(k.key);
     known.push_back("group");

@@ -15,7 +15,7 @@ namespace {
 NameList names_of_types() { return {enum_names<MaterialType>.begin(), enum_names<MaterialType>.end()}; }
 
 // The keys that only some types have, those of their textures included.
-const std::vector<TypedKey>& typed_keys()
+const std::vector<TypedKey>& keys_of_materials()
 {
     static const std::vector<TypedKey> all = [] {
         std::vector<TypedKey> keys;
@@ -133,7 +133,7 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
 {
     NameList known = also;
     known.push_back("type");
-    for (const TypedKey& k : typed_keys()) known.push_back(k.key);
+    for (const TypedKey& k : keys_of_materials()) known.push_back(k.key);
     for_each_material_parameter([&](const auto& row) {
         if (!types_with(row.key).empty()) return;
         known.push_back(row.key);
@@ -149,7 +149,7 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
     }
     if (keys.type) {
         const std::string_view type = name_of(*keys.type);
-        table.reject_keys_of_other_types(type, typed_keys());
+        table.reject_keys_of_other_types(type, keys_of_materials());
         for_each_material_parameter([&](const auto& row) {
             if (row.range == ParameterRange::name && has_parameter(*keys.type, row.key)) table.require(row.key, type);
         });

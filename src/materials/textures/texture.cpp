@@ -35,10 +35,6 @@ Between between(double x, uint32_t n, Wrap wrap)
             .t = static_cast<float>(place - cell)};
 }
 
-// Exact for equal numbers.
-float mix(float a, float b, float t) { return a + (b - a) * t; }
-Color mix(Color a, Color b, float t) { return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)}; }
-
 struct Bytes {
     using Value = uint8_t;
     const float* decode;

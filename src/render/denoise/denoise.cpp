@@ -10,9 +10,8 @@
 #include "render/denoise/outliers.h"
 
 namespace lancer {
+namespace denoise {
 namespace {
-
-using namespace denoise;
 
 // The mean of planes of both halves.
 Plane mean_of(const Plane& a, const Plane& b, float part_of_b)
@@ -84,9 +83,11 @@ void finish_channel(const Halves& halves, const FilteredHalves& filtered, const 
 }
 
 }  // namespace
+}  // namespace denoise
 
 Denoised denoise_picture(const DenoiseInput& input)
 {
+    using namespace denoise;
     if (input.width == 0 || input.height == 0) return {};
     Halves halves = load_halves(input);
     spread_outliers(halves);

@@ -18,7 +18,7 @@ struct Sight {
 };
 
 // Ways of less weight, and longer ones, end at the mirror or glass that they have reached.
-constexpr float least_weight = 0.1f;
+constexpr float least_weight_followed = 0.1f;
 constexpr uint32_t most_surfaces = 12;
 
 class Sights {
@@ -33,7 +33,7 @@ public:
     {
         const ShadingPoint point = scene_.shading_point(surface);
         const bool is_mix = !scene_.mix_of.empty() && scene_.mix_of[surface.material] != Scene::none;
-        const bool goes_on = !is_mix && sight.surfaces < most_surfaces && sight.weight >= least_weight &&
+        const bool goes_on = !is_mix && sight.surfaces < most_surfaces && sight.weight >= least_weight_followed &&
                              std::visit([&](const auto& m) { return follow(sight, surface, m.at(point)); },
                                         scene_.materials[surface.material]);
         if (goes_on) return;

@@ -8,7 +8,6 @@
 namespace lancer::denoise {
 namespace {
 
-constexpr int lanes = int{float_lanes};
 constexpr int radius = 9, side = 2 * radius + 1;  // of the window
 constexpr int patch_radius = 3;
 constexpr int group_width = 2 * lanes;  // pixels: eight fits, two pixels apart

@@ -5,8 +5,6 @@
 namespace lancer::denoise {
 namespace {
 
-constexpr int lanes = int{float_lanes};
-
 // The sums of weights and of weighted values of a part, which one thread fills.
 class WeightedSums {
 public:

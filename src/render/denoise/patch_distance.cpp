@@ -7,8 +7,6 @@
 namespace lancer::denoise {
 namespace {
 
-constexpr int lanes = int{float_lanes};
-
 // A part of the unit of variance that keeps divisions by 0 away: planes are scaled to numbers about 1.
 constexpr float rounding = 1e-7f;
 constexpr float farthest = 1e4f;  // a larger distance counts as this: beyond it no weight is left

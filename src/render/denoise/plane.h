@@ -5,7 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "core/lanes/types.h"
+
 namespace lancer::denoise {
+
+inline constexpr int lanes = int{float_lanes};  // pixels of a row that are computed at once
 
 class Plane {
 public:

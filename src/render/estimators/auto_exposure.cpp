@@ -9,7 +9,6 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t spp = 32;
 constexpr double middle = 0.21, middle_albedo = 0.4;  // the luminance that a median base colour gets
 constexpr double adaptation = 0.4;                    // the power of base colours with which it goes
 
@@ -65,7 +64,7 @@ double smoothed_luminance(const SmallPicture& picture, const std::vector<double>
 
 float auto_exposure(const Renderer& renderer, const CameraDescription& view, PictureSize size, PixelGrid grid)
 {
-    const SmallPicture picture(renderer, view, size, grid, spp);
+    const SmallPicture picture(renderer, view, size, grid);
     const std::vector<double> weights = weights_of(coverage_of_objects(renderer, picture));
     std::vector<Weighted> lights, base_colors, all;
     for (uint32_t y = 0; y < picture.height(); ++y)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
 constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
-constexpr uint32_t least_cell = 4, most_columns = 1024;
+constexpr uint32_t least_tile = 4, most_columns = 1024;
 constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
 constexpr uint32_t looked_at = 16;      // cells each way in which it is asked whether all are covered already
 constexpr size_t together = 8;          // neighbours in the list of a mesh are mostly neighbours in space
@@ -33,7 +33,7 @@ class Coverage {
 public:
     Coverage(const Camera& camera, uint32_t width, uint32_t height)
         : camera_(camera),
-          cell_(std::max(least_cell, (std::max(width, height) + most_columns - 1) / most_columns)),
+          cell_(std::max(least_tile, (std::max(width, height) + most_columns - 1) / most_columns)),
           columns_((width + cell_ - 1) / cell_),
           rows_((height + cell_ - 1) / cell_),
           marks_(size_t{columns_ + 1} * (rows_ + 1)),

@@ -12,7 +12,6 @@
 namespace lancer {
 namespace {
 
-constexpr uint32_t spp = 32;
 constexpr uint32_t directions = 16;    // of the sky, from each place
 constexpr int most_panes = 8;          // that a ray passes
 constexpr double least_share = 0.25;   // of a sky's light, for a place to count as lit
@@ -57,7 +56,7 @@ double open_part(const Renderer& renderer, const Surface& surface, uint64_t plac
 OwnLight measure_own_light(const Renderer& renderer, const CameraDescription& view, PictureSize size, double sky)
 {
     const Scene& scene = renderer.scene();
-    const SmallPicture picture(renderer, view, size, PixelGrid::centres, spp);
+    const SmallPicture picture(renderer, view, size, PixelGrid::centres);
     std::vector<Weighted> levels;
     double open = 0, lit = 0;
     for (uint32_t y = 0; y < picture.height(); ++y)

@@ -9,6 +9,7 @@ namespace lancer {
 namespace {
 
 constexpr double pixels = 3072;  // about
+constexpr uint32_t spp = 32;
 
 Film small_film(PictureSize size)
 {
@@ -20,8 +21,7 @@ Film small_film(PictureSize size)
 
 }  // namespace
 
-SmallPicture::SmallPicture(const Renderer& renderer, const CameraDescription& view, PictureSize size, PixelGrid grid,
-                           uint32_t spp)
+SmallPicture::SmallPicture(const Renderer& renderer, const CameraDescription& view, PictureSize size, PixelGrid grid)
     : film_(small_film(size)), camera_(view, renderer.scene().normalisation, film_.width, film_.height, grid)
 {
     film_.keep_aovs(layout_of({Aov::flat}));

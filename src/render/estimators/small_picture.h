@@ -8,13 +8,12 @@
 
 namespace lancer {
 
-// About 3000 pixels, at most as many as `size`, with its aspect. Mean radiance and base colour of each.
+// About 3000 pixels of 32 samples, at most as many as `size`, with its aspect. Mean radiance and base colour of each.
 class SmallPicture {
 public:
     // Samples are drawn as those of a picture of its size, with the renderer's settings. Must be called inside
     // with_threads.
-    SmallPicture(const Renderer& renderer, const CameraDescription& view, PictureSize size, PixelGrid grid,
-                 uint32_t spp);
+    SmallPicture(const Renderer& renderer, const CameraDescription& view, PictureSize size, PixelGrid grid);
 
     uint32_t width() const { return film_.width; }
     uint32_t height() const { return film_.height; }

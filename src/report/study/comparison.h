@@ -19,8 +19,8 @@ enum class Rank { baseline, faster, slower, no_difference, not_ranked };
 // The baseline's figure over that of the method: above 1 the method is better.
 struct Comparison {
     Rank rank = Rank::not_ranked;
-    std::string reason;                                       // why it is not ranked
-    double ratio = std::numeric_limits<double>::quiet_NaN();  // NaN where there is none
+    std::string reason;        // why it is not ranked
+    double ratio = no_number;  // NaN where there is none
     Interval interval;  // 95 %, by resampling the seeds that both have, in pairs: what disturbed the machine while a
                         // seed was drawn disturbed both. 0 and infinity: the range goes beyond what was measured.
     std::vector<std::array<double, 2>> logarithms;  // of the figures of baseline and method, for each of these seeds

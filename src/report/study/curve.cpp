@@ -28,8 +28,7 @@ ErrorCurve curve_of(const StudyRun& run, Along along, double ErrorPoint::*error)
 
 double error_at(const ErrorCurve& curve, double x)
 {
-    if (curve.empty() || !(x >= curve.x.front() && x <= curve.x.back()))
-        return std::numeric_limits<double>::quiet_NaN();
+    if (curve.empty() || !(x >= curve.x.front() && x <= curve.x.back())) return no_number;
     const auto after = std::lower_bound(curve.x.begin(), curve.x.end(), x);
     const auto i = static_cast<size_t>(after - curve.x.begin());
     if (curve.x[i] == x) return curve.y[i];

@@ -17,13 +17,13 @@ constexpr std::array errors{
     &ErrorRow::estimated_high};
 
 // In the order of the three lists.
-const CsvFields columns{"spp",         "wall_s", "cpu_s",           "camera_rays",    "bounce_rays",
-                        "shadow_rays", "rmse",   "relmse",          "relmse_trimmed", "relmse_unbiased",
-                        "smape",       "flip",   "estimated_error", "estimated_low",  "estimated_high"};
+const CsvFields error_columns{"spp",         "wall_s", "cpu_s",           "camera_rays",    "bounce_rays",
+                              "shadow_rays", "rmse",   "relmse",          "relmse_trimmed", "relmse_unbiased",
+                              "smape",       "flip",   "estimated_error", "estimated_low",  "estimated_high"};
 
 }  // namespace
 
-std::string error_rows_head() { return csv_row(columns); }
+std::string error_rows_head() { return csv_row(error_columns); }
 
 std::string to_csv(const ErrorRow& row)
 {
@@ -38,16 +38,17 @@ std::vector<ErrorRow> read_error_rows(const std::string& name, const std::string
 {
     CsvReader reader(name, csv);
     CsvFields fields;
-    if (!reader.next(fields) || fields != columns) throw reader.wrong("not the columns of a log of errors");
+    if (!reader.next(fields) || fields != error_columns) throw reader.wrong("not the columns of a log of errors");
     std::vector<ErrorRow> rows;
     while (reader.next(fields)) {
-        if (fields.size() != columns.size())
-            throw reader.wrong(std::to_string(fields.size()) + " fields instead of " + std::to_string(columns.size()));
+        if (fields.size() != error_columns.size())
+            throw reader.wrong(std::to_string(fields.size()) + " fields instead of " +
+                               std::to_string(error_columns.size()));
         ErrorRow& row = rows.emplace_back();
         size_t i = 0;
-        const auto real = [&] { return reader.real(columns[i], fields[i]); };
+        const auto real = [&] { return reader.real(error_columns[i], fields[i]); };
         for (const auto member : reals) row.*member = real(), ++i;
-        for (const auto member : counts) row.*member = reader.count(columns[i], fields[i]), ++i;
+        for (const auto member : counts) row.*member = reader.count(error_columns[i], fields[i]), ++i;
         for (const auto member : errors) row.*member = real(), ++i;
     }
     return rows;

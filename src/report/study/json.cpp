@@ -149,7 +149,7 @@ struct Node {
     }
     double number() const
     {
-        if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+        if (json.is_null()) return no_number;
         if (json == "infinity") return std::numeric_limits<double>::infinity();
         if (json == "-infinity") return -std::numeric_limits<double>::infinity();
         if (!json.is_number()) throw wrong("not a number");

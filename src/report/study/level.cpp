@@ -10,7 +10,6 @@
 namespace lancer {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr Interval untold{no_number, no_number};
 
 std::array<double, 3> sums_of(const Image& image)

@@ -10,20 +10,18 @@
 namespace lancer {
 namespace {
 
-using Json = nlohmann::json;
-
 // What of_json makes of a text; any fault of the text is the error of the one who wrote it.
 template <class Function>
 auto read_json(const std::string& name, const std::string& text, const Function& of_json)
 {
     try {
-        return of_json(Json::parse(text));
-    } catch (const Json::exception&) {
+        return of_json(nlohmann::json::parse(text));
+    } catch (const nlohmann::json::exception&) {
         throw Error(ErrorKind::failed, {}, name + " printed invalid peer JSON: " + text.substr(0, 200));
     }
 }
 
-PeerRecord record_of(const Json& json)
+PeerRecord record_of(const nlohmann::json& json)
 {
     PeerRecord record;
     // What is no number of samples becomes 0, for which nobody asks.
@@ -47,7 +45,7 @@ uint32_t square_below(double x)
 
 PeerAbout read_peer_about(const std::string& name, const std::string& json)
 {
-    return read_json(name, json, [](const Json& j) {
+    return read_json(name, json, [](const nlohmann::json& j) {
         return PeerAbout{j.at("version").get<std::string>(), j.at("seeds").get<bool>(), j.at("squares").get<bool>()};
     });
 }

@@ -10,8 +10,6 @@
 namespace lancer {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
 const StudyMethod* find_method(const Study& study, const std::string& name)
 {
     const auto found =

@@ -14,6 +14,9 @@
 
 namespace lancer {
 
+// Of figures that there are none of, or that nobody measured.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 // The picture of one run at one moment. Seconds are those of rendering alone, since its beginning; rays likewise.
 // Errors are against the reference, in linear radiance (report/metrics/metrics.h).
 struct ErrorPoint {
@@ -21,11 +24,11 @@ struct ErrorPoint {
     double wall_s = 0, cpu_s = 0;  // cpu_s: NaN if not measured
     uint64_t rays_camera = 0, rays_bounce = 0, rays_shadow = 0;
     // NaN: not measured.
-    double rmse = std::numeric_limits<double>::quiet_NaN();
-    double relmse = std::numeric_limits<double>::quiet_NaN();
-    double relmse_trimmed = std::numeric_limits<double>::quiet_NaN();
-    double smape = std::numeric_limits<double>::quiet_NaN();
-    double flip = std::numeric_limits<double>::quiet_NaN();
+    double rmse = no_number;
+    double relmse = no_number;
+    double relmse_trimmed = no_number;
+    double smape = no_number;
+    double flip = no_number;
 };
 
 struct StudyRun {

@@ -9,7 +9,6 @@ namespace lancer {
 namespace {
 
 using Runs = std::vector<const StudyRun*>;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<ErrorCurve> curves_of(const Runs& runs, Along along, double ErrorPoint::*error)
 {

@@ -43,7 +43,7 @@ double at_end(const SceneFigures& f, const StudyMethod& method, const auto& figu
     for (const StudyRun* run : runs_of(f.study, f.scene.name, method.name))
         values.push_back(figure(run->points.back()));
     const bool all = std::none_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
-    return values.empty() || !all ? std::numeric_limits<double>::quiet_NaN() : median(std::move(values));
+    return values.empty() || !all ? no_number : median(std::move(values));
 }
 
 Table targets_table(const std::string& caption, const std::string& words)

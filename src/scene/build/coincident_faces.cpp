@@ -9,8 +9,8 @@ namespace {
 
 using Corners = WeldedFaces::Corners;
 
-constexpr double flat = 1e-3;  // how far the fourth corner of a quad may lie from the plane of the others, over its
-                               // longest edge: files round coordinates
+constexpr double flat_quad = 1e-3;  // how far the fourth corner of a quad may lie from the plane of the others, over
+                                    // its longest edge: files round coordinates
 
 Corners sorted(Corners c)
 {
@@ -41,7 +41,7 @@ bool are_side_by_side(const WeldedFaces& faces, const FaceAtEdge& first, const F
     const Vec3d p = faces.positions[third_corner(faces.corners[first.face], first)] - o;
     const Vec3d q = faces.positions[third_corner(faces.corners[second.face], second)] - o;
     const double size = std::sqrt(std::max({dot(edge, edge), dot(p, p), dot(q, q)}));
-    if (!(std::abs(dot(n, q)) <= flat * size * length(n))) return false;
+    if (!(std::abs(dot(n, q)) <= flat_quad * size * length(n))) return false;
     const Vec3d across = cross(n, edge);
     return (dot(across, p) > 0) != (dot(across, q) > 0);
 }

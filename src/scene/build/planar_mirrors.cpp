@@ -15,7 +15,7 @@ constexpr double least_of_bounds = 1.0 / 256, least_of_largest = 1.0 / 16;
 // what is taken for one mirror only; each triangle reflects by its own normal.
 constexpr double grain = 0x1p-16;
 // Vertex normals that differ from the face's by more, as 1 - cosine, make a mirror curved.
-constexpr double flat = 0x1p-23;
+constexpr double flat_mirror = 0x1p-23;
 
 // Whether a material reflects like a mirror everywhere, and nothing else.
 bool is_mirror(const Scene& scene, uint32_t id)
@@ -51,7 +51,7 @@ bool is_flat(const MeshShading& shading, const Mesh& mesh, uint32_t id, Vec3d n)
     const CornerNormals::Corners* const named = shading.normals.find(mesh, id);
     return !named || std::all_of(named->begin(), named->end(), [&](uint32_t i) {
         const Vec3d corner = to_double(shading.normals.value(mesh, i));
-        return std::abs(dot(corner, n)) >= (1 - flat) * length(corner);
+        return std::abs(dot(corner, n)) >= (1 - flat_mirror) * length(corner);
     });
 }
 

@@ -11,7 +11,7 @@ constexpr double parallel = 0.999;      // cosine of normals of one side
 constexpr double least_of_sides = 0.9;  // part of the area that the two sides have; the rest are edges and bevels
 constexpr double same_size = 0.02;      // relative difference of areas of the two sides
 constexpr double uneven = 0.25;         // how far a corner of a side may lie within the slab, over its thickness
-constexpr double flat = 1e-3;           // how far corners of flat faces may lie apart along the normal, over the width
+constexpr double flat_side = 1e-3;      // how far corners of flat faces may lie apart along the normal, over the width
 
 std::vector<Vec3d> corners_of(const WeldedFaces& faces, std::span<const uint32_t> part)
 {
@@ -127,7 +127,7 @@ std::optional<FlatFaces> as_flat(const WeldedFaces& faces, std::span<const uint3
     all.n = normalize(sum), all.area = area / 2, all.center = all.center / area;
     const std::vector<Vec3d> points = corners_of(faces, part);
     all.width = least_width(points, all.n);
-    return height_range(points, all.n) <= flat * all.width ? std::optional(all) : std::nullopt;
+    return height_range(points, all.n) <= flat_side * all.width ? std::optional(all) : std::nullopt;
 }
 
 bool are_sides_of_slab(const FlatFaces& a, const FlatFaces& b, double thinnest)

@@ -46,8 +46,6 @@ std::span<const SkyStop> stops_of(SkyType type)
     }
 }
 
-Color mix(Color a, Color b, float t) { return a + (b - a) * t; }
-
 Color between_stops(std::span<const SkyStop> stops, float height)
 {
     size_t i = 1;

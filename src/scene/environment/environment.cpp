@@ -9,12 +9,6 @@
 namespace lancer {
 namespace {
 
-// a itself where both are the same, and never below 0 for a, b >= 0.
-float mix(float a, float b, float t) { return a + (b - a) * t; }
-Color mix(Color a, Color b, float t) { return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)}; }
-
-double mix(double a, double b, double t) { return a + (b - a) * t; }
-
 // In [0, 1], of density proportional to a straight line from a to b; both >= 0.
 double sample_linear(double a, double b, double u)
 {

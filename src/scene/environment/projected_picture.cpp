@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace lancer {
-namespace {
-
-// a itself where both are the same.
-Color mix(Color a, Color b, float t) { return a + (b - a) * t; }
-
-}  // namespace
 
 uint64_t blacken_bad_texels(Image& image)
 {
