@@ -43,14 +43,6 @@ protected:
     }
 };
 
-using Arguments = std::vector<std::string>;
-
-Arguments operator+(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 TEST_F(Checkpoint, GoesOnWithTheSameBitsFromAnyNumberOfSamples)
 {
     const std::vector<std::pair<std::string, Arguments>> ways{

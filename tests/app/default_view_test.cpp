@@ -11,13 +11,13 @@
 namespace lancer {
 namespace {
 
-struct View {
+struct FoundView {
     Vec3d position, target, up{0, 1, 0};
     double fov_deg = 40;
 };
 
 // Meshes as text, with the points that they have.
-class Mesh {
+class MeshText {
 public:
     void quad(Vec3d a, Vec3d b, Vec3d c, Vec3d d)
     {
@@ -65,7 +65,7 @@ public:
 class DefaultView : public AppTest {
 protected:
     // What the log says of the camera of the bare mesh; nothing if it says none.
-    std::optional<View> view_of(const std::string& file, std::vector<std::string> more = {})
+    std::optional<FoundView> view_of(const std::string& file, std::vector<std::string> more = {})
     {
         more.insert(more.begin(), {"render", file, "--size", "40x30", "-s", "1", "-o", "x.exr"});
         const Said said = run(more);
@@ -74,14 +74,14 @@ protected:
         const size_t at = said.err.find("[camera]\n");
         if (at == std::string::npos) return {};
         const std::string text = said.err.substr(at, said.err.find("\n[", at) - at);
-        View view;
+        FoundView view;
         view.position = vector_at(text, "position").value();
         view.target = vector_at(text, "target").value();
         view.up = vector_at(text, "up").value_or(view.up);
         view.fov_deg = std::stod(text.substr(text.find("\nfov = ") + 7));
         return view;
     }
-    std::optional<View> view_of(const Mesh& mesh, const std::vector<std::string>& more = {})
+    std::optional<FoundView> view_of(const MeshText& mesh, const std::vector<std::string>& more = {})
     {
         write("mesh.obj", mesh.text.str());
         return view_of("mesh.obj", more);
@@ -97,7 +97,7 @@ protected:
         return v;
     }
     // The larger of the parts of the width and the height of a 4:3 picture that the points take; 2 if one is outside.
-    static double share(const View& v, const std::vector<Vec3d>& points)
+    static double share(const FoundView& v, const std::vector<Vec3d>& points)
     {
         const Vec3d ahead = normalize(v.target - v.position), right = normalize(cross(ahead, v.up));
         const double half = std::tan(v.fov_deg * pi_d / 360);
@@ -122,22 +122,22 @@ protected:
                 {i & 1 ? b.lower.x : b.upper.x, i & 2 ? b.lower.y : b.upper.y, i & 4 ? b.lower.z : b.upper.z});
         return all;
     }
-    static Vec3d ahead(const View& v) { return normalize(v.target - v.position); }
+    static Vec3d ahead(const FoundView& v) { return normalize(v.target - v.position); }
     static void expect_direction(Vec3d is, Vec3d wanted) { EXPECT_GT(dot(is, wanted), 1 - 1e-9); }
 
     std::string log_;
 };
 
-Mesh vase(int axis)
+MeshText vase(int axis)
 {
-    Mesh mesh;
+    MeshText mesh;
     mesh.turned({{0, 0}, {1, 0}, {1.6, 1.5}, {0.6, 3.5}, {0.8, 4}, {0.5, 3.5}, {1.4, 1.5}, {0, 0.2}}, axis);
     return mesh;
 }
 
-Mesh room(bool inwards, const std::vector<int>& left_out)
+MeshText room(bool inwards, const std::vector<int>& left_out)
 {
-    Mesh mesh;
+    MeshText mesh;
     mesh.box({-3, 0, -5}, {3, 3, 5}, inwards, left_out);
     for (double z = -4; z <= 4; z += 2)
         mesh.box({-2.5, 0, z}, {-1.5, 1, z + 0.5}), mesh.box({2, 0, z}, {2.5, 2, z + 1});
@@ -146,11 +146,11 @@ Mesh room(bool inwards, const std::vector<int>& left_out)
 
 TEST_F(DefaultView, ObjectsFillThePicture)
 {
-    Mesh rod, flat;
+    MeshText rod, flat;
     rod.box({100, 0, 0}, {101, 9, 1});
     flat.box({0, 0, 0}, {7, 0.5, 6});
-    for (const Mesh& mesh : {vase(1), std::move(rod), std::move(flat)}) {
-        const std::optional<View> view = view_of(mesh);
+    for (const MeshText& mesh : {vase(1), std::move(rod), std::move(flat)}) {
+        const std::optional<FoundView> view = view_of(mesh);
         ASSERT_TRUE(view);
         EXPECT_GE(share(*view, mesh.points), 0.6);
         EXPECT_LE(share(*view, corners(mesh.points)), 0.95);
@@ -162,23 +162,23 @@ TEST_F(DefaultView, ObjectsFillThePicture)
 // Given values are kept, and the rest is as if nothing were given: from the same side, and all in the picture.
 TEST_F(DefaultView, MissingValuesComeFromTheFit)
 {
-    const Mesh mesh = vase(1);
-    const View usual = view_of(mesh).value();
-    const View narrow = view_of(mesh, {"-D", "camera.fov=20"}).value();
+    const MeshText mesh = vase(1);
+    const FoundView usual = view_of(mesh).value();
+    const FoundView narrow = view_of(mesh, {"-D", "camera.fov=20"}).value();
     EXPECT_EQ(narrow.fov_deg, 20);
     expect_direction(ahead(narrow), ahead(usual));
     EXPECT_GE(share(narrow, mesh.points), 0.6);
     EXPECT_LE(share(narrow, corners(mesh.points)), 0.95);
     EXPECT_GT(length(narrow.position - narrow.target), 1.5 * length(usual.position - usual.target));
 
-    const View turned = view_of(mesh, {"-D", "camera.up=z"}).value();
+    const FoundView turned = view_of(mesh, {"-D", "camera.up=z"}).value();
     EXPECT_EQ(turned.up, (Vec3d{0, 0, 1}));
     EXPECT_LE(share(turned, corners(mesh.points)), 0.95);
 
-    const View placed = view_of(mesh, {"-D", "camera.position=[9, 2, 0]"}).value();
+    const FoundView placed = view_of(mesh, {"-D", "camera.position=[9, 2, 0]"}).value();
     EXPECT_EQ(placed.position, (Vec3d{9, 2, 0}));
     expect_direction(ahead(placed), {-1, 0, 0});
-    const View aimed = view_of(mesh, {"-D", "camera.target=[0, 4, 0]"}).value();
+    const FoundView aimed = view_of(mesh, {"-D", "camera.target=[0, 4, 0]"}).value();
     EXPECT_EQ(aimed.target, (Vec3d{0, 4, 0}));
     expect_direction(ahead(aimed), ahead(usual));
     EXPECT_LT(share(aimed, mesh.points), 1);
@@ -189,26 +189,26 @@ TEST_F(DefaultView, MissingValuesComeFromTheFit)
 
 TEST_F(DefaultView, SceneFilesAsWell)
 {
-    const Mesh mesh = vase(1);
+    const MeshText mesh = vase(1);
     write("mesh.obj", mesh.text.str());
     const std::string scene = "[[mesh]]\nfile = \"mesh.obj\"\n[[light]]\ntype = \"environment\"\nradiance = 1\n";
     write("none.toml", scene);
     write("some.toml", scene + "[camera]\nfov = 20\n");
     write("all.toml", scene + "[camera]\nposition = [5, 3, 7]\ntarget = [0, 2, 0]\n");
-    const View none = view_of("none.toml").value(), some = view_of("some.toml").value();
+    const FoundView none = view_of("none.toml").value(), some = view_of("some.toml").value();
     EXPECT_EQ(some.fov_deg, 20);
     expect_direction(ahead(some), ahead(none));
     EXPECT_LE(share(some, corners(mesh.points)), 0.95);
     EXPECT_FALSE(view_of("all.toml")) << "nothing was added";
     // The command line comes before the file.
-    const View right = view_of("all.toml", {"--view", "right"}).value();
+    const FoundView right = view_of("all.toml", {"--view", "right"}).value();
     expect_direction(ahead(right), {-1, 0, 0});
     EXPECT_EQ(view_of("all.toml", {"--up", "z"}).value().up, (Vec3d{0, 0, 1}));
 }
 
 TEST_F(DefaultView, SidesByName)
 {
-    const Mesh mesh = vase(1);
+    const MeshText mesh = vase(1);
     const std::vector<std::pair<std::string, Vec3d>> sides{{"front", {0, 0, -1}},
                                                            {"back", {0, 0, 1}},
                                                            {"left", {1, 0, 0}},
@@ -221,7 +221,7 @@ TEST_F(DefaultView, SidesByName)
                                                            {"360,0", {0, 0, -1}},
                                                            {"0,30", {0, -0.5, -std::sqrt(0.75)}}};
     for (const auto& [name, wanted] : sides) {
-        const View view = view_of(mesh, {"--view", name}).value();
+        const FoundView view = view_of(mesh, {"--view", name}).value();
         SCOPED_TRACE(name);
         expect_direction(ahead(view), wanted);
         EXPECT_LE(share(view, corners(mesh.points)), 0.95);
@@ -255,7 +255,7 @@ TEST_F(DefaultView, UpIsZOnlyOnEvidence)
     EXPECT_EQ(view_of(vase(2)).value().up, (Vec3d{0, 0, 1}));
     expect_words(log_, "up is z, as ");
     EXPECT_EQ(view_of(vase(2), {"--up", "y"}).value().up, (Vec3d{0, 1, 0}));
-    Mesh cube, ball;
+    MeshText cube, ball;
     cube.box({-1, -1, 0}, {1, 1, 2});
     ball.turned({{0, -1}, {0.6, -0.8}, {1, 0}, {0.6, 0.8}, {0, 1}}, 2);
     EXPECT_EQ(view_of(cube).value().up, (Vec3d{0, 1, 0}));
@@ -269,7 +269,7 @@ TEST_F(DefaultView, UpIsZOnlyOnEvidence)
 
 TEST_F(DefaultView, SheetsAreSeenFromTheirFront)
 {
-    Mesh front, back, floor;
+    MeshText front, back, floor;
     front.quad({0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0});
     back.quad({0, 0, 0}, {0, 2, 0}, {3, 2, 0}, {3, 0, 0});
     floor.quad({0, 0, 0}, {0, 0, 3}, {3, 0, 3}, {3, 0, 0});
@@ -282,7 +282,7 @@ TEST_F(DefaultView, SheetsAreSeenFromTheirFront)
 TEST_F(DefaultView, TheSideWithMostDetailIsSeen)
 {
     for (const int side : {0, 1, 4, 5}) {
-        Mesh mesh;
+        MeshText mesh;
         mesh.box({-2, 0, -2}, {2, 4, 2});
         for (double s = -1.8; s < 1.8; s += 0.2)
             for (double y = 0.2; y < 3.6; y += 0.2) {
@@ -299,8 +299,8 @@ TEST_F(DefaultView, TheSideWithMostDetailIsSeen)
 
 TEST_F(DefaultView, RoomsAreSeenFromInside)
 {
-    const Mesh closed = room(true, {});
-    const View view = view_of(closed).value();
+    const MeshText closed = room(true, {});
+    const FoundView view = view_of(closed).value();
     EXPECT_LT(std::abs(view.position.x), 3);
     EXPECT_LT(std::abs(view.position.z), 5);
     EXPECT_GT(view.position.y, 0.3);
@@ -311,7 +311,7 @@ TEST_F(DefaultView, RoomsAreSeenFromInside)
     expect_direction(ahead(view_of(closed, {"--view", "front"}).value()), {0, 0, -1});
 
     // Walls with an outside, and a turned room.
-    Mesh thick = room(true, {});
+    MeshText thick = room(true, {});
     thick.box({-3.2, -0.2, -5.2}, {3.2, 3.2, 5.2});
     EXPECT_LT(std::abs(view_of(thick).value().position.z), 5);
     // An open top, as of a yard: what is inside is hidden from most sides, but not from above.
@@ -323,10 +323,10 @@ TEST_F(DefaultView, OpenBoxesAreSeenThroughTheirOpenSide)
 {
     const std::vector<std::pair<int, Vec3d>> sides{{0, {1, 0, 0}}, {1, {-1, 0, 0}}, {4, {0, 0, 1}}, {5, {0, 0, -1}}};
     for (const auto& [side, inwards] : sides) {
-        Mesh mesh;
+        MeshText mesh;
         mesh.box({-2, 0, -2}, {2, 4, 2}, true, {side});
         mesh.box({-1, 0, -1}, {0, 2, 0});
-        const View view = view_of(mesh).value();
+        const FoundView view = view_of(mesh).value();
         SCOPED_TRACE(side);
         expect_direction(ahead(view), inwards);
         const double in_frame = share(view, mesh.points);

@@ -12,14 +12,6 @@
 namespace lancer {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-Arguments operator+(Arguments a, const Arguments& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 // Number of steps between two floats of the same sign, or NaNs.
 int64_t steps_between(float a, float b)
 {

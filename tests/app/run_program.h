@@ -18,6 +18,14 @@
 
 namespace lancer {
 
+using Arguments = std::vector<std::string>;
+
+inline Arguments operator+(Arguments a, const Arguments& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
 struct Said {
     int code = -1;  // exit code; 1000 + signal if one ended it
     std::string out, err;

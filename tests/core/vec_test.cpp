@@ -82,7 +82,7 @@ TEST(Color, ArithmeticIsByComponent)
     EXPECT_EQ(a / 2.0f, (Color{0.5f, 1, 2}));
     EXPECT_FLOAT_EQ(luminance({1, 1, 1}), 1);
     EXPECT_EQ(max_component(b), 8);
-    EXPECT_TRUE(is_black({}));
+    EXPECT_TRUE(is_black(Color{}));
     EXPECT_FALSE(is_black({0, 0, 1e-30f}));
 }
 

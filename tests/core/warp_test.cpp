@@ -13,7 +13,6 @@
 namespace lancer {
 namespace {
 
-constexpr double pi_d = std::numbers::pi;
 constexpr uint32_t grid = 20;
 constexpr int samples = 1000000;
 const double level = sidak(claim_level, 6);  // six warps are tested against their densities

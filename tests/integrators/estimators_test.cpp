@@ -14,7 +14,7 @@ Path path_with(bool split, bool roulette, DirectLight direct = {})
     return path;
 }
 
-void expect_same_light(const SceneDescription& d, double detectable, const std::string& name)
+void expect_estimators_agree(const SceneDescription& d, double detectable, const std::string& name)
 {
     std::vector<TilesOverSeeds> ways;
     uint64_t seed = 100;
@@ -32,12 +32,12 @@ SceneDescription under_a_sky()
     return d;
 }
 
-TEST(Estimators, Cornell) { expect_same_light(cornell_scene(), 0.02, "cornell"); }
-TEST(Estimators, Spheres) { expect_same_light(spheres_scene(), 0.02, "spheres"); }
-TEST(Estimators, Sky) { expect_same_light(under_a_sky(), 0.02, "sky"); }
-TEST(Estimators, Textured) { expect_same_light(textured_scene(), 0.02, "textured"); }
-TEST(Estimators, AlphaTest) { expect_same_light(holes_scene(), 0.02, "holes"); }
-TEST(Estimators, Media) { expect_same_light(media_scene(), 0.02, "media"); }
+TEST(Estimators, Cornell) { expect_estimators_agree(cornell_scene(), 0.02, "cornell"); }
+TEST(Estimators, Spheres) { expect_estimators_agree(spheres_scene(), 0.02, "spheres"); }
+TEST(Estimators, Sky) { expect_estimators_agree(under_a_sky(), 0.02, "sky"); }
+TEST(Estimators, Textured) { expect_estimators_agree(textured_scene(), 0.02, "textured"); }
+TEST(Estimators, AlphaTest) { expect_estimators_agree(holes_scene(), 0.02, "holes"); }
+TEST(Estimators, Media) { expect_estimators_agree(media_scene(), 0.02, "media"); }
 
 }  // namespace
 }  // namespace lancer

@@ -33,7 +33,7 @@ LightChoice rates_of(const SceneDescription& d, AccelKind accel = AccelKind::emb
     return rates;
 }
 
-void expect_same_light(const SceneDescription& d, double detectable, const std::string& name)
+void expect_choices_agree(const SceneDescription& d, double detectable, const std::string& name)
 {
     const LightChoice rates = rates_of(d);
     ASSERT_FALSE(rates.empty()) << name;
@@ -45,10 +45,10 @@ void expect_same_light(const SceneDescription& d, double detectable, const std::
     expect_one_mean(std::move(two), {.pictures = 8, .detectable = detectable, .rounding = 1e-5}, name);
 }
 
-TEST(LightChoice, LeaveTheMeanOfARoomBehindAWindow) { expect_same_light(room_with_hole(0.3), 0.03, "window"); }
-TEST(LightChoice, LeaveTheMeanOfARoomBehindACurtain) { expect_same_light(room_behind_a_curtain(), 0.03, "curtain"); }
-TEST(LightChoice, LeaveTheMeanOfARoomBehindAKeyhole) { expect_same_light(room_with_hole(0.2), 0.1, "keyhole"); }
-TEST(LightChoice, LeaveTheMeanOfALampThatOnePlaceSees) { expect_same_light(room_with_niche(), 0.15, "niche"); }
+TEST(LightChoice, LeaveTheMeanOfARoomBehindAWindow) { expect_choices_agree(room_with_hole(0.3), 0.03, "window"); }
+TEST(LightChoice, LeaveTheMeanOfARoomBehindACurtain) { expect_choices_agree(room_behind_a_curtain(), 0.03, "curtain"); }
+TEST(LightChoice, LeaveTheMeanOfARoomBehindAKeyhole) { expect_choices_agree(room_with_hole(0.2), 0.1, "keyhole"); }
+TEST(LightChoice, LeaveTheMeanOfALampThatOnePlaceSees) { expect_choices_agree(room_with_niche(), 0.15, "niche"); }
 
 // Where shadow rays arrive there is nothing to learn, and the picture is that without.
 TEST(LightChoice, AreNotLearnedWhereShadowRaysArrive)
@@ -146,7 +146,7 @@ TEST(LightChoice, LeavesTheMeanOfARoomUnderASun)
 {
     const SceneDescription d = room_under_a_sun();
     EXPECT_TRUE(rates_of(d).chooses());
-    expect_same_light(d, 0.1, "sun outside");
+    expect_choices_agree(d, 0.1, "sun outside");
 }
 
 // Light samples go to the tiles of the sky that the window shows, which differ by place.
@@ -154,7 +154,7 @@ TEST(LightChoice, LeavesTheMeanOfRoomsWithAWindow)
 {
     for (const auto& [name, d] : rooms_with_window()) {
         EXPECT_TRUE(rates_of(d).has_tiles) << name;
-        expect_same_light(d, 0.03, name);
+        expect_choices_agree(d, 0.03, name);
     }
 }
 

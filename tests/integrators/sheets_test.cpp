@@ -10,7 +10,7 @@ namespace {
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
-MaterialDescription glass()
+MaterialDescription clear_glass()
 {
     MaterialDescription m = make_glossy("glass", MaterialType::glass, {1, 1, 1}, 0);
     m.ior = 1.5f;
@@ -52,20 +52,20 @@ std::vector<Case> cases()
 {
     const Triangles cube = make_cube()->triangles, both = cube + turned_round(cube);
     std::vector<Case> all{
-        {"single sheet", make_mesh_data(square, front, glass())},
-        {"doubled sheet", make_mesh_data(square, front + turned_round(front), glass())},
-        {"doubled sheet, other diagonal", make_mesh_data(square, front + back, glass())},
-        {"sheet doubled on both sides", make_mesh_data(square, front + back + front + back, glass())}};
+        {"single sheet", make_mesh_data(square, front, clear_glass())},
+        {"doubled sheet", make_mesh_data(square, front + turned_round(front), clear_glass())},
+        {"doubled sheet, other diagonal", make_mesh_data(square, front + back, clear_glass())},
+        {"sheet doubled on both sides", make_mesh_data(square, front + back + front + back, clear_glass())}};
     for (const double thickness : {0.05, 1.0}) {
         const std::string name = thickness < 0.2 ? "thin slab" : "slab";
-        all.push_back({name, make_mesh_data(slab_of(thickness), cube, glass())});
-        all.push_back({"doubled " + name, make_mesh_data(slab_of(thickness), both, glass())});
+        all.push_back({name, make_mesh_data(slab_of(thickness), cube, clear_glass())});
+        all.push_back({"doubled " + name, make_mesh_data(slab_of(thickness), both, clear_glass())});
     }
     std::vector<Vec3d> p = slab_of(4);
     Triangles t = cube;
     for (const auto& corners : front) t.push_back({corners[0] + 8, corners[1] + 8, corners[2] + 8});
     for (const Vec3d& v : square) p.push_back(v * 0.5);
-    all.push_back({"sheet inside a closed body", make_mesh_data(p, t, glass())});
+    all.push_back({"sheet inside a closed body", make_mesh_data(p, t, clear_glass())});
     return all;
 }
 
@@ -99,7 +99,7 @@ TEST(SheetFurnace, SheetsAndSlabsAreInvisibleInTheMean)
 // What a single face of a body would show, which has no other: 0.4666 from the front and 2.2002 from the back.
 TEST(SheetFurnace, WithoutRecognitionASheetIsWrong)
 {
-    MaterialDescription solid = glass();
+    MaterialDescription solid = clear_glass();
     solid.thin = false;
     for (const auto& [from, expected] : {std::pair{14.0, 0.04 + 0.96 / 2.25}, {-14.0, 0.04 + 0.96 * 2.25}}) {
         SceneDescription d = under_white_sky(make_mesh_data(square, front, solid), from);
@@ -114,7 +114,7 @@ TEST(SheetFurnace, RoughSheetsMakeNoLight)
 {
     double last = 1.0001;
     for (const float roughness : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
-        MaterialDescription m = glass();
+        MaterialDescription m = clear_glass();
         m.roughness = roughness;
         const double seen = tally(shoot(under_white_sky(make_mesh_data(square, front, m), 14),
                                         {.spp = 256, .sampler = SamplerKind::independent}))
@@ -135,7 +135,7 @@ TEST(Sheets, ShowWhatTheirPaneWould)
         const double r = fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), 1.5).reflectance;
         const double through = c * c * (1 - r) * (1 - r) / (1 - c * c * r * r);
         for (const double thickness : {0.0, 0.05, 0.25}) {
-            MaterialDescription m = glass();
+            MaterialDescription m = clear_glass();
             m.base_color = {0.8f, 0.8f, 0.8f};
             SceneDescription d =
                 under_white_sky(thickness == 0 ? make_mesh_data(square, front, m)
@@ -156,7 +156,7 @@ TEST(Sheets, ShowWhatTheirPaneWould)
 // All kernels and integrators that follow mirrors see the same behind a pane.
 TEST(Sheets, AreTheSameToAllIntegrators)
 {
-    SceneDescription d = under_white_sky(make_mesh_data(square, front + back, glass()), 6);
+    SceneDescription d = under_white_sky(make_mesh_data(square, front + back, clear_glass()), 6);
     d.lights.clear();
     d.materials = {make_emitter("lamp", {1, 0.8f, 0.6f})};
     d.spheres = {sphere_of({0.5, 0, -3}, 1, "lamp"), sphere_of({-1, 0.5, 4}, 0.5, "lamp")};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float ior = 1.7f;
 
-MaterialDescription glass(float roughness = 0)
+MaterialDescription tinted_glass(float roughness = 0)
 {
     MaterialDescription m = make_glossy("glass", MaterialType::glass, {0.9f, 0.8f, 1}, roughness);
     m.ior = ior;
@@ -70,13 +70,13 @@ TEST(StraightShadows, LoseAtEachFaceWhatItReflects)
         for (const Vec3d wi : {Vec3d{0, 1, 0}, normalize(Vec3d{0.5, 1, 0.2}), normalize(Vec3d{1, 1, -1})}) {
             const LightDescription sun = directional_of({3, 3, 3}, -wi);
             const auto part = static_cast<float>(let_in(wi.y) * let_in(wi.y));
-            expect_ratio(seen(floor_below_block(sun, glass())), seen(floor_below(sun)), tint * tint * part,
+            expect_ratio(seen(floor_below_block(sun, tinted_glass())), seen(floor_below(sun)), tint * tint * part,
                          "two faces");
-            EXPECT_EQ(seen(floor_below_block(sun, glass(0.5f))).g, 0) << "rough glass turns light";
+            EXPECT_EQ(seen(floor_below_block(sun, tinted_glass(0.5f))).g, 0) << "rough glass turns light";
         }
         const LightDescription bulb = light_of(LightType::point, {90, 90, 90}, {0, 4, 0});
         SceneDescription d = floor_below(bulb);
-        d.materials = {glass()};
+        d.materials = {tinted_glass()};
         d.spheres = {sphere_of({0, 4, 0}, 0.5, "glass")};
         expect_ratio(seen(d), seen(floor_below(bulb)), tint * static_cast<float>(let_in(1)), "from within a ball");
     });
@@ -84,7 +84,7 @@ TEST(StraightShadows, LoseAtEachFaceWhatItReflects)
 
 TEST(StraightShadows, AreAbsorbedOnTheirWay)
 {
-    MaterialDescription m = glass();
+    MaterialDescription m = tinted_glass();
     m.absorption = {0.1f, 0.2f, 0};
     const Vec3d wi = normalize(Vec3d{0.5, 1, 0.2});
     const LightDescription sun = directional_of({3, 3, 3}, -wi);
@@ -99,7 +99,7 @@ TEST(StraightShadows, AreAbsorbedOnTheirWay)
 // Light that a path can hit is found as it is.
 TEST(StraightShadows, AreForLightsThatNoRayHits)
 {
-    SceneDescription d = floor_below_block(light_of(LightType::sphere, {9, 9, 9}, {0, 8, 0}, 1), glass());
+    SceneDescription d = floor_below_block(light_of(LightType::sphere, {9, 9, 9}, {0, 8, 0}, 1), tinted_glass());
     const auto drawn = [&](bool straight) {
         d.render.straight_shadows = straight;
         return render(d, {}).film;

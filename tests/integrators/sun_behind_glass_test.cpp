@@ -10,22 +10,22 @@ namespace lancer {
 namespace {
 
 const Vec3d to_sun = normalize(Vec3d{1, 0.5, 0.1});
-constexpr float irradiance = 5;
+constexpr float sun_irradiance = 5;
 
 // Large enough to be hit by chance, small and far enough that the room is lit as by the sun, but for the soft edges.
 LightDescription ball()
 {
     constexpr double distance = 4000, sine = 0.1;
-    const auto radiance = static_cast<float>(double{irradiance} / (pi_d * sine * sine));
+    const auto radiance = static_cast<float>(double{sun_irradiance} / (pi_d * sine * sine));
     return light_of(LightType::sphere, {radiance, radiance, radiance}, to_sun * distance, distance * sine);
 }
 
 // What closes the side of the room at x = 2.
-struct Window {
+struct WindowCase {
     std::string name;
     std::shared_ptr<const MeshData> data;  // null: open
 };
-std::vector<Window> windows()
+std::vector<WindowCase> windows()
 {
     MaterialDescription glass = make_glossy("glass", MaterialType::glass, {1, 1, 1}, 0);
     const std::vector<Vec3d> corners{{2, -0.1, -2.1}, {2, 3.1, -2.1}, {2, 3.1, 2.1}, {2, -0.1, 2.1}};
@@ -37,7 +37,7 @@ std::vector<Window> windows()
 }
 
 // From -2 to 2 and up to 3.
-SceneDescription room_with(const Window& window, const LightDescription& sun)
+SceneDescription room_with(const WindowCase& window, const LightDescription& sun)
 {
     SceneDescription d;
     const auto add = [&](Vec3d a, Vec3d b, Vec3d c, Vec3d e) {
@@ -58,8 +58,8 @@ TEST(SunBehindGlass, IsWhatBruteForceFinds)
     const double c = to_sun.x;
     const double through = 1 - reflectance_of_sheet(fresnel_dielectric_double(c, (1 - c) * (1 + c), 1.5).reflectance);
     double open = 0;
-    for (const Window& window : windows()) {
-        const LightDescription sun = directional_of({irradiance, irradiance, irradiance}, -to_sun);
+    for (const WindowCase& window : windows()) {
+        const LightDescription sun = directional_of({sun_irradiance, sun_irradiance, sun_irradiance}, -to_sun);
         std::vector<TilesOverSeeds> ways;
         const auto add = [&](const LightDescription& light, const DirectLight& how, uint32_t spp) {
             ways.emplace_back(room_with(window, light), Shot{.integrator = Path{.max_depth = 5, .direct = how},

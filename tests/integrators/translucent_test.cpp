@@ -110,7 +110,7 @@ TEST(TranslucentSheet, IsOpaqueToClassicIntegrators)
         }
 }
 
-constexpr Color sky{0.5f, 1, 2};
+constexpr Color even_sky{0.5f, 1, 2};
 constexpr double sky_luminance = 0.2126 * 0.5 + 0.7152 + 0.0722 * 2;
 
 // In a uniform sky an open sheet shows R + T of it.
@@ -124,7 +124,7 @@ TEST(TranslucentFurnace, OpenSheetsShowBothParts)
                     SceneDescription d = sheet_at(sheet, 3 * side, 30);
                     d.materials[0].base_color = Color{0.25f, 0.25f, 0.25f} * (1 - lost);
                     d.materials[0].transmittance = Color{0.75f, 0.75f, 0.75f} * (1 - lost);
-                    d.lights = {sky_of(sky)};
+                    d.lights = {sky_of(even_sky)};
                     const Film film = shoot(d, {.integrator = Path{.direct = ways[way]},
                                                 .width = 16,
                                                 .height = 16,
@@ -151,7 +151,7 @@ TEST(TranslucentFurnace, ShellsShowTheGeometricSeries)
                 SceneDescription d;
                 d.materials = {make_translucent("lantern", grey(r), grey(t))};
                 d.spheres = {sphere_of({0, 0, 0}, 1, "lantern")};
-                d.lights = {sky_of(sky)};
+                d.lights = {sky_of(even_sky)};
                 d.camera = make_camera({0.1, 0.2, inside ? 0.3 : 3}, {0, 0, 0}, 24);  // nothing but the shell
                 const Film film = shoot(d, {.integrator = Path{.direct = ways[way]},
                                             .width = 16,
@@ -174,7 +174,7 @@ TEST(TranslucentFurnace, WhiteBodiesAreInvisible)
         for (size_t way = 0; way < ways.size(); ++way) {
             SceneDescription d;
             d.meshes = {make_mesh(mesh, {{0, 0, 0}, {20, 30, 40}, {0.8, 0.8, 0.8}})};
-            d.lights = {sky_of(sky)};
+            d.lights = {sky_of(even_sky)};
             d.camera = make_camera({0.4, 0.5, 3}, {0, 0, 0}, 45);
             const Film film = shoot(d, {.integrator = Path{.direct = ways[way]},
                                         .width = 16,

@@ -3,6 +3,7 @@
 
 #include "io/image/exr.h"
 #include "io/image/read.h"
+#include "io/same_bits.h"
 #include "io/temp_folder.h"
 
 namespace lancer {
@@ -26,12 +27,6 @@ std::vector<ImagePlane> layers(const Image& image)
             plane.values.push_back(static_cast<float>(i) + 1000.5f * static_cast<float>(planes.size()));
     }
     return planes;
-}
-
-bool same_bits(const Image& a, const Image& b)
-{
-    return a.display == b.display && a.data == b.data && a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Color)) == 0;
 }
 
 std::vector<std::string> sorted_names(const ExrInfo& info)

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/atomic_file.h"
+#include "io/same_bits.h"
 #include "io/temp_folder.h"
 
 namespace lancer {
@@ -23,12 +24,6 @@ Image test_image(const Window& display, const Window& data)
     };
     for (Color& c : image.pixels) c = {next(), -next(), next()};
     return image;
-}
-
-bool same_bits(const Image& a, const Image& b)
-{
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Color)) == 0;
 }
 
 TEST(Exr, FloatsComeBackBitByBit)

@@ -12,7 +12,7 @@ namespace {
 
 using Rgbe = std::array<uint8_t, 4>;
 
-void write(const std::string& path, const Image& image, const Metadata& metadata = {})
+void write_hdr_file(const std::string& path, const Image& image, const Metadata& metadata = {})
 {
     AtomicFile file(path);
     write_hdr(file, rows_of(image), metadata);
@@ -79,7 +79,7 @@ TEST(Hdr, APictureComesBack)
     const std::string path = folder.file("a.hdr");
     for (const int32_t width : {1, 7, 8, 127, 129, 1000, 32767, 32768}) {
         const Image image = varied(width, 3);
-        write(path, image);
+        write_hdr_file(path, image);
         const Image back = read_image(path);
         ASSERT_EQ(back.display, image.display);
         for (size_t i = 0; i < image.pixels.size(); ++i)
@@ -93,7 +93,7 @@ TEST(Hdr, RunsArePacked)
     const TempFolder folder;
     Image image = make_image(1000, 10);
     for (Color& c : image.pixels) c = {1, 2, 3};
-    write(folder.file("a.hdr"), image);
+    write_hdr_file(folder.file("a.hdr"), image);
     EXPECT_LT(read_bytes(folder.file("a.hdr")).size(), 1000u);
 }
 
@@ -101,14 +101,14 @@ TEST(Hdr, MetadataComesBackAsText)
 {
     const TempFolder folder;
     const std::string path = folder.file("a.hdr");
-    write(path, make_image(9, 2), {{"spp", int64_t{4}}, {"scene", "two\nlines = 1"}});
+    write_hdr_file(path, make_image(9, 2), {{"spp", int64_t{4}}, {"scene", "two\nlines = 1"}});
     EXPECT_EQ(read_picture_metadata(path), (Metadata{{"spp", "4"}, {"scene", "two lines = 1"}}));
 }
 
 TEST(Hdr, WithoutPixelsThereIsNoFile)
 {
     const TempFolder folder;
-    EXPECT_THROW(write(folder.file("a.hdr"), Image{}), Error);
+    EXPECT_THROW(write_hdr_file(folder.file("a.hdr"), Image{}), Error);
     EXPECT_TRUE(folder.names().empty());
 }
 

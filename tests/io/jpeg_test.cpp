@@ -10,8 +10,8 @@
 namespace lancer {
 namespace {
 
-void write(const std::string& path, const Image& image, const Metadata& metadata = {}, const ByteOptions& options = {},
-           int quality = 95)
+void write_jpeg_file(const std::string& path, const Image& image, const Metadata& metadata = {},
+                     const ByteOptions& options = {}, int quality = 95)
 {
     AtomicFile file(path);
     write_jpeg(file, image, metadata, options, quality);
@@ -43,7 +43,7 @@ TEST(Jpeg, HoldsTheStepsOfThePngButForItsLoss)
     for (const ToneMap map : {ToneMap::srgb, ToneMap::agx, ToneMap::none, ToneMap::gamma22, ToneMap::clamped}) {
         const ByteOptions options{.exposure_stops = -0.5f, .tonemap = map};
         write_png(png, smooth_picture(), {}, options);
-        write(jpg, smooth_picture(), {}, options, 100);
+        write_jpeg_file(jpg, smooth_picture(), {}, options, 100);
         EXPECT_LE(largest_difference(read_raster(jpg)->bytes, read_raster(png)->bytes), 3);
     }
 }
@@ -55,7 +55,7 @@ TEST(Jpeg, ColoursHaveTheFullResolution)
     Image image = make_image(32, 32);
     for (int32_t y = 0; y < 32; ++y)
         for (int32_t x = 0; x < 32; ++x) image.at(x, y) = x % 2 ? Color{1, 0, 0} : Color{0, 0, 1};
-    write(folder.file("a.jpg"), image);
+    write_jpeg_file(folder.file("a.jpg"), image);
     EXPECT_LE(largest_difference(read_raster(folder.file("a.jpg"))->bytes, to_bytes(image, {})), 16);
 }
 
@@ -64,7 +64,7 @@ TEST(Jpeg, LessQualityIsSmaller)
     const TempFolder folder;
     size_t before = 0;
     for (const int quality : {1, 50, 95, 100}) {
-        write(folder.file("a.jpg"), smooth_picture(), {}, {.dither = true}, quality);
+        write_jpeg_file(folder.file("a.jpg"), smooth_picture(), {}, {.dither = true}, quality);
         const size_t size = read_bytes(folder.file("a.jpg")).size();
         EXPECT_GT(size, before);
         before = size;
@@ -75,7 +75,8 @@ TEST(Jpeg, MetadataComesBackAsText)
 {
     const TempFolder folder;
     const std::string path = folder.file("a.jpg");
-    write(path, smooth_picture(), {{"spp", int64_t{4}}, {"scene", "two\nlines"}, {"long", std::string(70000, 'x')}});
+    write_jpeg_file(path, smooth_picture(),
+                    {{"spp", int64_t{4}}, {"scene", "two\nlines"}, {"long", std::string(70000, 'x')}});
     const Metadata back = read_picture_metadata(path);
     ASSERT_EQ(back.size(), 3u);
     EXPECT_EQ(text_of(back, "spp"), "4");
@@ -86,9 +87,9 @@ TEST(Jpeg, MetadataComesBackAsText)
 TEST(Jpeg, WhatCannotBeWrittenLeavesNoFile)
 {
     const TempFolder folder;
-    EXPECT_THROW(write(folder.file("a.jpg"), Image{}), Error);
+    EXPECT_THROW(write_jpeg_file(folder.file("a.jpg"), Image{}), Error);
     expect_error(ErrorKind::failed, folder.file("a.jpg"), "Maximum supported image dimension is 65500 pixels",
-                 [&] { write(folder.file("a.jpg"), make_image(65501, 1)); });
+                 [&] { write_jpeg_file(folder.file("a.jpg"), make_image(65501, 1)); });
     EXPECT_TRUE(folder.names().empty());
 }
 

@@ -9,6 +9,8 @@ using testing::IsEmpty;
 
 class MtlKinds : public ObjTest {
 protected:
+    static constexpr auto glass = MaterialType::glass, lambert = MaterialType::lambert, plastic = MaterialType::plastic;
+
     MaterialDescription material(const std::string& statements, const std::string& head = "")
     {
         write("a.png", "");
@@ -18,17 +20,15 @@ protected:
     }
 };
 
-struct Case {
+struct KindCase {
     const char* statements;
     MaterialType type;
     const char* why;
 };
 
-constexpr auto glass = MaterialType::glass, lambert = MaterialType::lambert, plastic = MaterialType::plastic;
-
 TEST_F(MtlKinds, IllumIsAHint)
 {
-    const Case cases[] = {
+    const KindCase cases[] = {
         // As Maya writes opaque materials.
         {"illum 4\nKd .5 .4 .3\nKa 0 0 0\nTf 1 1 1\nNi 1.00", lambert, "illum 4 says glass, but Ni is 1"},
         {"illum 4\nTf 1 1 1\nmap_Kd a.png\nNi 1", lambert, "illum 4 says glass, but Ni is 1"},
@@ -52,7 +52,7 @@ TEST_F(MtlKinds, IllumIsAHint)
         {"Pr 0\nPm 0\nTf 1 1 1\nNi 1.45\nKd 1 1 1\nd .1\nillum 7", glass, "illum 7 and d 0.1"},
         {"d .5\nNi 1.33", glass, "d 0.5 and Ni 1.33"},
     };
-    for (const Case& c : cases) {
+    for (const KindCase& c : cases) {
         const MaterialDescription m = material(c.statements);
         EXPECT_EQ(m.type, c.type) << c.statements;
         EXPECT_THAT(m.why, HasSubstr(c.why)) << c.statements;

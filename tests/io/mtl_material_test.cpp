@@ -23,14 +23,14 @@ protected:
     static float roughness(double ns) { return static_cast<float>(std::sqrt(std::sqrt(2 / (ns + 2)))); }
 };
 
-struct Case {
+struct KeysCase {
     const char* statements;
     MaterialType type;
 };
 
 TEST_F(MtlMaterial, GivenKeysDecideTheType)
 {
-    const Case cases[] = {
+    const KeysCase cases[] = {
         {"", MaterialType::lambert},
         {"Kd 1 0 0", MaterialType::lambert},
         {"Kd .5 .5 .5\nKs 0 0 0\nNs 10\nNi 1.5\nillum 2\nd 1\nTr 0\nTf 1 1 1", MaterialType::lambert},
@@ -59,7 +59,7 @@ TEST_F(MtlMaterial, GivenKeysDecideTheType)
         {"map_Pr a.png", MaterialType::plastic},
         {"map_Pm a.png", MaterialType::plastic},
     };
-    for (const Case& c : cases) EXPECT_EQ(material(c.statements).type, c.type) << c.statements;
+    for (const KeysCase& c : cases) EXPECT_EQ(material(c.statements).type, c.type) << c.statements;
 }
 
 TEST_F(MtlMaterial, MirrorsAndMetalsReflectKs)

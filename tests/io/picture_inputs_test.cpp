@@ -49,13 +49,13 @@ void expect_near(const std::vector<Color>& a, const std::vector<Color>& b, float
 }
 
 // Four texels, alpha 1, 0.2, 0.6 and 0.4: colours are multiples of 5 and 255, so that products with alpha are steps.
-constexpr std::array<std::array<uint8_t, 4>, 4> steps{
+constexpr std::array<std::array<uint8_t, 4>, 4> stored_texels{
     {{255, 40, 5, 255}, {100, 200, 15, 51}, {50, 255, 125, 153}, {10, 20, 250, 102}}};
 
 std::string with_alpha(bool multiplied)
 {
     std::string bytes;
-    for (const auto& texel : steps) {
+    for (const auto& texel : stored_texels) {
         for (size_t c = 0; c < 3; ++c) bytes += static_cast<char>(multiplied ? texel[c] * texel[3] / 255 : texel[c]);
         bytes += static_cast<char>(texel[3]);
     }
@@ -66,7 +66,7 @@ std::string with_alpha(bool multiplied)
 std::string floats_with_alpha(bool multiplied)
 {
     std::string bytes;
-    for (const auto& texel : steps) {
+    for (const auto& texel : stored_texels) {
         const auto alpha = static_cast<float>(texel[3] / 255.0);
         for (size_t c = 0; c < 3; ++c)
             bytes += pack<float>({static_cast<float>(linear_from_srgb(texel[c] / 255.0)) * (multiplied ? alpha : 1)});
@@ -94,7 +94,7 @@ TEST(PictureInputs, AlphaIsDividedOutOfColoursInEveryFormat)
         {"tiff, floats, associated", tiff(32, 4, 3, numbers, 1)},
         {"tiff, floats", tiff(32, 4, 3, floats_with_alpha(false), 2)}};
     std::vector<Color> colors, opacity;
-    for (const auto& texel : steps) {
+    for (const auto& texel : stored_texels) {
         const auto linear = [&](size_t c) { return static_cast<float>(linear_from_srgb(texel[c] / 255.0)); };
         const auto alpha = static_cast<float>(texel[3] / 255.0);
         colors.push_back({linear(0), linear(1), linear(2)});

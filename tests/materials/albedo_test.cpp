@@ -9,8 +9,8 @@
 namespace lancer {
 namespace {
 
-constexpr float alphas[] = {1, 0.8f, 0.5f, 0.22f, 0.1f, 0.03f, 0.01f, 0.001f, 1e-4f};
-constexpr float cosines[] = {1, 0.95f, 0.7f, 0.45f, 0.3f, 0.1f, 0.03f, 0.01f};
+constexpr float table_alphas[] = {1, 0.8f, 0.5f, 0.22f, 0.1f, 0.03f, 0.01f, 0.001f, 1e-4f};
+constexpr float table_cosines[] = {1, 0.95f, 0.7f, 0.45f, 0.3f, 0.1f, 0.03f, 0.01f};
 
 // Energy that comes back from one direction, by samples that are shaken in the cells of a grid: those few that lean far
 // count. `lobes`: layers of u.
@@ -42,8 +42,8 @@ Color directional_albedo(const B& bsdf, float cos, int lobes = 16)
 template <class F>
 void for_each_angle(const F& f)
 {
-    for (const float alpha : alphas)
-        for (const float cos : cosines)
+    for (const float alpha : table_alphas)
+        for (const float cos : table_cosines)
             f("alpha " + std::to_string(alpha) + ", cos " + std::to_string(cos), alpha, cos);
 }
 
@@ -70,7 +70,7 @@ TEST(Albedo, OfRoughMetalIsFarFromOneWithoutCompensation)
 TEST(Albedo, OfColouredMetalGrowsWithCompensationAndDeepensItsColour)
 {
     const Metal copper{{0.95f, 0.64f, 0.54f}, 1}, all{{0.95f, 0.64f, 0.54f}, 1, {}, &AlbedoTable::white()};
-    for (const float cos : cosines) {
+    for (const float cos : table_cosines) {
         const Color once = directional_albedo(copper.at({}), cos), more = directional_albedo(all.at({}), cos);
         for (const auto channel : {&Color::r, &Color::g, &Color::b}) {
             EXPECT_GT(more.*channel, once.*channel);
@@ -111,7 +111,7 @@ TEST(Albedo, OfSmoothPlasticIsItsColourOfWhatCrosses)
 {
     for (const float ior : {1.1f, 1.5f, 2.0f})
         for (const float rho : {0.1f, 0.5f, 0.9f})
-            for (const float cos : cosines) {
+            for (const float cos : table_cosines) {
                 const auto reflectance = [&](double c) {
                     return static_cast<double>(fresnel_dielectric(static_cast<float>(c), ior).reflectance);
                 };
@@ -179,7 +179,7 @@ TEST(Albedo, TablesAreWithinTheirBounds)
             EXPECT_GT(t->mean_missing(alpha), 0) << name;
             EXPECT_LE(t->mean_missing(alpha), 1) << name;
         });
-        for (const float alpha : alphas)
+        for (const float alpha : table_alphas)
             EXPECT_NEAR(t->loss(0x1p-149f, alpha), t->loss(0x1p-12f, alpha), 0)
                 << "below the first node its value holds";
     }

@@ -3,18 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "core/ray.h"
+#include "materials/alternatives.h"
 #include "materials/samples.h"
 #include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {
 
-template <class V>
-struct Alternatives;
-template <class... M>
-struct Alternatives<std::variant<M...>> {
-    using Types = testing::Types<M...>;
-};
 struct Names {
     template <class M>
     static std::string GetName(int)

@@ -4,18 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "core/ray.h"
+#include "materials/alternatives.h"
 #include "materials/samples.h"
 #include "support/statistics/significance.h"
 
 namespace lancer {
 namespace {
 
-template <class V>
-struct Alternatives;
-template <class... M>
-struct Alternatives<std::variant<M...>> {
-    using Types = testing::Types<M...>;
-};
 template <class M>
 class PhongOfMaterials : public testing::Test {
 };

@@ -26,7 +26,7 @@ testing::AssertionResult same(const Film& a, const Film& b)
     return testing::AssertionSuccess();
 }
 
-struct Case {
+struct PixelCase {
     const char* scene;
     AnyIntegrator integrator;
 
@@ -36,17 +36,17 @@ struct Case {
         std::replace(name.begin(), name.end(), '-', '_');
         return std::string(scene) + "_" + name;
     }
-    friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name(); }
+    friend void PrintTo(const PixelCase& c, std::ostream* out) { *out << c.name(); }
 };
-std::vector<Case> all_cases()
+std::vector<PixelCase> pixel_cases()
 {
-    std::vector<Case> cases;
+    std::vector<PixelCase> cases;
     for (const NamedScene& s : all_test_scenes())
         for (const AnyIntegrator& integrator : all_integrators()) cases.push_back({s.name, integrator});
     return cases;
 }
 
-class SamePixels : public testing::TestWithParam<Case> {
+class SamePixels : public testing::TestWithParam<PixelCase> {
 protected:
     SceneDescription scene = [] {
         for (NamedScene& s : all_test_scenes())
@@ -69,8 +69,8 @@ protected:
         return f;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Every, SamePixels, testing::ValuesIn(all_cases()),
-                         [](const testing::TestParamInfo<Case>& c) { return c.param.name(); });
+INSTANTIATE_TEST_SUITE_P(Every, SamePixels, testing::ValuesIn(pixel_cases()),
+                         [](const testing::TestParamInfo<PixelCase>& c) { return c.param.name(); });
 
 TEST_P(SamePixels, OnAnyNumberOfThreads)
 {

@@ -238,14 +238,14 @@ TEST(StopRules, TheLastSampleEndsThePixel)
     EXPECT_GT(most, fewest);
 }
 
-struct Case {
+struct StopCase {
     size_t scene;
     AnyIntegrator integrator;
     StopRule rule;
 };
-std::vector<Case> all_cases()
+std::vector<StopCase> stop_cases()
 {
-    std::vector<Case> cases;
+    std::vector<StopCase> cases;
     const size_t scenes = all_test_scenes().size();
     for (size_t i = 0; i < scenes; ++i)
         for (const AnyIntegrator& integrator : all_integrators())
@@ -253,8 +253,8 @@ std::vector<Case> all_cases()
                 cases.push_back({i, integrator, rule});
     return cases;
 }
-class Stopped : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Every, Stopped, testing::ValuesIn(all_cases()), [](const auto& c) {
+class Stopped : public testing::TestWithParam<StopCase> {};
+INSTANTIATE_TEST_SUITE_P(Every, Stopped, testing::ValuesIn(stop_cases()), [](const auto& c) {
     std::string name = std::string(all_test_scenes()[c.param.scene].name) + "_" +
                        std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, c.param.integrator) +
                        (c.param.rule == StopRule::confidence ? "_confidence" : "_last");

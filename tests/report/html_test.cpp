@@ -15,7 +15,7 @@ namespace {
 
 const std::string wild = "</script><b>&\"'|`";
 
-Document everything()
+Document full_document()
 {
     Document document{"Title " + wild, {Paragraph{wild, Tone::bad}}, {}};
     Section section{"Speed " + wild, {}};
@@ -30,7 +30,7 @@ Document everything()
 
 TEST(Html, IsWellFormedWithWhateverText)
 {
-    const auto page = read_xml(to_html(everything()));
+    const auto page = read_xml(to_html(full_document()));
     EXPECT_EQ(page[0].name, "html");
     std::vector<std::string> headings, links;
     for (const XmlElement& e : page) {
@@ -45,7 +45,7 @@ TEST(Html, ShowsTheTextsAsTheyAre)
 {
     std::map<std::string, std::string> text;
     size_t cells = 0;
-    for (const XmlElement& e : read_xml(to_html(everything()))) {
+    for (const XmlElement& e : read_xml(to_html(full_document()))) {
         if (!text.count(e.name)) text[e.name] = e.text;
         cells += e.name == "td";
         if (e.text == "12.3") {
@@ -68,7 +68,7 @@ TEST(Html, LinesOfACellAreBroken)
 
 TEST(Html, KeepsTheData)
 {
-    for (const XmlElement& e : read_xml(to_html(everything()))) {
+    for (const XmlElement& e : read_xml(to_html(full_document()))) {
         if (e.name != "script") continue;
         EXPECT_EQ(e.attributes.at("type"), "application/json");
         EXPECT_EQ(nlohmann::json::parse(e.text), (nlohmann::json{{wild, {1, 2}}}));
@@ -95,7 +95,7 @@ TEST(Html, Base64OfTheStandard)
 
 TEST(Html, PicturesStandInThePageSideBySideAndUnderASlider)
 {
-    Document document = everything();
+    Document document = full_document();
     document.sections[0].blocks.push_back(
         PictureRow{"one", wild, {{"a " + wild, "", png_of("x")}, {"b", wild, png_of("y")}, {"c", "", png_of("z")}}});
     document.sections[1].blocks.push_back(PictureRow{"two", "", {{"a", "", png_of("y")}}});
@@ -133,7 +133,7 @@ TEST(Html, PicturesStandInThePageSideBySideAndUnderASlider)
         EXPECT_NE(style.find("input." + own + ":checked~.view span." + own), std::string::npos);
     }
     EXPECT_EQ(checked, (std::map<std::string, size_t>{{"one-left", 1}, {"one-right", 1}}));
-    EXPECT_EQ(to_html(everything()).find(".swap"), std::string::npos);
+    EXPECT_EQ(to_html(full_document()).find(".swap"), std::string::npos);
     EXPECT_EQ(to_markdown({"t", {document.sections[1].blocks}, {}}, 2), "");
 }
 
@@ -157,7 +157,7 @@ TEST(Html, GalleriesShowEachPictureOnceWithItsNameAndCaption)
     // Without rows of crops nothing of theirs is in the style, and a page without galleries has nothing of these.
     EXPECT_NE(style.find(".gallery"), std::string::npos);
     EXPECT_EQ(style.find(".swap"), std::string::npos);
-    EXPECT_EQ(to_html(everything()).find(".gallery"), std::string::npos);
+    EXPECT_EQ(to_html(full_document()).find(".gallery"), std::string::npos);
     EXPECT_EQ(to_markdown({"t", {gallery}, {}}, 2), "");
 }
 
@@ -186,7 +186,7 @@ TEST(Html, RefusesPicturesOfAnotherKind)
 
 TEST(Html, NeedsNothingElse)
 {
-    const std::string page = to_html(everything());
+    const std::string page = to_html(full_document());
     for (const XmlElement& e : read_xml(page)) {
         EXPECT_NE(e.name, "link");
         EXPECT_NE(e.name, "img");

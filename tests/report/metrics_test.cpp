@@ -11,7 +11,7 @@
 namespace lancer {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float float_infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 Image constant(int32_t width, int32_t height, Color c)
@@ -75,19 +75,19 @@ TEST(Metrics, NonFinitePixelsFailEveryLimit)
     const Image r = constant(50, 40, {1, 1, 1});
     Image x = r;
     x.at(7, 3) = {1, nan, 1};
-    x.at(8, 3) = {infinity, 1, 1};
+    x.at(8, 3) = {float_infinity, 1, 1};
     Metrics m = compare(x, r);
-    EXPECT_EQ(m.rmse, infinity);
-    EXPECT_EQ(m.relmse, infinity);
+    EXPECT_EQ(m.rmse, float_infinity);
+    EXPECT_EQ(m.relmse, float_infinity);
     EXPECT_EQ(m.relmse_trimmed, 0);  // both are within the thousandth
-    EXPECT_EQ(m.max_difference, infinity);
+    EXPECT_EQ(m.max_difference, float_infinity);
     EXPECT_EQ(m.max_x, 7);
     EXPECT_EQ(m.max_y, 3);
     EXPECT_EQ(m.non_finite_pixels, 2u);
     EXPECT_EQ(m.differing_pixels, 2u);
     m = compare(x, x);  // the same bits, but no picture to be content with
     EXPECT_EQ(m.differing_pixels, 0u);
-    EXPECT_EQ(m.rmse, infinity);
+    EXPECT_EQ(m.rmse, float_infinity);
     EXPECT_EQ(m.reference_non_finite, 2u);
 }
 
@@ -98,7 +98,7 @@ TEST(Metrics, SymmetricErrorOfHandComputedValues)
     x.at(1, 0) = {-1, 5, 1e-30f}, r.at(1, 0) = {1, 5, 3e-30f};  // all, none, 2/4: scale does not matter
     EXPECT_NEAR(compare(x, r).smape, (0.5 + 1 + 1 + 0.5) / 6, 1e-7);
     EXPECT_EQ(compare(x, r).smape, compare(r, x).smape);
-    x.at(0, 0) = {nan, infinity, 0}, r.at(0, 0) = {1, infinity, 0};
+    x.at(0, 0) = {nan, float_infinity, 0}, r.at(0, 0) = {1, float_infinity, 0};
     EXPECT_NEAR(compare(x, r).smape, (1 + 1 + 0 + 1 + 0 + 0.5) / 6, 1e-7);
 }
 

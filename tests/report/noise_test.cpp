@@ -41,7 +41,7 @@ Made make(uint64_t seed, int samples, const Truth& truth, double chance = 0.5, i
     return made;
 }
 
-double even(int32_t, int32_t) { return 1; }
+double unchanged(int32_t, int32_t) { return 1; }
 
 TEST(NoiseTest, HandComputedValues)
 {
@@ -71,7 +71,7 @@ TEST(NoiseTest, OfOneTruthFindsNothing)
     int means = 0, tiles = 0;
     double chi_square = 0, pixels = 0, beyond = 0;
     for (uint64_t i = 0; i < pairs; ++i) {
-        const NoiseTest t = test_noise(make(2 * i, 64, even), make(2 * i + 1, 64, even));
+        const NoiseTest t = test_noise(make(2 * i, 64, unchanged), make(2 * i + 1, 64, unchanged));
         means += t.means_differ(), tiles += t.tiles_beyond > 0;
         chi_square += t.chi_square, pixels += static_cast<double>(t.pixels), beyond += static_cast<double>(t.beyond_3);
     }
@@ -87,12 +87,12 @@ TEST(NoiseTest, OfOneTruthFindsNothing)
 TEST(NoiseTest, FindsTheBiasThatItSaysItFinds)
 {
     constexpr int pairs = 200;
-    const double detectable = test_noise(make(1, 64, even), make(2, 64, even)).detectable;
+    const double detectable = test_noise(make(1, 64, unchanged), make(2, 64, unchanged)).detectable;
     const auto found = [&](double bias) {
         int count = 0;
         for (uint64_t i = 0; i < pairs; ++i) {
             const auto brighter = [&](int32_t, int32_t) { return 1 + bias; };
-            count += test_noise(make(2 * i, 64, brighter), make(2 * i + 1, 64, even)).means_differ();
+            count += test_noise(make(2 * i, 64, brighter), make(2 * i + 1, 64, unchanged)).means_differ();
         }
         return count;
     };
@@ -108,7 +108,7 @@ TEST(NoiseTest, FindsADifferenceInOnePlace)
         if (x / 8 == 3 && y / 8 == 5) return 1.5;
         return x / 8 == 6 && y / 8 == 5 ? 0.5 : 1.0;
     };
-    const NoiseTest t = test_noise(make(1, 64, moved), make(2, 64, even));
+    const NoiseTest t = test_noise(make(1, 64, moved), make(2, 64, unchanged));
     EXPECT_FALSE(t.means_differ());
     EXPECT_EQ(t.tiles, 64u);
     EXPECT_EQ(t.tiles_beyond, 2u);
@@ -121,7 +121,7 @@ TEST(NoiseTest, FindsADifferenceInOnePlace)
 // One sample in 2000 is bright: of 8 samples most tiles met none, and show no noise at all; 800 know better.
 TEST(NoiseTest, FewSamplesAreNotSureOfWhatIsRare)
 {
-    const Made few = make(1, 8, even, 1.0 / 2000), many = make(2, 800, even, 1.0 / 2000);
+    const Made few = make(1, 8, unchanged, 1.0 / 2000), many = make(2, 800, unchanged, 1.0 / 2000);
     EXPECT_EQ(test_noise(few, many).tiles_beyond, 0u);
     EXPECT_EQ(test_noise(many, few).tiles_beyond, 0u);
     NoisyPicture untold = few;
@@ -149,7 +149,7 @@ TEST(NoiseTest, RoundingIsNoDifferenceAndWithoutNoiseAllElseIs)
 
 TEST(NoiseTest, LeavesOutWhatIsNotFinite)
 {
-    Made a = make(1, 64, even), b = make(2, 64, even);
+    Made a = make(1, 64, unchanged), b = make(2, 64, unchanged);
     a.image.at(0, 0).g = std::numeric_limits<float>::infinity();
     b.variance[1] = std::nanf("");
     const NoiseTest t = test_noise(a, b);
@@ -158,7 +158,7 @@ TEST(NoiseTest, LeavesOutWhatIsNotFinite)
     EXPECT_TRUE(std::isfinite(t.largest_tile_z));
     b.variance.pop_back();
     EXPECT_THROW(test_noise(a, b), Error);
-    EXPECT_THROW(test_noise(a, make(1, 4, even, 0.5, 32)), Error);
+    EXPECT_THROW(test_noise(a, make(1, 4, unchanged, 0.5, 32)), Error);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Studies as JSON and as CSV.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -11,10 +12,8 @@
 namespace lancer {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // With everything that a study can say, and texts that quote.
-Study everything()
+Study full_study()
 {
     Study study = synthetic_study({{"plain", 1, -1, 0, 0.1, 0.2, 8}, {"other", 0.3, -1, 0, 1. / 3, 0.2, 16}}, 21, 2);
     study.title = "Title, \"quoted\"";
@@ -23,7 +22,7 @@ Study everything()
     study.methods[1].biases = {"clamp 10", "depth, 4"};
     study.methods[1].peer = true;
     study.not_comparable = {"load 7"};
-    study.runs[0].points[1].relmse = infinity;
+    study.runs[0].points[1].relmse = std::numeric_limits<double>::infinity();
     study.runs[0].points[2].flip = 0.125;
     study.runs[1].seed = std::numeric_limits<uint64_t>::max();
     study.runs[2].points[0].cpu_s = std::numeric_limits<double>::quiet_NaN();
@@ -78,7 +77,7 @@ std::string csv_message(const std::string& csv)
 
 TEST(StudyJson, ComesBackAsItWas)
 {
-    const Study a = everything(), b = read_study("s.json", to_json(a));
+    const Study a = full_study(), b = read_study("s.json", to_json(a));
     EXPECT_EQ(a.title, b.title);
     EXPECT_EQ(a.baseline, b.baseline);
     EXPECT_EQ(a.machine, b.machine);
@@ -115,7 +114,7 @@ TEST(StudyJson, HoldsTheMeansOverAllScenes)
 
 TEST(StudyJson, SaysWhereItIsBroken)
 {
-    const std::string good = to_json(everything());
+    const std::string good = to_json(full_study());
     EXPECT_EQ(json_message(good), "nothing is wrong");
     EXPECT_EQ(json_message("{\n \"schema\": oops}"), "s.json:2:12: error: not JSON");
     EXPECT_NE(json_message(good.substr(0, good.size() / 2)).find("not JSON: it ends too early"), std::string::npos);
@@ -141,7 +140,7 @@ TEST(StudyJson, SaysWhereItIsBroken)
 TEST(StudyJson, RefusesWhatMakesNoSense)
 {
     const auto changed = [&](const auto& change) {
-        Study study = everything();
+        Study study = full_study();
         change(study);
         return json_message(to_json(study));
     };
@@ -169,7 +168,7 @@ TEST(StudyJson, RefusesWhatMakesNoSense)
 
 TEST(StudyCsv, ComesBackAsItWas)
 {
-    const Study study = everything();
+    const Study study = full_study();
     const std::string csv = to_csv(study.runs);
     expect_same(study.runs, read_study_csv("s.csv", csv));
     EXPECT_EQ(csv.substr(0, csv.find('\n')),

@@ -9,12 +9,12 @@
 namespace lancer {
 namespace {
 
-constexpr int32_t side = 40;
+constexpr int32_t width = 40;
 
 // 1 everywhere, times `level`, with noise of this standard deviation in each channel.
 Image noisy(double level, double deviation, Random& random)
 {
-    Image image = make_image(side, side);
+    Image image = make_image(width, width);
     const auto value = [&] {
         return static_cast<float>(level + deviation * std::sqrt(12.0) * (random.uniform() - 0.5));
     };
@@ -36,7 +36,7 @@ TEST(StudyLevel, TellsWhatIsThereWithoutTheNoise)
     const PictureLevel level = level_at(0.98, 0.1, 1);
     EXPECT_EQ(level.pictures, 8u);
     for (size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR(level.ratio[c], 0.98, 5 * 0.1 / side / std::sqrt(8.0));
+        EXPECT_NEAR(level.ratio[c], 0.98, 5 * 0.1 / width / std::sqrt(8.0));
         EXPECT_LE(level.ratio_interval[c].low, level.ratio[c]);
         EXPECT_GE(level.ratio_interval[c].high, level.ratio[c]);
     }

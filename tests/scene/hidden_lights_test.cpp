@@ -8,7 +8,7 @@
 namespace lancer {
 namespace {
 
-MaterialDescription of_type(const std::string& name, MaterialType type)
+MaterialDescription default_of(const std::string& name, MaterialType type)
 {
     MaterialDescription m = default_description(type);
     m.name = name;
@@ -18,7 +18,7 @@ SceneDescription on_floor()
 {
     SceneDescription d;
     d.planes = {plane_of({0, 0, 0}, {0, 1, 0})};
-    d.materials = {of_type("glass", MaterialType::glass), of_type("mirror", MaterialType::mirror)};
+    d.materials = {default_of("glass", MaterialType::glass), default_of("mirror", MaterialType::mirror)};
     d.camera = make_camera({0, 2, 6}, {0, 1, 0}, 40);
     return d;
 }
@@ -112,7 +112,7 @@ SceneDescription room(Pane pane, bool closed)
     wall({-2, 0, -2}, {2, 0, -2}, {2, 3, -2}, {-2, 3, -2});
     wall({-2, 0, 2}, {-2, 0, -2}, {-2, 3, -2}, {-2, 3, 2});
     if (closed) wall({2, 0, 2}, {-2, 0, 2}, {-2, 3, 2}, {2, 3, 2});
-    const MaterialDescription glass = of_type("pane", MaterialType::glass);
+    const MaterialDescription glass = default_of("pane", MaterialType::glass);
     if (pane == Pane::sheet)
         d.meshes.push_back(make_mesh(make_quad({2, 0, 2}, {2, 0, -2}, {2, 3, -2}, {2, 3, 2}, glass)));
     if (pane == Pane::block)
@@ -139,7 +139,7 @@ TEST(HiddenLights, AreNotThoseBehindWalls)
     SceneDescription d = room(Pane::none, true);
     d.meshes.push_back(make_mesh(make_quad({2, 0, 2}, {2, 0, -2}, {2, 3, -2}, {2, 3, 2})));
     EXPECT_EQ(hidden(d), 0u);
-    d.materials = {of_type("glass", MaterialType::glass)};
+    d.materials = {default_of("glass", MaterialType::glass)};
     d.spheres = {sphere_of({0, 1, 0}, 0.3, "glass")};
     EXPECT_EQ(hidden(d), 0u);
 }

@@ -20,7 +20,7 @@ BackgroundPicture projected(Projection p, double fov_deg = 180, double margin = 
     how.projection = p, how.fov_deg = fov_deg, how.margin = margin;
     return how;
 }
-ProjectedPicture plain(const BackgroundPicture& how, uint32_t width, uint32_t height)
+ProjectedPicture plain_picture(const BackgroundPicture& how, uint32_t width, uint32_t height)
 {
     return {how, make_raster(width, height, [](uint32_t, uint32_t) { return Color{}; })};
 }
@@ -49,7 +49,8 @@ double expected_radius(Projection p, double deg)
 TEST(ProjectedPicture, FishEyesPutKnownAnglesOnKnownPixels)
 {
     for (const Projection p : fish_eyes) {
-        const ProjectedPicture whole = plain(projected(p), 400, 300), cropped = plain(projected(p, 180, 15), 400, 300);
+        const ProjectedPicture whole = plain_picture(projected(p), 400, 300),
+                               cropped = plain_picture(projected(p, 180, 15), 400, 300);
         for (const double deg : {0.0, 10.0, 30.0, 45.0, 60.0, 80.0, 90.0})
             for (const double azimuth : {0.0, 90.0, 200.0, 300.0}) {
                 const double r = expected_radius(p, deg), b = azimuth * pi_d / 180;
@@ -72,17 +73,18 @@ TEST(ProjectedPicture, FieldsOfViewReachTheRim)
     for (const Projection p : {Projection::equidistant, Projection::orthographic, Projection::equisolid})
         for (const double fov : {60.0, 180.0, 220.0, 360.0}) {
             if (p == Projection::orthographic && fov > 180) continue;
-            const ProjectedPicture picture = plain(projected(p, fov), 100, 100);
+            const ProjectedPicture picture = plain_picture(projected(p, fov), 100, 100);
             EXPECT_NEAR(picture.place_of(direction(fov / 2, 0)).x, 100, 1e-4) << fov;
             EXPECT_LT(picture.place_of(direction(fov / 2 - 1, 0)).x, 100 - 1e-3) << fov;
         }
-    EXPECT_NEAR(plain(projected(Projection::equidistant, 220), 100, 100).place_of(direction(55, 0)).x, 75, 1e-9);
+    EXPECT_NEAR(plain_picture(projected(Projection::equidistant, 220), 100, 100).place_of(direction(55, 0)).x, 75,
+                1e-9);
 }
 
 TEST(ProjectedPicture, LatitudeAndLongitudeAreThoseOfEnvironments)
 {
     // As an environment light shows the same picture, whose y axis is up.
-    const ProjectedPicture p = plain(projected(Projection::latlong), 64, 32);
+    const ProjectedPicture p = plain_picture(projected(Projection::latlong), 64, 32);
     const auto expect_at = [&](Vec3d d, double x, double y) {
         const auto at = p.place_of(d);
         EXPECT_NEAR(at.x, x, 1e-9);
@@ -167,7 +169,7 @@ TEST(ProjectedPicture, TurnsCounterClockwiseAndScales)
     how.rotate_deg = 30;
     how.scale = {2, 3, 4};
     const ProjectedPicture turned(how, make_raster(9, 9, [](uint32_t, uint32_t) { return Color{1, 1, -1}; }));
-    const ProjectedPicture still = plain(projected(Projection::equidistant), 9, 9);
+    const ProjectedPicture still = plain_picture(projected(Projection::equidistant), 9, 9);
     EXPECT_NEAR(turned.place_of(direction(40, 80)).x, still.place_of(direction(40, 50)).x, 1e-9);
     EXPECT_NEAR(turned.place_of(direction(40, 80)).y, still.place_of(direction(40, 50)).y, 1e-9);
     EXPECT_EQ(turned.eval({0, 0, 1}), (Color{2, 3, 0}));

@@ -12,7 +12,7 @@
 namespace lancer {
 namespace {
 
-MaterialDescription of_type(std::string name, MaterialType type)
+MaterialDescription white_of(std::string name, MaterialType type)
 {
     MaterialDescription m = make_lambert(std::move(name), {1, 1, 1});
     m.type = type;
@@ -196,7 +196,7 @@ TEST(Water, OfOldHasTheSameDefaultSlopes)
 TEST(Bubble, HardlyBendsWhatGoesThroughIt)
 {
     SceneDescription d;
-    d.materials = {of_type("wall", MaterialType::glass)};
+    d.materials = {white_of("wall", MaterialType::glass)};
     for (const auto part : {SphereDescription::Part::bubble, SphereDescription::Part::inside_of_bubble}) {
         d.spheres.push_back(sphere_of({-5, 4, -1}, 2, "wall"));
         d.spheres.back().part = part;
@@ -223,7 +223,7 @@ TEST(Bubble, HardlyBendsWhatGoesThroughIt)
 
 TEST(Bubble, InsideOut)
 {
-    MaterialDescription m = of_type("m", MaterialType::glass);
+    MaterialDescription m = white_of("m", MaterialType::glass);
     m.ior = 1.25f;
     EXPECT_EQ(inside_out(m)->ior, 0.8f);
     m.type = MaterialType::interface;

@@ -4,7 +4,7 @@
 
 namespace lancer::stability {
 
-Film take(const SceneDescription& d, const Shot& shot, Outcome& out)
+Film take(const SceneDescription& d, const CountedShot& shot, Outcome& out)
 {
     RenderRequest r = request_of(shot);
     r.threads = shot.threads;
@@ -29,7 +29,7 @@ double relative_rmse(const Film& a, const Film& b)
     return std::sqrt(squares / static_cast<double>(a.pixels.size())) / mean_luminance(a);
 }
 
-std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, Shot shot, uint32_t pictures, Outcome& out)
+std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, CountedShot shot, uint32_t pictures, Outcome& out)
 {
     const uint32_t across = shot.width / 8;
     std::vector<stats::Tally> tiles(size_t{across} * (shot.height / 8) + 1);

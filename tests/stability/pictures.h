@@ -15,7 +15,7 @@ inline constexpr std::array judged_kinds{AccelKind::automatic, AccelKind::embree
 inline constexpr std::array judged_names{"embree", "bvh2", "bvh8"};
 
 // The default plans nothing: small pictures would spend most of their time on the pilot.
-struct Shot {
+struct CountedShot {
     uint32_t width = 24, height = 24, spp = 8;
     AnyIntegrator integrator = Path{.split = false, .roulette_by_pixel = false};
     AccelKind accel = AccelKind::automatic;
@@ -25,7 +25,7 @@ struct Shot {
     std::string isa = "avx2";
 };
 
-Film take(const SceneDescription& d, const Shot& shot, Outcome& out);
+Film take(const SceneDescription& d, const CountedShot& shot, Outcome& out);
 
 inline double luminance_of(const Pixel& p) { return static_cast<double>(luminance(p.mean())); }
 double mean_luminance(const Film& film);
@@ -35,7 +35,8 @@ double relative_rmse(const Film& a, const Film& b);
 
 // Means of 8 x 8 pixels, and of the whole as the last, over pictures with seeds of their own: shot.seed says which. By
 // independent samples: what Sobol's points leave of the noise is too far from normal for tests of a few pictures.
-std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, Shot shot, uint32_t pictures, Outcome& out);
+std::vector<stats::Tally> tiles_over_seeds(const SceneDescription& d, CountedShot shot, uint32_t pictures,
+                                           Outcome& out);
 
 // The least p-value of a family of tests, held to Sidak's level of it.
 struct LeastP {

@@ -172,7 +172,7 @@ Outcome overlap(const Setup& setup)
     LeastP least;
     const SceneDescription alike = nearly_coplanar();
     const auto pictures = static_cast<uint32_t>(setup.scaled(16, 32, 64));
-    Shot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 64, 64)), .accel = AccelKind::embree, .seed = 1};
+    CountedShot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 64, 64)), .accel = AccelKind::embree, .seed = 1};
     const auto by_avx2 = tiles_over_seeds(alike, shot, pictures, out);
     for (const char* isa : instruction_sets) {
         shot.isa = isa, ++shot.seed;
@@ -217,7 +217,7 @@ Outcome open_and_flipped(const Setup& setup)
     Outcome out;
     const SceneDescription d = open_meshes();
     const auto pictures = static_cast<uint32_t>(setup.scaled(16, 32, 64));
-    Shot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 128, 256)), .accel = AccelKind::embree, .seed = 1};
+    CountedShot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 128, 256)), .accel = AccelKind::embree, .seed = 1};
     const auto by = [&](AnyIntegrator integrator) {
         shot.integrator = std::move(integrator), ++shot.seed;
         return tiles_over_seeds(d, shot, pictures, out);

@@ -18,7 +18,7 @@ Outcome powers_of_two(const Setup& setup)
         const bool whole = setup.tier != Tier::A || name == std::string("cornell");
         for (const AccelKind accel : judged_kinds) {
             if (!whole && accel != AccelKind::automatic) continue;
-            Shot shot{.width = 16, .height = 12, .spp = 2, .accel = accel};
+            CountedShot shot{.width = 16, .height = 12, .spp = 2, .accel = accel};
             if (whole) shot.integrator = Path{};  // with a pilot, which must plan the same
             const Film one = take(d, shot, out);
             for (int k = -20; k <= 20; ++k)
@@ -37,7 +37,7 @@ Outcome powers_of_ten(const Setup& setup)
     const auto pictures = static_cast<uint32_t>(setup.scaled(16, 24, 96));
     Measure bias;
     for (const SceneDescription& d : {cornell_scene(), lights_scene()}) {
-        Shot shot{.spp = static_cast<uint32_t>(setup.scaled(2, 64, 128)), .accel = AccelKind::embree, .seed = 1};
+        CountedShot shot{.spp = static_cast<uint32_t>(setup.scaled(2, 64, 128)), .accel = AccelKind::embree, .seed = 1};
         const auto one = tiles_over_seeds(d, shot, pictures, out);
         for (int k = -6; k <= 6; ++k) {
             if (k == 0) continue;
@@ -69,7 +69,7 @@ Outcome far_away(const Setup& setup)
     constexpr const char* digits = "%.9g";
     const auto at = [&](double t) { return moved_cornell(size, Vec3d{1, -1, 1} * t, digits); };
     Outcome out;
-    Shot shot{.width = 16, .height = 16, .spp = static_cast<uint32_t>(setup.scaled(512, 4096, 4096))};
+    CountedShot shot{.width = 16, .height = 16, .spp = static_cast<uint32_t>(setup.scaled(512, 4096, 4096))};
     shot.threads = setup.tier == Tier::A ? 1 : 2;
     const SceneDescription here = at(0);
     const Film reference = take(here, shot, out);
@@ -150,13 +150,13 @@ Outcome extreme_sizes(const std::vector<double>& sizes)
         const double normal = std::ldexp(size, -std::ilogb(size));
         for (const auto& [name, d] : all_test_scenes()) {
             if (has_point_light(d)) continue;
-            const Shot shot{.width = 16, .height = 12, .spp = 4};
+            const CountedShot shot{.width = 16, .height = 12, .spp = 4};
             const Film film = take(scaled_by(d, size), shot, out);
             differ += pixels_that_differ(take(scaled_by(d, normal), shot, out), film);
             dark += mean_luminance(film) > 0.01 ? 0 : 1;
         }
         for (const AccelKind accel : judged_kinds) {
-            const Shot shot{.width = 16, .height = 16, .spp = 4, .accel = accel};
+            const CountedShot shot{.width = 16, .height = 16, .spp = 4, .accel = accel};
             const Film film = take(moved_cornell(size, {}, "%.17g"), shot, out);
             differ += pixels_that_differ(take(moved_cornell(normal, {}, "%.17g"), shot, out), film);
             dark += mean_luminance(film) > 0.01 ? 0 : 1;

@@ -37,11 +37,11 @@ void compare_with_double(const Setup& setup, Outcome& out)
         for (const double side : {-1.0, 1.0}) add(axis * (side * (r + 1)), r, axis.y > 0 && side > 0 ? 1 : 0);
     add({0.3, -0.7, 0.2}, 0.3, 0);
     d.camera = make_camera({0, 0, 0.9}, {0, 0, 0}, fov_deg);
-    const Shot shot{.width = size,
-                    .height = size,
-                    .spp = static_cast<uint32_t>(setup.scaled(8, 256, 1024)),
-                    .integrator = plain_path(vertices),
-                    .seed = 1};
+    const CountedShot shot{.width = size,
+                           .height = size,
+                           .spp = static_cast<uint32_t>(setup.scaled(8, 256, 1024)),
+                           .integrator = plain_path(vertices),
+                           .seed = 1};
     const auto pictures = static_cast<uint32_t>(setup.scaled(16, 32, 64));
     const auto product = tiles_over_seeds(d, shot, pictures, out);
 
@@ -85,7 +85,7 @@ Outcome far_spheres(const Setup& setup)
             d.lights.push_back(light_of(LightType::sphere, {1, 1, 1}, {0, 0, 0}, radius));
             d.camera = make_camera(from * distance, {0, 0, 0}, 2 * std::atan(half) * 180 / pi_d);
             const double expected = pi_d * std::pow(std::tan(angle) / half, 2) / 4;
-            Shot shot{.width = 64, .height = 64, .spp = static_cast<uint32_t>(setup.scaled(64, 256, 1024))};
+            CountedShot shot{.width = 64, .height = 64, .spp = static_cast<uint32_t>(setup.scaled(64, 256, 1024))};
             shot.integrator = no_noise(1);
             const std::string where = ", radius over distance 1e" +
                                       std::to_string(std::lround(std::log10(radius / distance))) +
@@ -207,7 +207,7 @@ Outcome planes_in_place(const Setup& setup)
     const auto by_all_ways = [&](const SceneDescription& d, const std::string& what) {
         LeastP least;
         const auto pictures = static_cast<uint32_t>(setup.scaled(16, 32, 64));
-        Shot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 128, 256)), .seed = 1};
+        CountedShot shot{.spp = static_cast<uint32_t>(setup.scaled(6, 128, 256)), .seed = 1};
         const auto by = [&](DirectLight direct) {
             shot.integrator = plain_path(4, direct), ++shot.seed;
             return tiles_over_seeds(d, shot, pictures, out);
@@ -261,7 +261,7 @@ Outcome resting_ball(const Setup& setup)
     for (const double gap : {0.0, 1e-7, -1e-7}) {
         SceneDescription d = ball_on_floor(gap);
         for (const AccelKind accel : judged_kinds) {
-            const Shot shot{.width = 16, .height = 12, .spp = 4, .accel = accel};
+            const CountedShot shot{.width = 16, .height = 12, .spp = 4, .accel = accel};
             const Film one = take(d, shot, out);
             for (const int k : {-20, -7, 1, 20})
                 differ += pixels_that_differ(one, take(scaled_by(d, std::ldexp(1.0, k)), shot, out));
