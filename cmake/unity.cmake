@@ -1,7 +1,7 @@
 # Joined ("unity") builds. A small file takes longer for its headers and for the start of the compiler than for its own
 # lines: files of one folder are compiled together, several at once. Only neighbours share a compiler, so a name in an
 # anonymous namespace must be the only one of its folder.
-option(LANCER_UNITY "Compile files of a folder together: a whole build takes less than half the time" ON)
+option(LANCER_UNITY "Compile files of a folder together: a whole build takes less time" ON)
 set(LANCER_UNITY_FILES 8 CACHE STRING "How many files are compiled together at most")
 
 # join_sources(TARGET [REGEX]): the target's files of each folder in lots of about equal size. Those whose paths match
