@@ -40,7 +40,7 @@ public:
             return false;
         }
         surface.eta = at_.eta;
-        rays_ = queue.next.size(), shadows_ = queue.shadows.size(), tinted_ = queue.tinted_shadows.size();
+        before_ = QueueSizes(queue);
         return true;
     }
     // Called after the integrator: sets the media of the rays that it emitted and attenuates its shadow rays.
@@ -48,18 +48,19 @@ public:
     {
         const std::vector<Medium>& media = view.scene.media;
         const auto medium_towards = [&](Vec3 w) { return dot(w, surface.side) < 0 ? at_.beyond : at_.here; };
-        for (size_t i = rays_; i < queue.next.size(); ++i) queue.next[i].media = medium_towards(queue.next[i].ray.dir);
-        for (size_t i = shadows_; i < queue.shadows.size(); ++i) {
+        for (size_t i = before_.next; i < queue.next.size(); ++i)
+            queue.next[i].media = medium_towards(queue.next[i].ray.dir);
+        for (size_t i = before_.shadows; i < queue.shadows.size(); ++i) {
             const Ray& ray = queue.shadow_rays[i];
             queue.shadows[i].radiance *= medium_towards(ray.dir).transmittance(media, ray.t_max);
         }
-        for (size_t i = tinted_; i < queue.tinted_shadows.size(); ++i)
+        for (size_t i = before_.tinted_shadows; i < queue.tinted_shadows.size(); ++i)
             queue.tinted_shadows[i].media = medium_towards(queue.tinted_shadows[i].ray.dir);
     }
 
 private:
     Boundary at_;
-    size_t rays_ = 0, shadows_ = 0, tinted_ = 0;  // sizes of the queues before the integrator ran
+    QueueSizes before_;  // before the integrator ran
 };
 
 // Transmittance of a tinted shadow ray across a surface and the medium before it. `in` becomes the medium behind.

@@ -63,6 +63,7 @@ struct ShadowEnds {
     uint32_t slot = 0;                            // the sample that it adds to
     uint32_t light = Scene::none;                 // id in Scene::lights; none: the sky, or nobody said
     PathSegment segment = PathSegment::indirect;  // that the shadow ray is
+    uint32_t share = 0;                           // see PathTrails::of_shadow(), if the film has layers of lobes
 };
 
 // The queues that PathActions fills for a whole batch. They are reused from batch to batch, so that no ray allocates
@@ -92,6 +93,20 @@ struct Queue {
     std::vector<TintedShadow> tinted_shadows;
     std::vector<MirroredShadow> mirrored_shadows;
     std::vector<PathState> next;
+};
+
+// How much a queue holds, to know later what a vertex has added.
+struct QueueSizes {
+    size_t next = 0, shadows = 0, tinted_shadows = 0, mirrored_shadows = 0;
+
+    QueueSizes() = default;
+    explicit QueueSizes(const Queue& q)
+        : next(q.next.size()),
+          shadows(q.shadows.size()),
+          tinted_shadows(q.tinted_shadows.size()),
+          mirrored_shadows(q.mirrored_shadows.size())
+    {
+    }
 };
 
 // The actions of one sample. Shadow rays without radiance are not traced. The order of summation is fixed: all add() of
@@ -136,8 +151,7 @@ public:
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(to_mirror)) return invalidate();
-        queue_.mirrored_shadows.push_back(
-            {to_mirror, radiance_if_unoccluded, light, {slot_, light.light, PathSegment::indirect}, mirror});
+        queue_.mirrored_shadows.push_back({to_mirror, radiance_if_unoccluded, light, {slot_, light.light}, mirror});
     }
     void next(const PathState& state)
     {

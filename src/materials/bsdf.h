@@ -36,6 +36,9 @@ concept Bsdf = std::is_trivially_copyable_v<B> && requires(const B b, Vec3 wo, V
         b.eval(wo, wi)
         } -> std::same_as<BsdfValue>;
     {
+        b.eval_diffuse(wo, wi)
+        } -> std::same_as<Color>;  // the part of eval().f_cos that is Lambertian reflection
+    {
         b.sample(wo, u, v)
         } -> std::same_as<std::optional<BsdfSample>>;
     {

@@ -39,6 +39,7 @@ struct GlassBsdf {
         if (only_delta() || wo.z <= 0 || wi.z == 0) return {};
         return thin ? eval_rough_sheet(unit_in_double(wo), wi) : eval_rough(unit_in_double(wo), wi);
     }
+    static Color eval_diffuse(Vec3, Vec3) { return {}; }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};

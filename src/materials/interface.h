@@ -54,6 +54,10 @@ public:
         if (only_delta() || wo.z <= 0 || wi.z <= 0) return {};
         return eval_smooth(wo, wi, parts(boundary(wo)));
     }
+    Color eval_diffuse(Vec3 wo, Vec3 wi) const
+    {
+        return wo.z > 0 && wi.z > 0 ? diffuse_ * pdf_cosine_hemisphere(wi.z) : Color{};
+    }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};

@@ -30,6 +30,7 @@ struct LambertBsdf {
         if (wo.z <= 0 || wi.z <= 0) return {};
         return lambert_value(albedo, wi.z);
     }
+    Color eval_diffuse(Vec3 wo, Vec3 wi) const { return eval(wo, wi).f_cos; }
     std::optional<BsdfSample> sample(Vec3 wo, float, Vec2 v) const
     {
         if (wo.z <= 0) return {};

@@ -67,6 +67,7 @@ public:
         if (only_delta() || wo.z <= 0 || wi.z <= 0) return {};
         return eval_lobes(unit_in_double(wo), wi, missing(wo.z));
     }
+    static Color eval_diffuse(Vec3, Vec3) { return {}; }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};

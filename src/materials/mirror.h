@@ -16,6 +16,7 @@ struct MirrorBsdf {
     static constexpr bool transmits() { return false; }
     Color reflectance() const { return tint; }
     static BsdfValue eval(Vec3, Vec3) { return {}; }
+    static Color eval_diffuse(Vec3, Vec3) { return {}; }
     std::optional<BsdfSample> sample(Vec3 wo, float, Vec2) const
     {
         if (wo.z <= 0) return {};

@@ -41,6 +41,11 @@ public:
         if (only_delta() || wo.z <= 0 || wi.z <= 0) return {};
         return eval_lobes(seen(wo), wi);
     }
+    Color eval_diffuse(Vec3 wo, Vec3 wi) const
+    {
+        if (wo.z <= 0 || wi.z <= 0) return {};
+        return base_ * coat_.eval_base(seen(wo), wi);
+    }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};

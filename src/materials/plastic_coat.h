@@ -47,11 +47,15 @@ struct PlasticCoat {
         const T by_coat = specular * (1.0f - through_o), by_base = base * through_o * mean_through;
         return {through_o, select(by_coat > 0.0f, by_coat / (by_coat + by_base), T{}), unit_in_double(wo)};
     }
+    // The factor of the base alone. wi: z > 0.
+    T eval_base(const Seen& o, const Vec3T<T>& wi) const
+    {
+        return o.through * through(wi.z) * pdf_cosine_hemisphere(wi.z);
+    }
     // Value and density without a delta lobe. wi: z > 0.
     Value eval(const Seen& o, const Vec3T<T>& wi) const
     {
-        const T pdf_base = pdf_cosine_hemisphere(wi.z);
-        const Value smooth{o.through * through(wi.z) * pdf_base, T{}, (1.0f - o.choice) * pdf_base};
+        const Value smooth{eval_base(o, wi), T{}, (1.0f - o.choice) * pdf_cosine_hemisphere(wi.z)};
         const auto is_rough = alpha > 0.0f;
         if (movemask(is_rough) == 0) return smooth;
         const auto f = eval_facets(GgxT<D>{to_double(alpha)}, o.wo, unit_in_double(wi));

@@ -41,6 +41,7 @@ public:
         f.pdf *= lobe.probability;
         return f;
     }
+    Color eval_diffuse(Vec3 wo, Vec3 wi) const { return wi.z > 0 ? eval(wo, wi).f_cos : Color{}; }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};

@@ -115,6 +115,7 @@ AovLayout layout_of(const std::vector<Aov>& which)
 
 void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
+    if (film_.layers.has_lobes) w_.queued = QueueSizes(w_.queue);
     if (!is_counted(s)) return;
     if (!film_.sets.empty()) add_features(s, surface);
     const SampleId& id = w_.slots[s.slot];

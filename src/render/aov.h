@@ -45,18 +45,36 @@ public:
     void background_only(const SampleId& id) const { count(id); }
     void added(const PathState& s, const Hit& hit, Color radiance) const
     {
-        if (film_.layers.size() > 0) add_to_layers(s.slot, scene_.group_of(hit), s.segment, radiance);
+        if (film_.layers.size() == 0) return;
+        const LobeShare lobes = film_.layers.has_lobes ? w_.trails.of(index_of(s)).lobes : LobeShare{};
+        add_to_layers(s.slot, scene_.group_of(hit), s.segment, lobes, radiance);
     }
     void shadow(const ShadowEnds& ends, const Ray&, Color radiance, bool occluded) const
     {
-        if (film_.layers.size() > 0 && !occluded)
-            add_to_layers(ends.slot, scene_.group_of_light(ends.light), ends.segment, radiance);
+        if (film_.layers.size() == 0 || occluded) return;
+        const LobeShare lobes = film_.layers.has_lobes ? w_.trails.of_shadow(ends) : LobeShare{};
+        add_to_layers(ends.slot, scene_.group_of_light(ends.light), ends.segment, lobes, radiance);
     }
     void mirrored_shadow(const ShadowEnds& ends, const Ray& ray, Color radiance, bool occluded) const
     {
         shadow(ends, ray, radiance, occluded);
     }
     void vertex(const PathState& s, const Surface& surface) const;
+    template <class V, class Integrator>
+    void left(const V& view, const Integrator& integrator, const PathState& s, const Surface& surface,
+              const Sampler& sampler) const
+    {
+        if (film_.layers.has_lobes)
+            w_.trails.follow(view, integrator, s, index_of(s), surface, sampler, w_.queued, w_.queue);
+    }
+    void begin_samples() const
+    {
+        if (film_.layers.has_lobes) w_.trails.begin(w_.slots.size());
+    }
+    void end_rays() const
+    {
+        if (film_.layers.has_lobes) w_.trails.end_rays();
+    }
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
 
@@ -67,9 +85,11 @@ private:
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
         if (!film_.sets.empty()) ++set_of(id).seen;
     }
-    void add_to_layers(uint32_t slot, uint8_t group, PathSegment segment, Color radiance) const
+    // s is one of the states that are traced.
+    size_t index_of(const PathState& s) const { return static_cast<size_t>(&s - w_.states.data()); }
+    void add_to_layers(uint32_t slot, uint8_t group, PathSegment segment, const LobeShare& lobes, Color radiance) const
     {
-        add_radiance(&w_.layers[size_t{slot} * film_.layers.size()], film_.layers, group, segment, radiance);
+        add_radiance(&w_.layers[size_t{slot} * film_.layers.size()], film_.layers, group, segment, lobes, radiance);
     }
     void add_to_mattes(const SampleId& id, const Hit& hit) const
     {

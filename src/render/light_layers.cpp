@@ -8,6 +8,9 @@ namespace {
 
 // In the order of PathSegment.
 constexpr std::array<const char*, path_segments> names_of_segments{"emission", "direct", "indirect"};
+// In the order of Lobe.
+constexpr std::array<const char*, path_lobes> names_of_lobes{"lobe.emission", "lobe.diffuse", "lobe.glossy",
+                                                             "lobe.transmission"};
 
 std::vector<Color> pixels_of(const Film& film, uint32_t layer)
 {
@@ -18,6 +21,13 @@ std::vector<Color> pixels_of(const Film& film, uint32_t layer)
         pixels.push_back(Pixel{.sum = sum, .n = film.whole(i).n}.mean());
     }
     return pixels;
+}
+
+std::string name_of(uint32_t layer, const LayerLayout& layout, const std::vector<std::string>& groups)
+{
+    if (layer < layout.groups) return "light." + groups[layer];
+    if (layer < layout.first_lobe()) return names_of_segments[layer - layout.groups];
+    return names_of_lobes[layer - layout.first_lobe()];
 }
 
 void add_planes(const std::string& name, const std::vector<Color>& pixels, std::vector<ImagePlane>& planes)
@@ -41,9 +51,7 @@ std::vector<ImagePlane> layer_planes(const Film& film, const std::vector<std::st
 {
     std::vector<ImagePlane> planes;
     for (uint32_t k = 0; k < film.layers.size(); ++k) {
-        const std::string name =
-            k < film.layers.groups ? "light." + groups[k] : names_of_segments[k - film.layers.groups];
-        add_planes(name, denoised.empty() ? pixels_of(film, k) : denoised[k], planes);
+        add_planes(name_of(k, film.layers, groups), denoised.empty() ? pixels_of(film, k) : denoised[k], planes);
     }
     return planes;
 }

@@ -10,6 +10,7 @@
 #include "integrators/view.h"
 #include "render/estimators/stop_rule.h"
 #include "render/filter.h"
+#include "render/path_trails.h"
 #include "render/profile.h"
 #include "render/wide/states.h"
 #include "scene/camera.h"
@@ -80,6 +81,8 @@ struct Workspace {
     std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
     std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
     std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any
+    PathTrails trails;                // of states, if the listener follows them
+    QueueSizes queued;                // before the last vertex, likewise
     bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
@@ -95,10 +98,17 @@ struct NoListener {
     void ray(const PathState&, const Hit&) const {}
     void background_only(const SampleId&) const {}  // instead of ray(), for samples that are not traced
     void vertex(const PathState&, const Surface&) const {}
+    // After the integrator's turn at a vertex, or behind a surface that it was not called for.
+    template <class V, class Integrator>
+    void left(const V&, const Integrator&, const PathState&, const Surface&, const Sampler&) const
+    {
+    }
     void added(const PathState&, const Hit&, Color) const {}  // by a ray that hit something, or nothing
     void shadow(const ShadowEnds&, const Ray&, Color, bool /*occluded*/) const {}
     // A shadow ray by way of a mirror: the part that was stopped, or the last one.
     void mirrored_shadow(const ShadowEnds&, const Ray&, Color, bool) const {}
+    void begin_samples() const {}  // those in Workspace::slots
+    void end_rays() const {}       // all states have had their turn, with their shadow rays
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

@@ -187,7 +187,8 @@ PictureRecipe small_recipe()
     recipe.keeps_blocks_open = true;
     recipe.options.denoise_sets = true;
     recipe.options.aovs = {Aov::depth};
-    recipe.options.light_layers = recipe.options.part_layers = recipe.options.mattes = true;
+    recipe.options.light_layers = recipe.options.part_layers = recipe.options.lobe_layers = recipe.options.mattes =
+        true;
     recipe.light_groups = {"rest", "key"};
     recipe.manifests = {{"CryptoObject", "{}"}};
     RenderSettings& settings = recipe.stats.settings.render;

@@ -1,4 +1,4 @@
-// lancer render --aov lights,parts: the light of a picture in layers.
+// lancer render --aov lights,parts,lobes: the light of a picture in layers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,6 +52,11 @@ protected:
         static const Arguments all{"emission", "direct", "indirect"};
         return all;
     }
+    static const Arguments& lobes()
+    {
+        static const Arguments all{"lobe.emission", "lobe.diffuse", "lobe.glossy", "lobe.transmission"};
+        return all;
+    }
     void draw(const std::string& picture, const Arguments& how, const std::string& scene = "room.toml") const
     {
         const Said said = run(Arguments{"render", scene, "--size", "32x24", "-s", "20", "-q", "-o", picture} + how);
@@ -96,11 +101,12 @@ TEST_F(Layers, AddUpToThePicture)
         const bool is_denoised = std::find(way.begin(), way.end(), "--denoise") != way.end();
         const bool is_classic = shown.find("whitted") + shown.find("random") < 2 * shown.size();
         ASSERT_NO_FATAL_FAILURE(draw("plain.exr", way));
-        ASSERT_NO_FATAL_FAILURE(draw("layers.exr", way + Arguments{"--aov", "lights,parts"}));
+        ASSERT_NO_FATAL_FAILURE(draw("layers.exr", way + Arguments{"--aov", "lights,parts,lobes"}));
         // Who asks for layers gets the same picture.
         EXPECT_TRUE(same_pixels(image("plain.exr"), image("layers.exr")));
         if (is_denoised) continue;
         expect_sum("layers.exr", groups(), "layers.exr");
+        expect_sum("layers.exr", lobes(), "layers.exr");
         const bool has_indirect = !is_classic && shown.find("direct") == std::string::npos;
         expect_sum("layers.exr", has_indirect ? parts() : Arguments{"emission", "direct"}, "layers.exr");
     }
@@ -138,10 +144,10 @@ TEST_F(Layers, OfPartsAreThePicturesOfTheParts)
 
 TEST_F(Layers, HaveTheSameBitsForThreadsTilesPassesAndShards)
 {
-    const Arguments what{"--aov", "lights,parts,denoise"};
+    const Arguments what{"--aov", "lights,parts,lobes,denoise"};
     const auto expect_same = [&](const std::string& picture) {
         EXPECT_TRUE(same_pixels(image("one.exr"), image(picture))) << picture;
-        for (const Arguments& layers : {groups(), parts()})
+        for (const Arguments& layers : {groups(), parts(), lobes()})
             for (const std::string& layer : layers)
                 EXPECT_EQ(channel("one.exr", layer + ".B"), channel(picture, layer + ".B")) << picture << layer;
     };
@@ -161,11 +167,12 @@ TEST_F(Layers, HaveTheSameBitsForThreadsTilesPassesAndShards)
 
 TEST_F(Layers, AreRefusedWhereLightHasNoSource)
 {
-    for (const Arguments& way : {Arguments{"--legacy"}, Arguments{"--integrator", "ao"}}) {
-        const Said said = run(Arguments{"render", "room.toml", "-q", "-o", "a.exr", "--aov", "lights"} + way);
-        EXPECT_EQ(said.code, 2);
-        expect_words(said.err, "--aov: lights and parts do not work with ");
-    }
+    for (const char* const layers : {"lights", "lobes"})
+        for (const Arguments& way : {Arguments{"--legacy"}, Arguments{"--integrator", "ao"}}) {
+            const Said said = run(Arguments{"render", "room.toml", "-q", "-o", "a.exr", "--aov", layers} + way);
+            EXPECT_EQ(said.code, 2);
+            expect_words(said.err, "--aov: lights, parts and lobes do not work with ");
+        }
     const Said said = run({"render", "room.toml", "-q", "-o", "a.png", "--aov", "parts"});
     EXPECT_EQ(said.code, 2);
     expect_words(said.err, "--aov: its channels are written to EXR pictures");
@@ -253,7 +260,7 @@ TEST_F(Layers, CryptomatteCountsWhatPixelsShow)
 
 TEST_F(Layers, HaveTheNamesOfOtherPrograms)
 {
-    const std::string all = "all,lights,oidn,cryptomatte";
+    const std::string all = "all,lights,lobes,oidn,cryptomatte";
     ASSERT_NO_FATAL_FAILURE(draw("ours.exr", {"--aov", all}));
     ASSERT_NO_FATAL_FAILURE(draw("nuke.exr", {"--aov", all, "--layer-names", "nuke"}));
     ASSERT_NO_FATAL_FAILURE(draw("blender.exr", {"--aov", all, "--layer-names", "blender"}));
@@ -261,6 +268,7 @@ TEST_F(Layers, HaveTheNamesOfOtherPrograms)
         {"normal.X", "N.X", "Normal.X"},
         {"Z", "Z", "Depth.Z"},
         {"light.lamp-2.G", "light_lamp-2.G", "Combined_lamp-2.G"},
+        {"lobe.diffuse.R", "lobe_diffuse.R", "lobe_diffuse.R"},
         {"oidn.albedo.B", "oidn_albedo.B", "Denoising Albedo.B"},
         {"CryptoMaterial01.A", "CryptoMaterial01.A", "CryptoMaterial01.A"}};
     for (const auto& [ours, nuke, blender] : names) {

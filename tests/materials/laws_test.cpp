@@ -185,6 +185,28 @@ TYPED_TEST(MaterialLaws, LobesAreWhereTheyAreSaidToBe)
     });
 }
 
+// The diffuse part is a part of the value, does not depend on the azimuth, and shines on wo's side alone.
+TYPED_TEST(MaterialLaws, TheDiffusePartIsAPartAndEvenAllRound)
+{
+    Random random(7);
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+        for (int i = 0; i < 300; ++i) {
+            Vec3 wi = random.unit_vector();
+            if (const auto s = bsdf.sample(p.wo, random.unit(), random.unit2()); i % 2 == 0 && s) wi = s->wi;
+            const Color some = bsdf.eval_diffuse(p.wo, wi), all = bsdf.eval(p.wo, wi).f_cos;
+            const Color turned = bsdf.eval_diffuse(p.wo, {-wi.y, wi.x, wi.z});
+            for (const auto channel : channels) {
+                ASSERT_GE(some.*channel, 0) << name;
+                ASSERT_LE(some.*channel, all.*channel * (1 + rounding)) << name;
+                ASSERT_NEAR(some.*channel, turned.*channel, rounding * some.*channel) << name;
+            }
+            if (wi.z < 0) {
+                ASSERT_EQ(some, Color{}) << name;
+            }
+        }
+    });
+}
+
 // No direction sends back more than it got, in energy: radiance grows by eta^2 where light enters what is denser.
 // What loses nothing is exactly white.
 TYPED_TEST(MaterialLaws, WhiteFurnace)

@@ -125,7 +125,7 @@ void Run::load()
     const bool has_spp = options_.picture.render.is_given(&RenderSettings::spp);
     if ((options_.time || options_.error) && !has_spp) settings_.spp = unlimited_spp;
     if (options_.denoise || options_.denoise_sets || options_.guides) require_denoisable(settings_);
-    if (options_.light_layers || options_.part_layers) require_layers(settings_);
+    if (options_.divides_light()) require_layers(settings_);
     if (options_.denoise && options_.error) hold_samples_out();
     if (!options_.shard.is_whole() && settings_.stop)
         throw Error(ErrorKind::usage, {}, "--shard: is not for stop=true, where samples depend on each other");

@@ -208,13 +208,15 @@ void add_aovs(const std::string& text, RenderOptions& options)
 {
     std::vector<Aov>& aovs = options.aovs;
     std::vector<std::string_view> known(enum_names<Aov>.begin(), enum_names<Aov>.end());
-    for (const char* more : {"all", "lights", "parts", "cryptomatte", "denoise", "oidn"}) known.push_back(more);
+    for (const char* more : {"all", "lights", "parts", "lobes", "cryptomatte", "denoise", "oidn"})
+        known.push_back(more);
     for (const std::string& part : split(text, ',')) {
         const size_t place = to_choice("--aov", part, known);
         for (size_t i = 0; i < enum_names<Aov>.size(); ++i)
             if (part == "all" || i == place) aovs.push_back(static_cast<Aov>(i));
         if (part == "lights") options.light_layers = true;
         if (part == "parts") options.part_layers = true;
+        if (part == "lobes") options.lobe_layers = true;
         if (part == "cryptomatte") options.mattes = true;
         if (part == "denoise") options.denoise_sets = true;
         if (part == "oidn") options.guides = true;

@@ -103,6 +103,7 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.values("--aov", "NAME,...",
              "More channels of EXR pictures: " + listed(enum_names<Aov>) +
                  "|all; also lights, a layer for each group of lights, parts, emission, direct and indirect light, "
+                 "lobes, light by diffuse and glossy reflection and by transmission, "
                  "cryptomatte, which objects and materials a pixel shows, "
                  "denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
              [&](const std::string& t) { add_aovs(t, o); });
@@ -251,8 +252,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
         for (const std::string& path : o.outputs)
             if (!is_exr(path) && format(path) != PictureFormat::png)
                 fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
-    if (o.shard.is_whole() &&
-        (!o.aovs.empty() || o.light_layers || o.part_layers || o.mattes || o.denoise_sets || o.guides) &&
+    if (o.shard.is_whole() && (!o.aovs.empty() || o.divides_light() || o.mattes || o.denoise_sets || o.guides) &&
         std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
         fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
     if (o.mattes && (o.compression == ExrCompression::dwaa || o.compression == ExrCompression::dwab))

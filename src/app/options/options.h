@@ -79,6 +79,7 @@ struct RenderOptions {
     std::vector<Aov> aovs;      // each once, in the order of Aov
     bool light_layers = false;  // the light of each group of lights, likewise
     bool part_layers = false;   // emission, direct and indirect light, likewise
+    bool lobe_layers = false;   // light by the lobe of the first surface, likewise
     bool mattes = false;        // Cryptomatte of objects and materials, likewise
     LayerNames layer_names = LayerNames::lancer;
     bool denoise = false;
@@ -111,6 +112,8 @@ struct RenderOptions {
     ProgressKind progress = ProgressKind::automatic;
     bool quiet = false, verbose = false;
     std::string command_line;  // as it was given
+
+    bool divides_light() const { return light_layers || part_layers || lobe_layers; }
 };
 
 struct DenoiseOptions {

@@ -42,7 +42,7 @@ void require_denoisable(const RenderSettings& s)
 void require_layers(const RenderSettings& s)
 {
     if (s.legacy || s.integrator == IntegratorKind::ao)
-        fail_usage("--aov: lights and parts do not work with " +
+        fail_usage("--aov: lights, parts and lobes do not work with " +
                    std::string(s.legacy ? "legacy" : "the integrator ao"));
 }
 

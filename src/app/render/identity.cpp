@@ -31,7 +31,8 @@ RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, 
     std::string& aovs = all.emplace_back("aov", "").second;
     for (const Aov aov : options.aovs) aovs += (aovs.empty() ? "" : ",") + std::string(name_of(aov));
     all.emplace_back("layers", std::string(options.light_layers ? "lights " : "") +
-                                   (options.part_layers ? "parts " : "") + (options.mattes ? "cryptomatte" : ""));
+                                   (options.part_layers ? "parts " : "") + (options.lobe_layers ? "lobes " : "") +
+                                   (options.mattes ? "cryptomatte" : ""));
     all.emplace_back("background", name_of(options.background));
     all.emplace_back("halves to denoise", film.sets.empty() ? "none" : halves_text(film.deal));
     return all;

@@ -33,7 +33,8 @@ std::string layer_name(const std::string& channel, LayerNames names)
     const std::string layer = channel.substr(0, dot), suffix = dot == std::string::npos ? "" : channel.substr(dot);
     for (const AovNames& row : rows)
         if (layer == row.lancer) return std::string(names == LayerNames::nuke ? row.nuke : row.blender) + suffix;
-    constexpr std::string_view group = "light.";
+    constexpr std::string_view group = "light.", lobe = "lobe.";
+    if (layer.starts_with(lobe)) return "lobe_" + layer.substr(lobe.size()) + suffix;
     if (!layer.starts_with(group)) return channel;
     return (names == LayerNames::nuke ? "light_" : "Combined_") + layer.substr(group.size()) + suffix;
 }

@@ -21,8 +21,8 @@ template <class Stream, class AnyOptions>
 void visit_options(Stream& stream, AnyOptions& o)
 {
     stream.each(o.aovs, [&](auto& aov) { visit_enum(stream, aov, enum_names<Aov>.size()); });
-    for (auto* flag : {&o.light_layers, &o.part_layers, &o.mattes, &o.denoise, &o.denoise_sets, &o.guides, &o.half,
-                       &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata, &o.exr_multipart})
+    for (auto* flag : {&o.light_layers, &o.part_layers, &o.lobe_layers, &o.mattes, &o.denoise, &o.denoise_sets,
+                       &o.guides, &o.half, &o.dither, &o.ascii_ppm, &o.reproducible, &o.no_metadata, &o.exr_multipart})
         visit_flag(stream, *flag);
     stream(o.jpeg_quality), stream(o.exr_tile);
     for (auto* text : {&o.ocio.config, &o.ocio.display, &o.ocio.view}) stream(*text);
@@ -82,7 +82,8 @@ Film empty_film(const PictureRecipe& recipe)
     if (o.denoise || o.denoise_sets || o.guides)
         film.keep_sets({.replicates = s.replicates, .second_half = recipe.has_stop_rule ? 0 : s.spp / 2});
     film.keep_layers({.groups = o.light_layers ? static_cast<uint32_t>(recipe.light_groups.size()) : 0,
-                      .has_segments = o.part_layers});
+                      .has_segments = o.part_layers,
+                      .has_lobes = o.lobe_layers});
     if (recipe.keeps_blocks_open) film.keep_blocks_open();
     return film;
 }

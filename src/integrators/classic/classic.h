@@ -28,6 +28,8 @@ public:
     {
     }
 
+    const InterfaceBsdf& bsdf() const { return bsdf_; }
+
     // The reflected and the refracted ray, if any.
     std::optional<PathState> reflection() const { return sent(reflected()); }
     std::optional<PathState> refraction() const { return sent(refracted()); }
@@ -149,6 +151,12 @@ struct Classic {
             f(LegacyVertex<V>(view, s, surface, sampler, s.depth + 1 >= max_depth));
         else
             f(ClassicVertex<V>(view, s, surface, sampler));
+    }
+    // Calls f with the BSDF of a vertex, which no mode but the legacy one goes without.
+    template <class V, class F>
+    void with_bsdf(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler, F&& f) const
+    {
+        f(ClassicVertex<V>(view, s, surface, sampler).bsdf());
     }
     // In legacy mode nothing is traced from the last vertex; else emission is still seen from it.
     bool is_last(const PathState& next) const { return next.depth >= max_depth; }

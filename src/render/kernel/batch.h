@@ -146,6 +146,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                     integrator.hit(view, s, surface, *samplers[k], actions);
                     if (has_media) media.leave(view, surface, w.queue);
                 }
+                listener.left(view, integrator, s, surface, *samplers[k]);
             } else {
                 if (has_media) miss_in_media(view, s);
                 integrator.miss(view, s, actions);
@@ -166,6 +167,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         else if constexpr (requires { typename Integrator::TintedShadows; })
             trace_tinted_shadows(view, accel, typename Integrator::TintedShadows{}, w, counters, listener);
         if constexpr (by_mirrors) trace_mirrored_shadows(view, accel, w, counters, listener);
+        listener.end_rays();
         std::swap(w.states, w.queue.next);
     }
 }

@@ -65,6 +65,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
     const auto flush = [&] {
         if (film.hides_background) w.has_missed.assign(w.slots.size(), 0);
         w.layers.assign(w.slots.size() * film.layers.size(), RadianceSum{});
+        listener.begin_samples();
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
         for (size_t i = 0; i < w.slots.size(); ++i) {
             const bool is_hidden = film.hides_background && w.has_missed[i];
@@ -212,7 +213,7 @@ void Kernels<Integrator>::trace(const View& view, const Accelerator& accel, cons
 }
 
 // Forwards the events of the only sample of a batch to a PathListener.
-struct ReplayListener {
+struct ReplayListener : NoListener {
     const PathListener& listener;
 
     void ray(const PathState& s, const Hit& hit) const { listener.ray(s, hit); }
@@ -233,7 +234,7 @@ Color Kernels<Integrator>::replay(const View& view, const Accelerator& accel, co
     Workspace w;
     Counters counters;
     w.slots.push_back(id);
-    trace_batch(view, accel, camera, width, settings, integrator, w, counters, ReplayListener{listener});
+    trace_batch(view, accel, camera, width, settings, integrator, w, counters, ReplayListener{{}, listener});
     return film_radiance(w.queue.radiance[0].color(), settings);
 }
 
