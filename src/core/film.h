@@ -131,7 +131,8 @@ struct Film {
     // Of each pixel those of objects, then those of materials; empty without mattes.
     std::vector<Matte> mattes;
 
-    // Samples whose camera ray hits nothing are black, for a picture with an alpha channel.
+    // Samples whose camera ray hits nothing are black, for a picture with an alpha channel. With AovSum::through so is
+    // what glass shows of the background.
     bool hides_background = false;
 
     // Adaptive sampling: number of samples of each pixel, 0 while it is unknown. Parallel to pixels; empty if all

@@ -115,7 +115,7 @@ AovLayout layout_of(const std::vector<Aov>& which)
 
 void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
-    if (film_.layers.has_lobes) w_.queued = QueueSizes(w_.queue);
+    if (follows_) w_.queued = QueueSizes(w_.queue);
     if (!is_counted(s)) return;
     if (!film_.sets.empty()) add_features(s, surface);
     const SampleId& id = w_.slots[s.slot];
@@ -142,6 +142,11 @@ void AovListener::add_features(const PathState& s, const Surface& surface) const
     const SampleSet::Features seen = features_seen(scene_, accel_, s, surface);
     SampleSet::Features& sum = set_of(w_.slots[s.slot]).features;
     for (size_t i = 0; i < sum.size(); ++i) sum[i] += seen[i];
+}
+
+void AovListener::add_alpha() const
+{
+    for (size_t i = 0; i < w_.slots.size(); ++i) *sum_of(w_.slots[i], AovSum::through) += w_.alpha.of(i).through;
 }
 
 void AovListener::begin_block(uint32_t first) const
@@ -180,12 +185,27 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
     return planes;
 }
 
+void add_alpha_sums(bool glass, AovLayout& layout)
+{
+    layout.add(AovSum::hits), layout.add(AovSum::samples);
+    if (glass) layout.add(AovSum::through);
+}
+
+double alpha_at(const Film& film, size_t pixel)
+{
+    const auto sum = [&](AovSum of) { return film.whole_aov(pixel, film.aov_layout.offset(of)); };
+    const double samples = sum(AovSum::samples);
+    if (samples == 0) return 0;
+    double covered = sum(AovSum::hits);
+    if (film.aov_layout.has(AovSum::through)) covered -= sum(AovSum::through);
+    return covered / samples;
+}
+
 ImagePlane alpha_of(const Film& film)
 {
     ImagePlane alpha{"A", {}};
     alpha.values.reserve(film.pixels.size());
-    for (size_t i = 0; i < film.pixels.size(); ++i)
-        alpha.values.push_back(static_cast<float>(value_of(Aov::mask, 0, film, i, {})));
+    for (size_t i = 0; i < film.pixels.size(); ++i) alpha.values.push_back(static_cast<float>(alpha_at(film, i)));
     return alpha;
 }
 

@@ -32,7 +32,14 @@ class AovListener : public NoListener {
 public:
     // axis: the direction of the camera, unit.
     AovListener(const Scene& scene, const Accelerator& accel, Vec3 axis, Film& film, const Tile& tile, Workspace& w)
-        : scene_(scene), accel_(accel), axis_(axis), film_(film), tile_(tile), w_(w)
+        : scene_(scene),
+          accel_(accel),
+          axis_(axis),
+          film_(film),
+          tile_(tile),
+          w_(w),
+          sees_through_glass_(film.aov_layout.has(AovSum::through)),
+          follows_(film.layers.has_lobes || sees_through_glass_)
     {
     }
     void ray(const PathState& s, const Hit& hit) const
@@ -60,20 +67,33 @@ public:
         shadow(ends, ray, radiance, occluded);
     }
     void vertex(const PathState& s, const Surface& surface) const;
+    bool hides_sky(const PathState& s) const
+    {
+        // Camera rays are hidden with their samples: Workspace::has_missed.
+        if (!sees_through_glass_ || is_counted(s) || !w_.trails.of(index_of(s)).is_straight) return false;
+        w_.alpha.add_background(s);
+        return true;
+    }
     template <class V, class Integrator>
     void left(const V& view, const Integrator& integrator, const PathState& s, const Surface& surface,
               const Sampler& sampler) const
     {
-        if (film_.layers.has_lobes)
-            w_.trails.follow(view, integrator, s, index_of(s), surface, sampler, w_.queued, w_.queue);
+        if (follows_)
+            w_.trails.follow(view, integrator, s, index_of(s), surface, sampler, w_.queued, film_.layers.has_lobes,
+                             w_.queue);
     }
     void begin_samples() const
     {
-        if (film_.layers.has_lobes) w_.trails.begin(w_.slots.size());
+        if (follows_) w_.trails.begin(w_.slots.size());
+        if (sees_through_glass_) w_.alpha.begin(w_.slots.size());
+    }
+    void end_samples() const
+    {
+        if (sees_through_glass_) add_alpha();
     }
     void end_rays() const
     {
-        if (film_.layers.has_lobes) w_.trails.end_rays();
+        if (follows_) w_.trails.end_rays();
     }
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
@@ -100,6 +120,7 @@ private:
     }
     SampleSet& set_of(const SampleId& id) const { return film_.set_of(film_.index(id.x, id.y), id.sample); }
     void add_features(const PathState& s, const Surface& surface) const;
+    void add_alpha() const;
     // The sums of the sample's pixel, which must lie in the film.
     double* sum_of(const SampleId& id, AovSum sum) const
     {
@@ -113,6 +134,7 @@ private:
     Film& film_;
     const Tile& tile_;
     Workspace& w_;
+    bool sees_through_glass_, follows_;
 };
 
 // The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and
@@ -122,7 +144,12 @@ private:
 // those that hit. The film must have the sums of `which`.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
 
-// The alpha channel, "A": as mask.A. The film must have its sums.
+// The sums that alpha needs. glass: the background behind it is hidden as well.
+void add_alpha_sums(bool glass, AovLayout& layout);
+// Alpha of a pixel, whose sums the film must have: the part of the samples that hit something. Of those that went on
+// through glass to the background what it let through is left out.
+double alpha_at(const Film& film, size_t pixel);
+// The alpha channel, "A".
 ImagePlane alpha_of(const Film& film);
 
 }  // namespace lancer

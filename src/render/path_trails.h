@@ -1,5 +1,5 @@
-// What a path has met since it left the camera, as far as layers of lobes ask. It is kept beside the states of the
-// paths, so that who does not ask has smaller states.
+// What a path has met since it left the camera, as far as layers of lobes and alpha ask. It is kept beside the states
+// of the paths, so that who does not ask has smaller states.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,8 @@
 namespace lancer {
 
 struct PathTrail {
-    LobeShare lobes;  // by which it left its first vertex
+    LobeShare lobes;          // by which it left its first vertex
+    bool is_straight = true;  // from the camera through smooth glass alone, if anything, without a reflection
 };
 
 class PathTrails {
@@ -24,32 +25,36 @@ public:
     const LobeShare& of_shadow(const ShadowEnds& ends) const { return shadow_shares_[ends.share]; }
 
     // Follows what the integrator has queued at a vertex, or behind a surface that it was not called for. state: index
-    // of s; before: the queue without that.
+    // of s; before: the queue without that; has_lobes: whether lobes are asked for.
     template <class V, class Integrator>
     void follow(const V& view, const Integrator& integrator, const PathState& s, size_t state, const Surface& surface,
-                const Sampler& sampler, const QueueSizes& before, Queue& queue)
+                const Sampler& sampler, const QueueSizes& before, bool has_lobes, Queue& queue)
     {
         const PathTrail trail = now_[state];
-        if (trail.lobes.rest != Lobe::none)
-            return add(s, before, queue, trail, [&](Vec3, bool) { return trail.lobes; });
+        if (!has_lobes || trail.lobes.rest != Lobe::none)
+            return add(s, surface, before, queue, trail, [&](Vec3, bool) { return trail.lobes; });
         with_bsdf_of(integrator, view, s, surface, sampler, [&](const auto& bsdf) {
             const Frame frame(surface.ns);
             const Vec3 wo = frame.to_local(-s.ray.dir);
-            add(s, before, queue, trail, [&](Vec3 dir, bool is_delta) {
-                return is_delta ? delta_share(dot(dir, surface.side) < 0) : smooth_share(bsdf, wo, frame.to_local(dir));
+            add(s, surface, before, queue, trail, [&](Vec3 dir, bool is_delta) {
+                return is_delta ? delta_share(is_behind(surface, dir)) : smooth_share(bsdf, wo, frame.to_local(dir));
             });
         });
     }
 
 private:
+    static bool is_behind(const Surface& surface, Vec3 dir) { return dot(dir, surface.side) < 0; }
+
     // share(direction, whether of a delta lobe)
     template <class Share>
-    void add(const PathState& s, const QueueSizes& before, Queue& queue, const PathTrail& trail, const Share& share)
+    void add(const PathState& s, const Surface& surface, const QueueSizes& before, Queue& queue, const PathTrail& trail,
+             const Share& share)
     {
         for (size_t i = before.next; i < queue.next.size(); ++i) {
             const PathState& n = queue.next[i];
             PathTrail& added = next_.emplace_back(trail);
             if (n.depth == s.depth) continue;  // behind a surface that is not there
+            added.is_straight = trail.is_straight && n.specular && is_behind(surface, n.ray.dir);
             added.lobes = share(n.ray.dir, n.specular);
         }
         const auto add_shadow = [&](Vec3 dir, ShadowEnds& ends) {

@@ -1,5 +1,7 @@
 #include "render/specialize.h"
 
+#include <algorithm>
+
 namespace lancer {
 namespace {
 
@@ -15,6 +17,17 @@ void with_wide_kernel(Shading shading, const F& f)
         case Shading::any:
             return f(WideKernel<Shading::any>{});
     }
+}
+
+// Whether the film asks for what the scalar loop alone tells apart: layers of light, the background behind smooth
+// glass.
+bool needs_scalar_loop(const Film& film, const Scene& scene)
+{
+    const auto is_clear = [](const Material& any) {
+        return std::holds_alternative<Glass>(any) || std::holds_alternative<Interface>(any);
+    };
+    return film.layers.size() > 0 || (film.aov_layout.has(AovSum::through) &&
+                                      std::any_of(scene.materials.begin(), scene.materials.end(), is_clear));
 }
 
 }  // namespace
@@ -42,8 +55,7 @@ TileKernel make_tile_kernel(const Scene& scene, const Accelerator& accel, const 
                 if (choice.wide)
                     return [&, choice](const SamplingPlan& plan, const Camera& camera, Film& film, Tile tile,
                                        SampleRange samples, Workspace& w, Counters& counters) {
-                        // Layers are what the scalar loop alone tells apart.
-                        if (film.layers.size() > 0)
+                        if (needs_scalar_loop(film, scene))
                             return Kernels<Integrator>::render(View{scene, plan}, accel, camera, settings, concrete,
                                                                film, tile, samples, w, counters);
                         const WideScene& wide = choice.wide_for(plan);

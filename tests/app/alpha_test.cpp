@@ -1,4 +1,4 @@
-// lancer render --background transparent, and other choices of what picture files hold.
+// lancer render --background transparent and opaque-glass, and other choices of what picture files hold.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -33,7 +33,8 @@ protected:
     }
 };
 
-// The light of the sky that camera rays see is all that is missing, whatever finds the rest.
+// The light of the sky that camera rays see is all that is missing, whatever finds the rest; also where they see it
+// through glass.
 TEST_F(Alpha, LeavesOutTheSkyThatCameraRaysSee)
 {
     const std::vector<std::vector<std::string>> ways{
@@ -52,18 +53,28 @@ TEST_F(Alpha, LeavesOutTheSkyThatCameraRaysSee)
         auto keep = way, hide = way;
         keep.insert(keep.end(), {"-o", "keep.exr"});
         hide.insert(hide.end(), {"-o", "hide.exr", "--background", "transparent"});
+        auto glass = way;
+        glass.insert(glass.end(), {"-o", "glass.exr", "--background", "opaque-glass"});
+        if (const Said said = ball(glass); said.code != 0) FAIL() << said.err;
         if (const Said said = ball(keep); said.code != 0) FAIL() << said.err;
         if (const Said said = ball(hide); said.code != 0) FAIL() << said.err;
         const Image with = image("keep.exr"), without = image("hide.exr");
         const std::vector<float> alpha = channel("hide.exr", "A");
-        size_t open = 0, covered = 0, edge = 0;
+        // Glass that is opaque shows the sky; nothing else differs.
+        const Image with_glass = image("glass.exr");
+        const std::vector<float> opaque = channel("glass.exr", "A");
+        size_t open = 0, covered = 0, edge = 0, seen_through = 0;
         for (size_t i = 0; i < alpha.size(); ++i) {
             const Color a = with.pixels[i], b = without.pixels[i];
             const float behind = (1 - alpha[i]) * sky;
             ASSERT_NEAR(b.r + behind, a.r, 1e-5) << i;
             ASSERT_NEAR(b.g + behind, a.g, 1e-5) << i;
             ASSERT_NEAR(b.b + behind, a.b, 1e-5) << i;
-            if (alpha[i] == 0) {
+            ASSERT_NEAR(with_glass.pixels[i].g + (1 - opaque[i]) * sky, a.g, 1e-5) << i;
+            ASSERT_LE(alpha[i], opaque[i] + 1e-6f) << i;
+            seen_through += alpha[i] < 0.3f && opaque[i] == 1;
+            if (opaque[i] == 0) {
+                ASSERT_EQ(alpha[i], 0);
                 ASSERT_EQ(b, Color{});
                 ++open;
             }
@@ -72,6 +83,8 @@ TEST_F(Alpha, LeavesOutTheSkyThatCameraRaysSee)
         EXPECT_GT(open, 100u);
         EXPECT_GT(covered, 50u);
         EXPECT_GT(edge, 20u);
+        // Of the older program's glass the sky is not seen behind.
+        EXPECT_EQ(seen_through > 10, way.empty() || way[0] != "--legacy");
     }
 }
 
@@ -91,6 +104,40 @@ TEST_F(Alpha, IsTheSameForThreadsTilesAndPasses)
         if (alpha[i] == 0) {
             ASSERT_EQ(denoised.pixels[i], Color{}) << "light spread by the filter";
         }
+}
+
+// A tinted pane: alpha is what it takes from the light behind it, and the picture is what it adds.
+TEST_F(Alpha, OfAPaneIsWhatItTakesAway)
+{
+    const auto pane = [&](const std::string& tint, const std::string& ior) {
+        write("pane.toml",
+              "[[light]]\ntype = \"environment\"\nradiance = 0.75\n"
+              "[camera]\nposition = [0, 0, 4]\ntarget = [0, 0, 0]\n"
+              "[material.g]\ntype = \"glass\"\nthin = true\nior = " +
+                  ior + "\nbase_color = " + tint +
+                  "\n[[triangle]]\na = [-9, -9, 0]\nb = [9, -9, 0]\nc = [0, 20, 0]\nmaterial = \"g\"\n");
+        const Said said = run({"render", "pane.toml", "--size", "8x8", "-s", "256", "-q", "-o", "pane.exr",
+                               "--background", "transparent", "--filter", "box"});
+        EXPECT_EQ(said.code, 0) << said.err;
+        return std::pair(channel("pane.exr", "A"), image("pane.exr"));
+    };
+    const auto [of_air, air] = pane("1", "1.000001");
+    for (size_t i = 0; i < of_air.size(); ++i) {
+        EXPECT_NEAR(of_air[i], 0, 1e-6) << "no glass at all";
+        EXPECT_NEAR(air.pixels[i].g, 0, 1e-6);
+    }
+    // A pane that reflects next to nothing and lets 0.36 through at both faces.
+    const auto [of_tinted, tinted] = pane("[0.6, 0.6, 0.6]", "1.000001");
+    for (const float a : of_tinted) EXPECT_NEAR(a, 1 - 0.36, 1e-4);
+    // Green light counts as the eye sees it: Rec. 709.
+    const auto [of_green, green] = pane("[0, 1, 0]", "1.000001");
+    for (const float a : of_green) EXPECT_NEAR(a, 1 - 0.7152, 1e-4);
+    // A clear pane reflects about 8 % of the sky, and that is what it adds.
+    const auto [of_clear, clear] = pane("1", "1.5");
+    double alpha = 0, light = 0;
+    for (size_t i = 0; i < of_clear.size(); ++i) alpha += of_clear[i], light += clear.pixels[i].g;
+    EXPECT_NEAR(alpha / 64, 2 * 0.04 / 1.04, 0.004);
+    EXPECT_NEAR(light, alpha * sky, 1e-4);
 }
 
 TEST_F(Alpha, OfPngIsStraight)

@@ -28,6 +28,7 @@ TEST_F(Verify, FindsTheBitsOfEveryKindOfRender)
         {"--half"},
         {"--denoise", "--replicates", "2"},
         {"--background", "transparent", "-D", "camera.fov=25"},
+        {"--background", "opaque-glass"},
         {"--integrator", "whitted", "--exr-compression", "piz"},
         {"--legacy", "--reproducible"},
         {"--set", "stop=true", "-s", "64"},

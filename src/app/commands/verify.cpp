@@ -28,6 +28,7 @@ struct Claim {
     Window display, data;
     uint32_t spp_done = 0;  // what all pixels have; a render that time has stopped may have the next pass in some
     bool is_half = false, has_alpha = false, is_denoised = false;
+    bool has_opaque_glass = false;  // if it has alpha
     ColorSpace space = ColorSpace::lin_rec709;
     std::vector<std::vector<float>> channels;  // red, green, blue before denoising; alpha, if there is one
 };
@@ -68,6 +69,7 @@ Claim read_claim(const std::string& path)
         for (std::string& name : names) name = "noisy." + name;
         claim.is_half = false;
     }
+    claim.has_opaque_glass = text_of(info.metadata, "background") == name_of(BackgroundChoice::opaque_glass);
     if (claim.has_alpha) names.emplace_back("A");
     claim.channels = read_exr_channels(path, names);
     return claim;
@@ -108,7 +110,9 @@ std::vector<float> traced(const Renderer& renderer, const Camera& camera, const 
     Film film(settings.size.width, settings.size.height, pixel);
     if (claim.has_alpha) {
         film.hides_background = true;
-        film.keep_aovs(layout_of({Aov::mask}));
+        AovLayout layout;
+        add_alpha_sums(!claim.has_opaque_glass, layout);
+        film.keep_aovs(layout);
     }
     if (settings.stop) film.wanted.resize(1);
     if (settings.replicates > 1) film.replicates.resize(settings.replicates);

@@ -108,7 +108,8 @@ void add_render_options(OptionParser& p, RenderOptions& o)
                  "denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
              [&](const std::string& t) { add_aovs(t, o); });
     p.value("--background", listed(enum_names<BackgroundChoice>),
-            "transparent: an alpha channel in EXR and PNG, and black where camera rays hit nothing (keep)",
+            "transparent: an alpha channel in EXR and PNG, and no sky where camera rays reach it, also through smooth "
+            "glass; opaque-glass: glass shows the sky (keep)",
             [&](const std::string& t) { o.background = to_enum<BackgroundChoice>("--background", t); });
     p.flag("--denoise", "The picture is denoised when it is complete; EXR keeps the noisy one as layer noisy",
            o.denoise);
@@ -248,7 +249,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     take_outputs(o.outputs, o.format);
     const auto format = [&](const std::string& path) { return format_of(path, o.format); };
     const auto is_exr = [&](const std::string& path) { return format(path) == PictureFormat::exr; };
-    if (o.background == BackgroundChoice::transparent)
+    if (o.background != BackgroundChoice::keep)
         for (const std::string& path : o.outputs)
             if (!is_exr(path) && format(path) != PictureFormat::png)
                 fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");

@@ -40,9 +40,10 @@ template <>
 inline constexpr auto enum_names<ProgressKind> = std::to_array<std::string_view>({"auto", "plain", "json", "none"});
 
 // What becomes of the light that camera rays see when they hit nothing.
-enum class BackgroundChoice { keep, transparent };
+enum class BackgroundChoice { keep, transparent, opaque_glass };
 template <>
-inline constexpr auto enum_names<BackgroundChoice> = std::to_array<std::string_view>({"keep", "transparent"});
+inline constexpr auto enum_names<BackgroundChoice> = std::to_array<std::string_view>({"keep", "transparent",
+                                                                                      "opaque-glass"});
 
 // Whose names the layers of EXR pictures have.
 enum class LayerNames { lancer, nuke, blender };

@@ -41,6 +41,8 @@ PictureContent content_of(const Film& film, const Denoised& denoised, const Pict
     const RenderOptions& options = recipe.options;
     Metadata metadata;
     if (!options.no_metadata) metadata = make_metadata(recipe.stats, options.reproducible);
+    if (options.background != BackgroundChoice::keep && !options.no_metadata)
+        metadata.emplace_back("background", std::string(name_of(options.background)));
     PictureContent content{.image = denoised.pixels.empty() ? rows_of(film) : rows_of(film, denoised.pixels),
                            .planes = aov_planes(film, options.aovs, recipe.normalisation),
                            .metadata = std::move(metadata),
@@ -61,7 +63,7 @@ PictureContent content_of(const Film& film, const Denoised& denoised, const Pict
         append(content.planes, matte_planes(film));
         content.style.exr.attributes = attributes_of(recipe.manifests);
     }
-    if (options.background == BackgroundChoice::transparent) content.planes.push_back(alpha_of(film));
+    if (options.background != BackgroundChoice::keep) content.planes.push_back(alpha_of(film));
     if (options.denoise_sets) add_halves(film, content);
     if (options.guides) append(content.planes, guide_planes(film));
     if (!denoised.pixels.empty()) append(content.planes, layers_of_denoised(to_image(film), denoised));

@@ -72,9 +72,9 @@ Film empty_film(const PictureRecipe& recipe)
     const RenderOptions& o = recipe.options;
     const RenderSettings& s = recipe.stats.settings.render;
     Film film(s.size.width, s.size.height, recipe.stats.settings.crop);
-    film.hides_background = o.background == BackgroundChoice::transparent;
+    film.hides_background = o.background != BackgroundChoice::keep;
     AovLayout layout = layout_of(o.aovs);
-    if (film.hides_background) layout.add(AovSum::hits), layout.add(AovSum::samples);
+    if (film.hides_background) add_alpha_sums(o.background == BackgroundChoice::transparent, layout);
     if (o.mattes) layout.add(AovSum::samples), film.keep_mattes();
     film.keep_aovs(layout);
     if (s.stop) film.wanted.resize(film.pixels.size());

@@ -30,9 +30,8 @@ void add_means(const SampleSet& set, std::array<std::vector<float>, HalfPlanes::
 // Light spread around an object would shine where the picture is transparent.
 void hide_background(const Film& film, std::vector<Color>& pixels)
 {
-    const size_t hits = film.aov_layout.offset(AovSum::hits);
     for (size_t i = 0; i < pixels.size(); ++i)
-        if (film.whole_aov(i, hits) == 0) pixels[i] = {};
+        if (alpha_at(film, i) == 0) pixels[i] = {};
 }
 
 // Puts the light of a layer in the place of all light. Its variance is known from the halves alone.

@@ -149,7 +149,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 listener.left(view, integrator, s, surface, *samplers[k]);
             } else {
                 if (has_media) miss_in_media(view, s);
-                integrator.miss(view, s, actions);
+                if (!listener.hides_sky(s)) integrator.miss(view, s, actions);
             }
             listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));
         }

@@ -67,6 +67,7 @@ void trace_samples(const V& view, const Accelerator& accel, const Camera& camera
         w.layers.assign(w.slots.size() * film.layers.size(), RadianceSum{});
         listener.begin_samples();
         trace_batch(view, accel, camera, film.width, settings, integrator, w, counters, listener);
+        listener.end_samples();
         for (size_t i = 0; i < w.slots.size(); ++i) {
             const bool is_hidden = film.hides_background && w.has_missed[i];
             count(w.slots[i], is_hidden ? Color{} : film_radiance(w.queue.radiance[i].color(), settings),
