@@ -10,11 +10,12 @@ namespace lancer {
 
 // Sums over the samples of a pixel, in scene units. material: 1 + the material of the first sample, 0 if it hit
 // nothing. samples and hits: counts of all samples and of those that hit a surface; doubles hold them exactly. through:
-// transmittance up to the background that glass shows.
-enum class AovSum { albedo, flat, normal, position, uv, depth, material, samples, hits, z, through, end };
+// transmittance up to the background that glass shows. caught: the same up to what catches shadows, the direct light
+// there if nothing were in the way, and the part of it that is blocked.
+enum class AovSum { albedo, flat, normal, position, uv, depth, material, samples, hits, z, through, caught, end };
 
 // Number of doubles of each sum, in the order of AovSum.
-inline constexpr std::array<uint8_t, 11> aov_sum_sizes{3, 3, 3, 3, 2, 1, 1, 1, 1, 1, 1};
+inline constexpr std::array<uint8_t, 12> aov_sum_sizes{3, 3, 3, 3, 2, 1, 1, 1, 1, 1, 1, 3};
 static_assert(aov_sum_sizes.size() == static_cast<size_t>(AovSum::end), "each AovSum has a size");
 
 // The sums of one pixel are adjacent, in the order in which they were added.

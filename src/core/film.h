@@ -132,7 +132,7 @@ struct Film {
     std::vector<Matte> mattes;
 
     // Samples whose camera ray hits nothing are black, for a picture with an alpha channel. With AovSum::through so is
-    // what glass shows of the background.
+    // what glass shows of the background, with AovSum::caught so is what catches shadows.
     bool hides_background = false;
 
     // Adaptive sampling: number of samples of each pixel, 0 while it is unknown. Parallel to pixels; empty if all

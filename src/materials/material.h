@@ -50,9 +50,11 @@ struct MaterialTraits {
     uint32_t bump = no_texture;        // heights
     uint32_t normal_map = no_texture;  // normals, tangent space, encoded in [0, 1]
     float bump_scale = 1;              // slope of a step from black to white between neighbouring texels
+    bool catches_shadows = false;      // in pictures with alpha it is nothing but the shadows on it
     static constexpr auto parameters = std::tuple{
         parameter("opacity", &MaterialTraits::opacity), parameter("bump_texture", &MaterialTraits::bump),
-        parameter("bump_scale", &MaterialTraits::bump_scale), parameter("normal_texture", &MaterialTraits::normal_map)};
+        parameter("bump_scale", &MaterialTraits::bump_scale), parameter("normal_texture", &MaterialTraits::normal_map),
+        parameter("shadow_catcher", &MaterialTraits::catches_shadows)};
     uint16_t medium = no_medium;  // medium behind the surface, index in Scene::media
     bool mirrors = false;         // it has a lobe around the mirror direction
     bool reads_uv = false;        // some parameter, those of the BSDF included, has a texture

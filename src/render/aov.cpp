@@ -146,7 +146,11 @@ void AovListener::add_features(const PathState& s, const Surface& surface) const
 
 void AovListener::add_alpha() const
 {
-    for (size_t i = 0; i < w_.slots.size(); ++i) *sum_of(w_.slots[i], AovSum::through) += w_.alpha.of(i).through;
+    for (size_t i = 0; i < w_.slots.size(); ++i) {
+        const AlphaSample& sample = w_.alpha.of(i);
+        if (sees_through_glass_) *sum_of(w_.slots[i], AovSum::through) += sample.through;
+        if (catches_shadows_) add(sum_of(w_.slots[i], AovSum::caught), sample.caught, sample.light, sample.blocked);
+    }
 }
 
 void AovListener::begin_block(uint32_t first) const
@@ -185,19 +189,24 @@ std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& whi
     return planes;
 }
 
-void add_alpha_sums(bool glass, AovLayout& layout)
+void add_alpha_sums(bool glass, bool catcher, AovLayout& layout)
 {
     layout.add(AovSum::hits), layout.add(AovSum::samples);
     if (glass) layout.add(AovSum::through);
+    if (catcher) layout.add(AovSum::caught);
 }
 
 double alpha_at(const Film& film, size_t pixel)
 {
-    const auto sum = [&](AovSum of) { return film.whole_aov(pixel, film.aov_layout.offset(of)); };
+    const auto sum = [&](AovSum of, size_t k = 0) { return film.whole_aov(pixel, film.aov_layout.offset(of) + k); };
     const double samples = sum(AovSum::samples);
     if (samples == 0) return 0;
     double covered = sum(AovSum::hits);
     if (film.aov_layout.has(AovSum::through)) covered -= sum(AovSum::through);
+    if (film.aov_layout.has(AovSum::caught)) {
+        const double light = sum(AovSum::caught, 1), blocked = sum(AovSum::caught, 2);
+        covered -= sum(AovSum::caught) * (light > 0 ? (light - blocked) / light : 1);
+    }
     return covered / samples;
 }
 

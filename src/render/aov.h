@@ -39,7 +39,8 @@ public:
           tile_(tile),
           w_(w),
           sees_through_glass_(film.aov_layout.has(AovSum::through)),
-          follows_(film.layers.has_lobes || sees_through_glass_)
+          catches_shadows_(film.aov_layout.has(AovSum::caught)),
+          follows_(film.layers.has_lobes || sees_through_glass_ || catches_shadows_)
     {
     }
     void ray(const PathState& s, const Hit& hit) const
@@ -67,10 +68,17 @@ public:
         shadow(ends, ray, radiance, occluded);
     }
     void vertex(const PathState& s, const Surface& surface) const;
+    template <class V>
+    bool takes(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler) const
+    {
+        if (!catches_shadows_ || !scene_.traits[surface.material].catches_shadows || !is_straight(s)) return false;
+        w_.alpha.catch_shadow(view, s, surface, sampler);
+        return true;
+    }
     bool hides_sky(const PathState& s) const
     {
         // Camera rays are hidden with their samples: Workspace::has_missed.
-        if (!sees_through_glass_ || is_counted(s) || !w_.trails.of(index_of(s)).is_straight) return false;
+        if (!sees_through_glass_ || is_counted(s) || !is_straight(s)) return false;
         w_.alpha.add_background(s);
         return true;
     }
@@ -85,15 +93,16 @@ public:
     void begin_samples() const
     {
         if (follows_) w_.trails.begin(w_.slots.size());
-        if (sees_through_glass_) w_.alpha.begin(w_.slots.size());
+        if (sees_through_glass_ || catches_shadows_) w_.alpha.begin(w_.slots.size());
     }
     void end_samples() const
     {
-        if (sees_through_glass_) add_alpha();
+        if (sees_through_glass_ || catches_shadows_) add_alpha();
     }
-    void end_rays() const
+    void end_rays(Counters& counters) const
     {
         if (follows_) w_.trails.end_rays();
+        if (catches_shadows_) counters.shadow_rays += w_.alpha.trace(accel_);
     }
     void begin_block(uint32_t first) const;
     void end_block(uint32_t end) const;
@@ -121,6 +130,11 @@ private:
     SampleSet& set_of(const SampleId& id) const { return film_.set_of(film_.index(id.x, id.y), id.sample); }
     void add_features(const PathState& s, const Surface& surface) const;
     void add_alpha() const;
+    // Whether the camera sees what the ray meets, as it is or through smooth glass.
+    bool is_straight(const PathState& s) const
+    {
+        return sees_through_glass_ ? w_.trails.of(index_of(s)).is_straight : is_counted(s);
+    }
     // The sums of the sample's pixel, which must lie in the film.
     double* sum_of(const SampleId& id, AovSum sum) const
     {
@@ -134,7 +148,7 @@ private:
     Film& film_;
     const Tile& tile_;
     Workspace& w_;
-    bool sees_through_glass_, follows_;
+    bool sees_through_glass_, catches_shadows_, follows_;
 };
 
 // The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and
@@ -144,10 +158,11 @@ private:
 // those that hit. The film must have the sums of `which`.
 std::vector<ImagePlane> aov_planes(const Film& film, const std::vector<Aov>& which, const Normalisation& normalisation);
 
-// The sums that alpha needs. glass: the background behind it is hidden as well.
-void add_alpha_sums(bool glass, AovLayout& layout);
+// The sums that alpha needs. glass: the background behind it is hidden as well; catcher: something catches shadows.
+void add_alpha_sums(bool glass, bool catcher, AovLayout& layout);
 // Alpha of a pixel, whose sums the film must have: the part of the samples that hit something. Of those that went on
-// through glass to the background what it let through is left out.
+// through glass to the background what it let through is left out; of those on what catches shadows all but the part
+//     (sum of the direct light that is blocked) / (sum of the direct light if nothing were in the way).
 double alpha_at(const Film& film, size_t pixel);
 // The alpha channel, "A".
 ImagePlane alpha_of(const Film& film);

@@ -38,6 +38,7 @@ std::string bias_ledger(const RenderSettings& settings, const LedgerEvents& even
     if (!events.stopped_by.empty()) add("stopped_by_" + events.stopped_by);
     if (events.dropped) add("dropped=" + std::to_string(events.dropped));
     if (events.denoised) add("denoised");
+    if (events.caught_shadows) add("shadow_ratio");
     return ledger.empty() ? "none" : ledger;
 }
 
@@ -67,6 +68,9 @@ std::vector<LedgerEntry> all_ledger_entries()
                    "such a sample does not count; counted, and the first is named"});
     all.push_back({"denoised", "`--denoise`, `lancer denoise`",
                    "noise is filtered: details that it hides are smoothed, less with more samples"});
+    all.push_back({"shadow_ratio", "`shadow_catcher` with `--background transparent` or `opaque-glass`",
+                   "alpha of a shadow is a quotient of two sums over the samples of a pixel, whose mean is off by "
+                   "something like one over their number; light that objects send to the surface is missing"});
     return all;
 }
 

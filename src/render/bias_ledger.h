@@ -15,6 +15,7 @@ struct LedgerEvents {
     std::string stopped_by;  // "time", "error"; empty: neither
     uint64_t dropped = 0;    // samples that were not finite
     bool denoised = false;
+    bool caught_shadows = false;  // alpha has those on surfaces that catch them
 };
 
 // The entries of a picture, separated by commas; "none" if there are none. settings: resolved.

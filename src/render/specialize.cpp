@@ -20,14 +20,15 @@ void with_wide_kernel(Shading shading, const F& f)
 }
 
 // Whether the film asks for what the scalar loop alone tells apart: layers of light, the background behind smooth
-// glass.
+// glass, shadows that are caught.
 bool needs_scalar_loop(const Film& film, const Scene& scene)
 {
     const auto is_clear = [](const Material& any) {
         return std::holds_alternative<Glass>(any) || std::holds_alternative<Interface>(any);
     };
-    return film.layers.size() > 0 || (film.aov_layout.has(AovSum::through) &&
-                                      std::any_of(scene.materials.begin(), scene.materials.end(), is_clear));
+    return film.layers.size() > 0 || film.aov_layout.has(AovSum::caught) ||
+           (film.aov_layout.has(AovSum::through) &&
+            std::any_of(scene.materials.begin(), scene.materials.end(), is_clear));
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ struct Workspace {
     std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any
     PathTrails trails;                // of states, if the listener follows them
     QueueSizes queued;                // before the last vertex, likewise
-    AlphaSamples alpha;               // of slots, if the film has AovSum::through
+    AlphaSamples alpha;               // of slots, if the film has AovSum::through or caught
     bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
@@ -100,6 +100,12 @@ struct NoListener {
     void ray(const PathState&, const Hit&) const {}
     void background_only(const SampleId&) const {}  // instead of ray(), for samples that are not traced
     void vertex(const PathState&, const Surface&) const {}
+    // Whether it takes the place of the integrator at a vertex.
+    template <class V>
+    static bool takes(const V&, const PathState&, const Surface&, const Sampler&)
+    {
+        return false;
+    }
     // Whether the background that a ray has reached is not part of the picture.
     static bool hides_sky(const PathState&) { return false; }
     // After the integrator's turn at a vertex, or behind a surface that it was not called for.
@@ -113,7 +119,7 @@ struct NoListener {
     void mirrored_shadow(const ShadowEnds&, const Ray&, Color, bool) const {}
     void begin_samples() const {}  // those in Workspace::slots
     void end_samples() const {}
-    void end_rays() const {}  // all states have had their turn, with their shadow rays
+    void end_rays(Counters&) const {}  // all states have had their turn, with their shadow rays
     void begin_block(uint32_t /*first sample*/) const {}
     void end_block(uint32_t /*one past the last*/) const {}
 };

@@ -30,6 +30,7 @@ struct RunStats {
         std::string added_light;     // of a bare mesh: which light it was given or not, and why
         std::vector<std::string> warnings;
         std::vector<UnusedFeature> unused_features;
+        bool catches_shadows = false;  // what some material does, in a picture with alpha
     };
     struct SettingsUsed {
         RenderSettings render;  // resolved

@@ -26,6 +26,11 @@ bool Scene::has_emitters() const
            std::any_of(emission.begin(), emission.end(), [](const Emission& e) { return !e.is_dark(); });
 }
 
+bool Scene::catches_shadows() const
+{
+    return std::any_of(traits.begin(), traits.end(), [](const MaterialTraits& t) { return t.catches_shadows; });
+}
+
 Color Scene::radiance_from(Vec3 dir) const
 {
     const Color c = environment_map ? environment_map->eval(dir) : environment;

@@ -155,6 +155,8 @@ struct Scene {
     bool has_sky() const { return environment_table || !is_black(environment); }
     // Whether there is a delta light or a material that emits.
     bool has_emitters() const;
+    // Whether some material catches shadows.
+    bool catches_shadows() const;
     // Whether all rays that leave the scene have the same radiance, camera rays included.
     bool has_uniform_background() const { return !environment_map && !background && !glow; }
 

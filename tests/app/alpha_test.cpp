@@ -140,6 +140,92 @@ TEST_F(Alpha, OfAPaneIsWhatItTakesAway)
     EXPECT_NEAR(light, alpha * sky, 1e-4);
 }
 
+// A plate that catches shadows, under a ball.
+class Catcher : public Alpha {
+protected:
+    // lights: tables of scene files; ball: whether there is one.
+    void write_plate(const std::string& name, const std::string& lights, bool ball,
+                     const std::string& material = "") const
+    {
+        write(name, "[camera]\nposition = [0, 6, 6]\ntarget = [0, 0, 0]\nfov = 30\n" + lights +
+                        "[material.plate]\nbase_color = [0.6, 0.5, 0.4]\n" + material +
+                        "[material.m]\nbase_color = [0.5, 0.25, 0.125]\n"
+                        "[[plane]]\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\nmaterial = \"plate\"\n" +
+                        (ball ? "[[sphere]]\ncenter = [0, 0.8, 0]\nradius = 0.5\nmaterial = \"m\"\n" : ""));
+    }
+    Said draw(const std::string& scene, const std::string& picture, std::vector<std::string> more = {}) const
+    {
+        more.insert(more.begin(), {"render", scene, "--size", "32x24", "-q", "-o", picture});
+        return run(more);
+    }
+    const std::string catches = "shadow_catcher = true\n";
+};
+
+// Of two directional lights the ball takes one, the other or none: alpha is the part of the light that is missing,
+// as that of the picture drawn with the ball over that without.
+TEST_F(Catcher, HasThePartOfTheLightThatIsBlocked)
+{
+    const std::string sun = "[[light]]\ntype = \"directional\"\ndirection = [-1, -1.5, 0]\nirradiance = 3\n";
+    // It is so far off that its own shadow from the sun is not seen.
+    const std::string lamps = "[[light]]\ntype = \"sphere\"\ncenter = [6, 3, 0]\nradius = 0.8\nradiance = 40\n";
+    for (const std::string& lights :
+         {sun, lamps, sun + lamps + "[[light]]\ntype = \"environment\"\nradiance = 0.5\n"}) {
+        SCOPED_TRACE(lights);
+        write_plate("catch.toml", lights, true, catches);
+        write_plate("with.toml", lights, true);
+        write_plate("without.toml", lights, false);
+        const std::vector<std::string> direct{"--integrator", "direct", "-s", "1024"};
+        ASSERT_EQ(draw("with.toml", "with.exr", direct).code, 0);
+        ASSERT_EQ(draw("without.toml", "without.exr", direct).code, 0);
+        const Said said = draw("catch.toml", "catch.exr", {"-s", "1024", "--background", "transparent"});
+        ASSERT_EQ(said.code, 0) << said.err;
+        EXPECT_EQ(text_of(read_exr_info(file("catch.exr")).metadata, "bias"), "shadow_ratio");
+        ASSERT_EQ(draw("catch.toml", "mask.exr", {"-s", "1024", "--aov", "cryptomatte"}).code, 0);
+        const std::vector<float> alpha = channel("catch.exr", "A"), part = channel("mask.exr", "CryptoMaterial00.G");
+        const std::vector<float> first = channel("mask.exr", "CryptoObject00.R");
+        const Image with = image("with.exr"), without = image("without.exr"), caught = image("catch.exr");
+        const auto ball = size_t{9 * 32 + 16};  // a pixel that shows the ball
+        size_t plain = 0, dark = 0, half = 0;
+        for (size_t i = 0; i < alpha.size(); ++i) {
+            if (part[i] != 1) continue;
+            if (first[i] == first[ball]) {
+                ASSERT_EQ(alpha[i], 1) << i;
+                continue;
+            }
+            ASSERT_EQ(caught.pixels[i], Color{}) << i;
+            ASSERT_NEAR(alpha[i], 1 - with.pixels[i].g / without.pixels[i].g, 0.05) << i;
+            plain += alpha[i]<0.01f, dark += alpha[i]> 0.9f, half += alpha[i] > 0.1f && alpha[i] < 0.9f;
+        }
+        EXPECT_GT(plain, 100u);
+        EXPECT_GT(dark + half, 10u);
+    }
+}
+
+// The ball is drawn as it would be over a ground that is seen, which is drawn where nothing is hidden.
+TEST_F(Catcher, IsAGroundToAllElse)
+{
+    const std::string light = "[[light]]\ntype = \"sphere\"\ncenter = [3, 3, 0]\nradius = 0.5\nradiance = 12\n";
+    write_plate("catch.toml", light, true, catches);
+    write_plate("plain.toml", light, true);
+    ASSERT_EQ(draw("catch.toml", "keep.exr").code, 0);
+    ASSERT_EQ(draw("plain.toml", "plain.exr").code, 0);
+    EXPECT_TRUE(same_pixels(image("keep.exr"), image("plain.exr")));
+    EXPECT_EQ(text_of(read_exr_info(file("keep.exr")).metadata, "bias"), "none");
+    const std::vector<std::string> hide{"--background", "transparent"};
+    auto two = hide;
+    two.insert(two.end(), {"-t", "4", "--tile", "5", "--batch", "3"});
+    ASSERT_EQ(draw("catch.toml", "one.exr", hide).code, 0);
+    ASSERT_EQ(draw("catch.toml", "two.exr", two).code, 0);
+    EXPECT_TRUE(same_pixels(image("one.exr"), image("two.exr")));
+    EXPECT_EQ(channel("one.exr", "A"), channel("two.exr", "A"));
+    const Image one = image("one.exr"), plain = image("plain.exr");
+    const size_t ball = 9 * 32 + 16;
+    EXPECT_EQ(one.pixels[ball], plain.pixels[ball]);
+    EXPECT_GT(one.pixels[ball].g, 0.01f);
+    const Said verified = run({"verify", "one.exr", "--pixels", "all"});
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+}
+
 TEST_F(Alpha, OfPngIsStraight)
 {
     ASSERT_EQ(ball({"-o", "a.exr", "-o", "a.png", "--background", "transparent", "--tonemap", "none"}).code, 0);

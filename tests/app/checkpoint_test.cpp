@@ -190,6 +190,7 @@ PictureRecipe small_recipe()
     recipe.options.light_layers = recipe.options.part_layers = recipe.options.lobe_layers = recipe.options.mattes =
         true;
     recipe.options.background = BackgroundChoice::transparent;
+    recipe.stats.scene.catches_shadows = true;
     recipe.light_groups = {"rest", "key"};
     recipe.manifests = {{"CryptoObject", "{}"}};
     RenderSettings& settings = recipe.stats.settings.render;

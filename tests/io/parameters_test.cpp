@@ -95,7 +95,8 @@ std::string defaults(const Row& row)
         const MaterialDescription d = default_description(type);
         const std::string text = [&] {
             if constexpr (std::is_same_v<std::remove_cvref_t<decltype(row.value_of(d))>, bool>)
-                return "`\"" + std::string(row.words[row.value_of(d)]) + "\"`";
+                return row.range == ParameterRange::boolean ? std::string(row.value_of(d) ? "`true`" : "`false`")
+                                                            : "`\"" + std::string(row.words[row.value_of(d)]) + "\"`";
             else
                 return default_of(row.value_of(d));
         }();
@@ -156,8 +157,9 @@ TEST(Parameters, OfMaterialsAreWhatTheManualSays)
         if (row.range == ParameterRange::choice)
             range = "`\"" + std::string(row.words[0]) + "\"`, `\"" + std::string(row.words[1]) + "\"`";
         if (row.role == TextureRole::heights) range = "a picture or waves";
-        expect(row.key, kind_of(field) + " | " + (std::is_same_v<Field, TextureUse> ? "none" : defaults(row)) + " | " +
-                            range + " | " + types);
+        const std::string kind = row.range == ParameterRange::boolean ? "boolean" : kind_of(field);
+        expect(row.key, kind + " | " + (std::is_same_v<Field, TextureUse> ? "none" : defaults(row)) + " | " + range +
+                            " | " + types);
         if constexpr (has_map<decltype(row)>) expect(row.map_key, "texture | none |  | " + types);
     });
     for (const char* own : {"key", "`type`", "`preset`"}) manual.erase(std::string(own) + " | ");

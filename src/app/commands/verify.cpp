@@ -111,7 +111,7 @@ std::vector<float> traced(const Renderer& renderer, const Camera& camera, const 
     if (claim.has_alpha) {
         film.hides_background = true;
         AovLayout layout;
-        add_alpha_sums(!claim.has_opaque_glass, layout);
+        add_alpha_sums(!claim.has_opaque_glass, renderer.scene().catches_shadows(), layout);
         film.keep_aovs(layout);
     }
     if (settings.stop) film.wanted.resize(1);

@@ -169,9 +169,10 @@ Metadata make_metadata(const RunStats& s, bool reproducible)
     all.emplace_back("spp_done", integer(s.passes.empty() ? 0 : s.passes.back().spp));
     all.emplace_back("rays", integer(s.rays()));
     all.emplace_back("dropped_samples", integer(s.counters.dropped));
-    all.emplace_back("bias",
-                     bias_ledger(s.settings.render,
-                                 {.stopped_by = s.stopped_by, .dropped = s.counters.dropped, .denoised = s.denoised}));
+    all.emplace_back("bias", bias_ledger(s.settings.render, {.stopped_by = s.stopped_by,
+                                                             .dropped = s.counters.dropped,
+                                                             .denoised = s.denoised,
+                                                             .caught_shadows = s.scene.catches_shadows}));
     all.emplace_back("partial", integer(s.partial ? 1 : 0));
     all.emplace_back("embree", s.context.embree);
     if (!reproducible) {

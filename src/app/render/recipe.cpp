@@ -38,7 +38,7 @@ void visit_stats(Stream& stream, AnyStats& s)
     for (auto* text : {&s.context.version, &s.context.embree, &s.context.command_line, &s.scene.file,
                        &s.scene.added_light, &s.settings.hash, &s.settings.options})
         stream(*text);
-    stream(s.scene.content_hash), stream(s.settings.threads);
+    stream(s.scene.content_hash), stream(s.settings.threads), visit_flag(stream, s.scene.catches_shadows);
     visit_settings(stream, s.settings.render);
     auto& crop = s.settings.crop;
     stream(crop.x0), stream(crop.y0), stream(crop.x1), stream(crop.y1);
@@ -74,7 +74,8 @@ Film empty_film(const PictureRecipe& recipe)
     Film film(s.size.width, s.size.height, recipe.stats.settings.crop);
     film.hides_background = o.background != BackgroundChoice::keep;
     AovLayout layout = layout_of(o.aovs);
-    if (film.hides_background) add_alpha_sums(o.background == BackgroundChoice::transparent, layout);
+    if (film.hides_background)
+        add_alpha_sums(o.background == BackgroundChoice::transparent, recipe.stats.scene.catches_shadows, layout);
     if (o.mattes) layout.add(AovSum::samples), film.keep_mattes();
     film.keep_aovs(layout);
     if (s.stop) film.wanted.resize(film.pixels.size());

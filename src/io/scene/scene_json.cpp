@@ -154,6 +154,7 @@ Json json_of_material(const Scene& scene, uint32_t id, const ExportedPictures& p
         writer.write_texture("opacity_texture", traits.opacity.texture);
     }
     writer.write_texture("normal_texture", traits.normal_map);
+    if (traits.catches_shadows) json["shadow_catcher"] = true;
     if (!pictures.bumps[id].empty())
         json["bumps"] = json_of_picture(pictures.bumps[id], std::get<ImageTexture>(scene.textures[traits.bump]).use());
     return json;

@@ -143,7 +143,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 Surface& surface = *surfaces[k];
                 listener.vertex(s, surface);
                 if (!has_media || media.enter(view, s, surface, w.queue, actions)) {
-                    integrator.hit(view, s, surface, *samplers[k], actions);
+                    if (!listener.takes(view, s, surface, *samplers[k]))
+                        integrator.hit(view, s, surface, *samplers[k], actions);
                     if (has_media) media.leave(view, surface, w.queue);
                 }
                 listener.left(view, integrator, s, surface, *samplers[k]);
@@ -167,7 +168,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         else if constexpr (requires { typename Integrator::TintedShadows; })
             trace_tinted_shadows(view, accel, typename Integrator::TintedShadows{}, w, counters, listener);
         if constexpr (by_mirrors) trace_mirrored_shadows(view, accel, w, counters, listener);
-        listener.end_rays();
+        listener.end_rays(counters);
         std::swap(w.states, w.queue.next);
     }
 }

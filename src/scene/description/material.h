@@ -46,10 +46,11 @@ struct MaterialDescription {
     Color specular{1, 1, 1};  // plastic: tint of the coat's reflection; in [0, 1]
     float opacity = 1;        // part of the rays that are stopped, in [0, 1]
     TextureUse opacity_map{};
-    TextureUse bump_map{};    // heights
-    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels; a factor on waves
-    TextureUse normal_map{};  // tangent space, y along +v
-    Color emission{};         // radiance
+    TextureUse bump_map{};        // heights
+    float bump_scale = 1;         // slope of a step from black to white between neighbouring texels; a factor on waves
+    TextureUse normal_map{};      // tangent space, y along +v
+    bool shadow_catcher = false;  // in pictures with alpha only its shadows are seen
+    Color emission{};             // radiance
     TextureUse emission_map{};
     bool emission_both_sides = false;  // else only on the side of the normal
     std::string group{};               // of lights, see scene/lights/groups.h; empty: none
@@ -160,6 +161,7 @@ inline constexpr std::tuple all{
     image("bump_texture", &M::bump_map, TextureRole::heights),
     number("bump_scale", &M::bump_scale, finite),
     image("normal_texture", &M::normal_map, TextureRole::normal),
+    number("shadow_catcher", &M::shadow_catcher, boolean),
     mapped("emission", &M::emission, not_negative, "emission_texture", &M::emission_map, TextureRole::color),
     number("emission_sides", &M::emission_both_sides, choice, {"front", "both"}),
     number("group", &M::group, ParameterRange::group)};
