@@ -162,6 +162,7 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
     else if (output.exposure)
         set(table_at(root, "output"), "exposure", {.data = static_cast<double>(output.exposure->stops)});
     if (output.tonemap) set(table_at(root, "output"), "tonemap", {.data = std::string(name_of(*output.tonemap))});
+    if (output.denoise) set(table_at(root, "output"), "denoise", {.data = *output.denoise});
     drop(root, "version");
     return "version = 1\n" + to_toml_text(tree);
 }

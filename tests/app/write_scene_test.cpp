@@ -131,6 +131,14 @@ TEST_F(WriteScene, OutputIsATableOfScenes)
     EXPECT_EQ(render_as("scene.toml", "defined", small({"-D", "output.exposure=1.5", "-D", "output.tonemap=agx"})).code,
               0);
     EXPECT_EQ(pixels_of(file("defined.ppm")), pixels_of(file("given.ppm")));
+    EXPECT_EQ(render_as("scene.toml", "filtered", small({"--denoise"})).code, 0);
+    EXPECT_EQ(render_as("scene.toml", "asked", small({"-D", "output.denoise=true", "--write-scene", "w.toml"})).code, 0);
+    EXPECT_TRUE(same_pixels(image("filtered.exr"), image("asked.exr")));
+    EXPECT_FALSE(same_pixels(image("usual.exr"), image("asked.exr")));
+    EXPECT_EQ(render_as("w.toml", "written", {}).code, 0);
+    EXPECT_TRUE(same_pixels(image("filtered.exr"), image("written.exr")));
+    EXPECT_EQ(render_as("w.toml", "not", {"-D", "output.denoise=false"}).code, 0);
+    EXPECT_TRUE(same_pixels(image("usual.exr"), image("not.exr")));
     const auto mistake = [&](const std::string& definition) {
         const Said said = render_as("scene.toml", "x", {"-D", definition});
         EXPECT_EQ(said.code, 65);

@@ -84,7 +84,7 @@ private:
     void read_output_settings();
     void write_scene();
 
-    const RenderOptions& options_;
+    RenderOptions options_;
     Signals signals_;
     Diagnostics diagnostics_;
     Prepared prepared_;
@@ -173,6 +173,8 @@ void Run::read_output_settings()
     output_ = read_output(scene.file, scene.definitions, diagnostics_);
     if (options_.exposure) output_.exposure = options_.exposure;
     if (options_.tonemap) output_.tonemap = options_.tonemap;
+    if (options_.denoise) output_.denoise = true;
+    options_.denoise = output_.denoise.value_or(false);
     if (!output_.exposure) output_.exposure = usual_exposure(scene.file, settings_);
 }
 

@@ -4,7 +4,7 @@ namespace lancer {
 
 OutputDescription read_output_table(const TomlTable& table)
 {
-    table.allow({"exposure", "tonemap"});
+    table.allow({"exposure", "tonemap", "denoise"});
     OutputDescription output;
     if (table.holds_text("exposure")) {
         if (table.choice("exposure", {"auto"}, 0)) output.exposure = Exposure{.is_automatic = true, .stops = 0};
@@ -15,6 +15,7 @@ OutputDescription read_output_table(const TomlTable& table)
     if (table.has("tonemap"))
         if (const std::optional<size_t> place = table.choice("tonemap", names, 0))
             output.tonemap = static_cast<ToneMap>(*place);
+    output.denoise = table.boolean("denoise");
     return output;
 }
 

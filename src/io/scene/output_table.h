@@ -12,6 +12,7 @@ namespace lancer {
 struct OutputDescription {
     std::optional<Exposure> exposure;  // stops in [-64, 64]
     std::optional<ToneMap> tonemap;
+    std::optional<bool> denoise;
 };
 
 OutputDescription read_output_table(const TomlTable& table);
