@@ -41,12 +41,12 @@ std::string count_or_kind(const TomlValue& value)
 
 }  // namespace
 
-void TomlProblems::report(Diagnostics& diagnostics)
+void TomlProblems::report(Diagnostics& diagnostics, const std::string& note)
 {
     std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
         return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
     });
-    for (const Problem& p : problems_) diagnostics.error(p.where, p.message, p.kind);
+    for (const Problem& p : problems_) diagnostics.error(p.where, p.message + note, p.kind);
     problems_.clear();
 }
 
@@ -278,6 +278,24 @@ std::optional<std::array<uint32_t, 2>> TomlTable::size(std::string_view key) con
         return {};
     }
     return std::array{static_cast<uint32_t>(*width), static_cast<uint32_t>(*height)};
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) const
+{
+    const TomlValue* value = find(key);
+    if (!value) return {};
+    const TomlValue::Array* list = as_array(*value);
+    if (!list || list->empty()) {
+        error(key, " must be a list of numbers, not " + (list ? "empty" : kind_of(*value)));
+        return {};
+    }
+    std::vector<double> result;
+    for (const TomlValue& element : *list) {
+        const std::optional<double> x = number(element, key, any_number);
+        if (!x) return {};
+        result.push_back(*x);
+    }
+    return result;
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) const

@@ -64,7 +64,9 @@ public:
     {
         problems_.push_back({where, std::move(message), kind});
     }
-    void report(Diagnostics& diagnostics);
+    // note: behind each message.
+    void report(Diagnostics& diagnostics, const std::string& note = "");
+    bool has_any() const { return !problems_.empty(); }
 
 private:
     struct Problem {
@@ -129,6 +131,10 @@ public:
     // A list of at least one list of four numbers, which `form` shows in messages; empty if it is wrong.
     std::vector<std::array<double, 4>> quadruples(std::string_view key, const char* form) const;
     std::optional<std::array<uint32_t, 2>> size(std::string_view key) const;
+    // A list of at least one number; empty if it is wrong.
+    std::vector<double> numbers(std::string_view key) const;
+    // As it stands, of whatever type; null if there is none.
+    const TomlValue* value(std::string_view key) const { return find(key); }
     std::optional<TomlTable> table(std::string_view key) const;                               // [key]
     std::vector<TomlTable> tables(std::string_view key) const;                                // [[key]]
     std::vector<std::pair<std::string, TomlTable>> named_tables(std::string_view key) const;  // [key.NAME]

@@ -55,15 +55,15 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
           "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture, output"},
+          "material_override, texture, output, animation"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
           "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture, output"},
+          "material_override, texture, output, animation"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
           "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
-          "material_override, texture, output"}});
+          "material_override, texture, output, animation"}});
 }
 
 TEST_F(SceneMistakes, LightsAndCameras)

@@ -29,12 +29,14 @@ TomlValue* find_entry(TomlValue::Table& table, const std::string& key)
     return found == table.end() ? nullptr : &found->value;
 }
 
-// What stands at one part of the path; made if it may be. Null and a problem otherwise.
-TomlValue* step(TomlValue& at, const Definition& definition, size_t part, uint32_t source, TomlProblems& problems)
+// What stands at one part of the path; made if it may be, as if it stood where `origin` does. Null and a problem
+// otherwise.
+TomlValue* step(TomlValue& at, const Definition& definition, size_t part, const TomlValue& origin,
+                TomlProblems& problems)
 {
     const std::string& name = definition.path[part];
     const auto fail = [&](const std::string& message) {
-        problems.add(problems.where(TomlValue{.data = {}, .source = source}), message);
+        problems.add(problems.where(origin), message);
         return nullptr;
     };
     if (auto* table = std::get_if<TomlValue::Table>(&at.data)) {
@@ -42,9 +44,13 @@ TomlValue* step(TomlValue& at, const Definition& definition, size_t part, uint32
         // What follows a key that is not there tells whether it is a list; the name of a table may be a number, too.
         const bool is_list = part + 1 < definition.path.size() && is_place(definition.path[part + 1]) &&
                              name != "material" && name != "texture" && name != "camera";
-        TomlValue made{.data = TomlValue::Table{}, .source = source};
+        TomlValue made{.line = origin.line, .column = origin.column, .data = {}, .source = origin.source};
         if (is_list) made.data = TomlValue::Array{};
-        table->push_back({.key = name, .value = std::move(made), .source = source});
+        table->push_back({.key = name,
+                          .line = origin.line,
+                          .column = origin.column,
+                          .value = std::move(made),
+                          .source = origin.source});
         return &table->back().value;
     }
     auto* array = std::get_if<TomlValue::Array>(&at.data);
@@ -56,7 +62,7 @@ TomlValue* step(TomlValue& at, const Definition& definition, size_t part, uint32
     if (place > array->size())
         return fail(before + " has no entry " + in_quotes(name) + ": they count from 0, and the next one would be " +
                     std::to_string(array->size()));
-    if (place == array->size()) array->push_back({.data = TomlValue::Table{}, .source = source});
+    if (place == array->size()) array->push_back({.data = TomlValue::Table{}, .source = origin.source});
     return &(*array)[place];
 }
 
@@ -102,9 +108,8 @@ Definition parse_definition(std::string_view text)
 void define(TomlValue& root, const Definition& definition, TomlValue value, TomlProblems& problems)
 {
     TomlValue* at = &root;
-    const uint32_t source = value.source;
     for (size_t i = 0; i < definition.path.size(); ++i) {
-        at = step(*at, definition, i, source, problems);
+        at = step(*at, definition, i, value, problems);
         if (!at) return;
     }
     *at = std::move(value);

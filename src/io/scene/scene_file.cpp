@@ -11,9 +11,11 @@
 #include "core/hash.h"
 #include "core/names.h"
 #include "io/input_text.h"
+#include "io/scene/animation.h"
 #include "io/scene/definition.h"
 #include "io/scene/scene_tables.h"
 #include "io/toml_file.h"
+#include "io/toml_write.h"
 #include "scene/description/material.h"
 
 namespace lancer {
@@ -72,6 +74,63 @@ TomlValue tree_of_mesh(const std::string& name)
     return {.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
 }
 
+// Puts the values of a frame over the file's, but for those that a definition gives: it comes before the film.
+void put_frame(TomlValue& root, const std::vector<FrameValue>& values, const std::vector<std::string>& definitions,
+               TomlProblems& problems)
+{
+    std::set<std::vector<std::string>> defined;
+    for (const std::string& text : definitions) defined.insert(parse_definition(text).path);
+    for (const FrameValue& own : values)
+        if (!defined.count(own.path)) define(root, {.path = own.path, .value = {}}, own.value, problems);
+}
+
+// The frame that is asked for, else the first. Throws Error (usage) if there is none such.
+double frame_of(const std::optional<Animation>& animation, std::optional<double> asked)
+{
+    if (!animation) {
+        if (asked) throw Error(ErrorKind::usage, {}, "--frame: the scene has no [animation]");
+        return 0;
+    }
+    const AnimationDescription& d = animation->description();
+    if (asked && (*asked < d.first || *asked > d.last))
+        throw Error(
+            ErrorKind::usage, {},
+            "--frame: the frames of the scene are " + std::to_string(d.first) + " to " + std::to_string(d.last));
+    return asked.value_or(d.first);
+}
+
+// As text, so that the same values have the same hash.
+std::string text_of(const FrameValue& own)
+{
+    TomlValue::Table entry;
+    for (const std::string& part : own.path) entry.push_back({.key = part, .value = {}});
+    entry.back().value = own.value;
+    return to_toml_text({.data = std::move(entry)});
+}
+
+void hash_frame(const std::vector<FrameValue>& values, double frame, SceneDescription& scene)
+{
+    scene.content_hash = hash_bytes("frame " + std::to_string(frame), scene.content_hash);
+    for (const FrameValue& own : values)
+        if (!own.moves_view) scene.still_hash = hash_bytes(text_of(own), scene.still_hash);
+}
+
+// Reads the tables of every frame, so that what is wrong in one is said before any is drawn.
+void check_frames(const TomlValue& root, const Animation& animation, const AssetFolder& assets,
+                  const SceneFileOptions& options, const std::string& path, Diagnostics& diagnostics)
+{
+    for (uint64_t frame = animation.description().first; frame <= animation.description().last; ++frame) {
+        TomlValue tree = root;
+        SceneDescription none;
+        none.file = path;
+        TomlProblems problems = problems_of(path, options.definitions);
+        put_frame(tree, animation.values_at(static_cast<double>(frame)), options.definitions, problems);
+        read_scene_tables(TomlTable(tree, "", problems), assets, none);
+        problems.report(diagnostics, ", in frame " + std::to_string(frame));
+        if (diagnostics.has_errors()) return;
+    }
+}
+
 // Fills the description from the tree of values, with the definitions put over it.
 void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
                Diagnostics& diagnostics)
@@ -79,9 +138,38 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     TomlProblems problems = problems_of(scene.file, options.definitions);
     define_all(root, options.definitions, problems);
     for (const std::string& text : options.definitions) scene.content_hash = hash_bytes(text, scene.content_hash);
+    scene.still_hash = scene.content_hash;
+    const std::optional<Animation> animation = Animation::read(root, problems);
+    const double frame = frame_of(animation, options.frame);
+    if (animation && !problems.has_any()) {
+        if (options.checks_frames) check_frames(root, *animation, assets, options, scene.file, diagnostics);
+        if (diagnostics.has_errors()) return;
+        const std::vector<FrameValue> values = animation->values_at(frame);
+        put_frame(root, values, options.definitions, problems);
+        hash_frame(values, frame, scene);
+        scene.animation = animation->description();
+        scene.animation->frame = frame;
+    }
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
     load_meshes(files, options, assets, scene, diagnostics);
+}
+
+// As it stands, with the definitions put over it.
+TomlValue defined_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
+                       TomlProblems& problems)
+{
+    const std::filesystem::path file(path);
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    TomlValue root{.data = TomlValue::Table{}};
+    if (extension == ".obj") {
+        root = tree_of_mesh(file.filename().string());
+    } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
+        root = std::move(*read);
+    }
+    define_all(root, definitions, problems);
+    return root;
 }
 
 }  // namespace
@@ -114,27 +202,35 @@ SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& opti
     return scene;
 }
 
-TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics)
+std::optional<AnimationDescription> read_animation(const std::string& path, const std::vector<std::string>& definitions,
+                                                   Diagnostics& diagnostics)
 {
-    const std::filesystem::path file(path);
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    TomlValue root{.data = TomlValue::Table{}};
-    if (extension == ".obj") {
-        root = tree_of_mesh(file.filename().string());
-    } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
-        root = std::move(*read);
-    }
     TomlProblems problems = problems_of(path, definitions);
-    define_all(root, definitions, problems);
+    const TomlValue root = defined_tree(path, definitions, diagnostics, problems);
+    const std::optional<Animation> animation = Animation::read(root, problems);
+    problems.report(diagnostics);
+    if (!animation) return {};
+    return animation->description();
+}
+
+TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
+                     std::optional<double> frame)
+{
+    TomlProblems problems = problems_of(path, definitions);
+    TomlValue root = defined_tree(path, definitions, diagnostics, problems);
+    if (const std::optional<Animation> animation = Animation::read(root, problems)) {
+        put_frame(root, animation->values_at(frame_of(animation, frame)), definitions, problems);
+        auto& tables = std::get<TomlValue::Table>(root.data);
+        std::erase_if(tables, [](const TomlEntry& e) { return e.key == "animation"; });
+    }
     problems.report(diagnostics);
     return root;
 }
 
 OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
-                              Diagnostics& diagnostics)
+                              Diagnostics& diagnostics, std::optional<double> frame)
 {
-    const TomlValue root = scene_tree(path, definitions, diagnostics);
+    const TomlValue root = scene_tree(path, definitions, diagnostics, frame);
     TomlProblems problems = problems_of(path, definitions);
     const std::optional<TomlTable> table = TomlTable(root, "", problems).table("output");
     const OutputDescription output = table ? read_output_table(*table) : OutputDescription{};

@@ -27,10 +27,12 @@ struct SceneFileOptions {
     RasterSource pictures = {};   // as in MeshOptions
     std::optional<Smoothing> smoothing = {};    // of meshes that say nothing of it
     std::vector<std::string> definitions = {};  // KEY=VALUE, override the file; see io/scene/definition.h
+    std::optional<double> frame = {};           // of its [animation]; none: the first
+    bool checks_frames = false;                 // whether what is wrong in any other frame is an error, too
 };
 
 // Collects every problem in `diagnostics`; after an error the description is not fit for use. Throws Error only if
-// the file cannot be read at all.
+// the file cannot be read at all, or if it has no such frame (usage).
 SceneDescription load_scene_file(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics);
 
 // The same for a text in memory; `path` is used in messages, and mesh files are relative to it.
@@ -38,11 +40,16 @@ SceneDescription parse_scene(std::string_view text, const std::string& path, con
                              Diagnostics& diagnostics);
 
 // What the scene file says, or the one that a mesh file stands for, with the definitions put over it: as it is read,
-// not checked. Throws Error if the file cannot be read.
-TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics);
+// not checked. An [animation] is replaced by the values of the frame. Throws Error if the file cannot be read.
+TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
+                     std::optional<double> frame = {});
 // Its [output].
 OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
-                              Diagnostics& diagnostics);
+                              Diagnostics& diagnostics, std::optional<double> frame = {});
+
+// Its [animation]; nothing if there is none. Throws Error if the file cannot be read.
+std::optional<AnimationDescription> read_animation(const std::string& path, const std::vector<std::string>& definitions,
+                                                   Diagnostics& diagnostics);
 
 // A mesh file as a scene of its own: as if a scene file beside it held nothing but a [[mesh]] with its name.
 SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& options, Diagnostics& diagnostics);

@@ -143,7 +143,7 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 std::vector<MeshFile> SceneReader::read()
 {
     root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
-                 "pyramid", "light", "background", "material", "material_override", "texture", "output"});
+                 "pyramid", "light", "background", "material", "material_override", "texture", "output", "animation"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) scene_.render = read_render_table(*render);
     if (const std::optional<TomlTable> output = root_.table("output")) read_output_table(*output);  // for its mistakes

@@ -111,8 +111,17 @@ struct CameraDescription {
     } missing{};
 };
 
+// What [animation] says of the whole film.
+struct AnimationDescription {
+    uint32_t first = 1, last = 1;  // frames, both included
+    double fps = 24;               // frames per second, > 0
+    double frame = 1;              // the one that the rest of the description is of
+    bool moves_views_only = true;  // and nothing of what is seen
+};
+
 struct SceneDescription {
     std::string file;
+    std::optional<AnimationDescription> animation;
     RenderSettings render;                    // what [render] gives
     std::optional<CameraDescription> camera;  // the one to render; absent: fitted to the bounds
     std::vector<CameraDescription> cameras;   // the named ones
@@ -124,7 +133,10 @@ struct SceneDescription {
     std::optional<BackgroundDescription> background;
     std::vector<MaterialDescription> materials;  // [material.NAME], names unique
     std::vector<MaterialOverride> overrides;     // in order; the first that matches counts
-    uint64_t content_hash = 0;                   // of the bytes of every file read
+    uint64_t content_hash = 0;                   // of the bytes of every file read, and of the frame of an animation
+    // Of what the scene file, definitions and animation say, but for what moves views: of two frames of one film it is
+    // the same if they differ in their cameras at most.
+    uint64_t still_hash = 0;
 };
 
 }  // namespace lancer

@@ -1,0 +1,56 @@
+// [animation] of a scene file: tracks, each with the values of one key of the file at some frames. Values in between
+// are put into the tree of the file before its tables are read, as -D does: so whatever a key allows, a track may give,
+// and mistakes have the place of the value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/scene/definition.h"
+#include "io/scene/view_keys.h"
+#include "scene/description/description.h"
+
+namespace lancer {
+
+enum class Interpolation { linear, smooth, step };
+template <>
+inline constexpr auto enum_names<Interpolation> = std::to_array<std::string_view>({"linear", "smooth", "step"});
+
+// One [[animation.track]].
+struct AnimationTrack {
+    std::vector<std::string> path;  // of the key; lists by number
+    std::vector<double> times;      // frames, ascending
+    std::vector<TomlValue> values;  // parallel; all are numbers, or lists of as many, unless it steps
+    Interpolation interpolation = Interpolation::linear;
+    std::optional<ViewKeys> views;  // of a whole camera; values are not used then
+    bool is_direction = false;      // turns evenly
+
+    // Whether it changes nothing of a scene but from where it is seen.
+    bool moves_view() const;
+};
+
+// A value that a frame has in place of the file's.
+struct FrameValue {
+    std::vector<std::string> path;
+    TomlValue value;
+    bool moves_view = false;
+};
+
+class Animation {
+public:
+    // Of the tree of a file; nothing if it has no [animation]. What is wrong goes to problems.
+    static std::optional<Animation> read(const TomlValue& root, TomlProblems& problems);
+
+    const AnimationDescription& description() const { return description_; }
+    // time: in frames.
+    std::vector<FrameValue> values_at(double time) const;
+
+private:
+    void read_track(const TomlTable& table, const TomlValue& root, TomlProblems& problems);
+
+    AnimationDescription description_;
+    std::vector<AnimationTrack> tracks_;
+};
+
+}  // namespace lancer
