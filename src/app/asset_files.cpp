@@ -100,15 +100,20 @@ std::vector<std::string> input_files(const SceneDescription& scene)
     return files;
 }
 
-void hash_assets(SceneDescription& scene)
+void hash_assets(SceneDescription& scene, FileHashes* known)
 {
     constexpr uint64_t odd = 0x9e3779b97f4a7c15u;
     std::set<const MeshData*> seen;
     for (const MeshDescription& mesh : scene.meshes)
         if (mesh.data && seen.insert(mesh.data.get()).second)
             scene.content_hash = scene.content_hash * odd + mesh.data->content_hash;
-    for (const std::string& file : picture_files(scene, Which::used))
-        scene.content_hash = scene.content_hash * odd + hash_file(file);
+    FileHashes own;
+    FileHashes& hashes = known ? *known : own;
+    for (const std::string& file : picture_files(scene, Which::used)) {
+        const auto [entry, is_new] = hashes.try_emplace(file);
+        if (is_new) entry->second = hash_file(file);
+        scene.content_hash = scene.content_hash * odd + entry->second;
+    }
 }
 
 }  // namespace lancer

@@ -2,6 +2,7 @@
 
 #include "app/asset_files.h"
 #include "app/console.h"
+#include "app/frame_cache.h"
 #include "app/paths.h"
 #include "core/hash.h"
 #include "core/names.h"
@@ -49,15 +50,28 @@ void add_environment(SceneDescription& scene, const SceneChoice& choice)
     scene.lights.push_back(std::move(light));
 }
 
+void check_turntable(const SceneDescription& scene, const SceneChoice& choice)
+{
+    if (choice.turntable == 0) return;
+    if (scene.animation) throw Error(ErrorKind::usage, {}, "--turntable: the scene has an [animation] of its own");
+    if (choice.frame && *choice.frame >= choice.turntable)
+        throw Error(ErrorKind::usage, {},
+                    "--frame: the frames of --turntable " + std::to_string(choice.turntable) + " are 0 to " +
+                        std::to_string(choice.turntable - 1));
+}
+
 }  // namespace
 
-SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures)
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures,
+                            FrameCache* film, bool checks_frames)
 {
     const SceneFileOptions options{.asset_root = choice.asset_root,
-                                   .mesh_loader = load_obj,
+                                   .mesh_loader = film ? film->once(load_obj) : load_obj,
                                    .pictures = pictures,
                                    .smoothing = choice.smoothing,
-                                   .definitions = choice.definitions};
+                                   .definitions = choice.definitions,
+                                   .frame = choice.turntable ? std::nullopt : std::optional<double>(choice.frame),
+                                   .checks_frames = checks_frames};
     SceneDescription scene;
     if (is_mesh(choice.file)) {
         scene = wrap_mesh(choice.file, options, diagnostics);
@@ -71,7 +85,8 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
     if (choice.smoothing) scene.content_hash = hash_bytes(smoothing_text(*choice.smoothing), scene.content_hash);
     add_environment(scene, choice);
     choose_camera(scene, choice.camera);
-    hash_assets(scene);
+    check_turntable(scene, choice);
+    hash_assets(scene, film ? &film->hashes : nullptr);
     return scene;
 }
 
@@ -83,6 +98,7 @@ std::string options_text(const SceneChoice& choice)
     if (!choice.camera.empty()) text += " --camera " + in_shell_quotes(choice.camera);
     if (!choice.env.empty()) text += " --env " + in_shell_quotes(choice.env);
     if (!choice.ground) text += " --no-ground";
+    if (choice.frame && !choice.turntable) text += " --frame " + std::to_string(*choice.frame);
     text += view_options_text(choice);
     for (const std::string& definition : choice.definitions) text += " -D " + in_shell_quotes(definition);
     return text;
@@ -94,6 +110,9 @@ std::string view_options_text(const SceneChoice& choice)
     if (choice.up) text += " --up " + std::string(name_of(*choice.up));
     if (choice.view)
         text += " --view " + shortest(choice.view->azimuth_deg) + "," + shortest(choice.view->elevation_deg);
+    if (choice.turntable)
+        text +=
+            " --turntable " + std::to_string(choice.turntable) + " --frame " + std::to_string(choice.frame.value_or(0));
     return text;
 }
 

@@ -23,15 +23,21 @@ struct SceneChoice {
     bool ground = true;                    // bare mesh: a ground below it, where that shows
     std::optional<UpChoice> up{};          // over that of the scene
     std::optional<ViewDirection> view{};   // likewise, over position and target
+    std::optional<uint32_t> frame{};       // of its animation or turntable; none: the first
+    uint32_t turntable = 0;                // frames of a whole turn of the camera; 0: it stands still
 };
 
-// Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera of that name.
-// Textures of mesh files are requested from `pictures` while the meshes are still being read.
-SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures = {});
+struct FrameCache;
+
+// Loads a scene file or a bare mesh. Throws Error if anything is wrong; usage if it has no camera or frame of that
+// name. Textures of mesh files are requested from `pictures` while the meshes are still being read. film: what earlier
+// frames have read is not read again. checks_frames: whether mistakes in any other frame count.
+SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics, const RasterSource& pictures = {},
+                            FrameCache* film = nullptr, bool checks_frames = false);
 
 // The options that repeat this choice, each with a leading blank.
 std::string options_text(const SceneChoice& choice);
-// Of these only --up and --view; empty if neither is given.
+// Of these only what changes the view: --up, --view and --turntable with its frame; empty if none is given.
 std::string view_options_text(const SceneChoice& choice);
 
 }  // namespace lancer

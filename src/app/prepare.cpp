@@ -8,6 +8,8 @@
 #include "core/parallel.h"
 #include "scene/camera.h"
 #include "scene/hidden_lights.h"
+#include "scene/placement.h"
+#include "scene/view/turntable.h"
 
 namespace lancer {
 namespace {
@@ -29,24 +31,58 @@ auto with_warnings(const Diagnostics& diagnostics, F&& f)
     }
 }
 
+// --turntable: about the middle of what there is to see, or what the camera looks at.
+void turn_camera(Prepared& p, const SceneChoice& choice)
+{
+    if (choice.turntable == 0) return;
+    SceneDescription without_lamps = p.description;
+    without_lamps.lights.clear();
+    const Bounds subject = subject_bounds(without_lamps);
+    CameraDescription& camera = *p.description.camera;
+    camera = turned(camera, subject.empty() ? camera.target : subject.center(), p.added.up,
+                    static_cast<double>(choice.frame.value_or(0)) / choice.turntable);
+}
+
+// Tells of lights that a renderer's integrator cannot find, and of everything else that was found before.
+void report_scene(Prepared& p, const Renderer& renderer, Diagnostics& diagnostics)
+{
+    const double begin = wall_seconds();
+    p.hidden_lights = warn_of_hidden_lights(p.description, p.settings, renderer, diagnostics);
+    p.hidden_lights_s = wall_seconds() - begin;
+    print_warnings(diagnostics);
+    for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
+}
+
 }  // namespace
 
-Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet)
+Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, bool quiet, FrameCache* film)
 {
     Prepared p;
     p.threads = options.threads.value_or(available_threads());
     p.memory = memory_for(options.memory, p.threads);
-    p.images = std::make_unique<ImageSource>(p.threads, p.memory.ahead);
+    const bool is_first = !film || !film->images;
+    p.images = is_first ? std::make_shared<ImageSource>(p.threads, p.memory.ahead) : film->images;
+    p.pictures = film ? film->held(p.images->source()) : p.images->source();
+    if (film) film->images = p.images;
     serve(p.memory, *p.images);
-    const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.images->request(file)); };
+    if (film && film->unturned) {
+        std::tie(p.description, p.added) = *film->unturned;
+        p.settings = resolve_settings(options.render, p.description.render);
+        turn_camera(p, options.scene);
+        return p;
+    }
+    const auto begin_reading = [&p](const std::string& file) { return p.early.emplace_back(p.pictures(file)); };
     with_warnings(diagnostics, [&] {
-        with_threads(p.threads, [&] { p.description = load_scene(options.scene, diagnostics, begin_reading); });
+        with_threads(p.threads, [&] {
+            p.description = load_scene(options.scene, diagnostics, begin_reading, film, film && is_first);
+        });
     });
     p.settings = resolve_settings(options.render, p.description.render);
     with_threads(p.threads, [&] {
-        p.added =
-            complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.images->source(), p.memory);
+        p.added = complete_scene(p.description, options.scene, aspect_of(p.settings.size), p.pictures, p.memory);
     });
+    if (film && options.scene.turntable) film->unturned.emplace(p.description, p.added);
+    turn_camera(p, options.scene);
     if (!p.added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
                    p.added.text);
@@ -55,8 +91,7 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
 
 void begin_prepared(Prepared& p, Diagnostics& diagnostics)
 {
-    with_warnings(diagnostics,
-                  [&] { p.scene.emplace(p.description, p.settings, diagnostics, p.images->source(), p.memory); });
+    with_warnings(diagnostics, [&] { p.scene.emplace(p.description, p.settings, diagnostics, p.pictures, p.memory); });
     p.early.clear();  // what the scene did not ask for again it does not use
 }
 
@@ -72,21 +107,40 @@ uint32_t warn_of_hidden_lights(const SceneDescription& description, const Render
 }
 
 std::unique_ptr<Renderer> make_renderer(Prepared& p, const PictureOptions& options, uint32_t batch,
-                                        Diagnostics& diagnostics, const std::function<void()>& accelerator_built)
+                                        Diagnostics& diagnostics, const std::function<void()>& accelerator_built,
+                                        const Renderer* before)
 {
     auto renderer = with_warnings(diagnostics, [&] {
         return std::make_unique<Renderer>(std::move(*p.scene), configure(p.settings, batch), diagnostics,
-                                          accelerator_built);
+                                          accelerator_built, before);
     });
-    const double begin = wall_seconds();
-    p.hidden_lights = warn_of_hidden_lights(p.description, p.settings, *renderer, diagnostics);
-    p.hidden_lights_s = wall_seconds() - begin;
-    print_warnings(diagnostics);
-    for (const auto& warning : diagnostics.warnings()) p.warnings.push_back(to_string(warning));
+    report_scene(p, *renderer, diagnostics);
     if (options.strict && !p.warnings.empty())
         throw Error(ErrorKind::invalid_input, {options.scene.file},
                     std::to_string(p.warnings.size()) + " warnings, and --strict allows none");
     return renderer;
+}
+
+bool is_same_scene(const FrameCache& film, const Prepared& p)
+{
+    // The units of a scene without extent follow its camera.
+    return film.renderer && film.still_hash == p.description.still_hash && film.added == p.added.text &&
+           subject_bounds(p.description).extent() > 0;
+}
+
+std::shared_ptr<const Renderer> renderer_of_film(const FrameCache& film, Prepared& p, Diagnostics& diagnostics)
+{
+    report_scene(p, *film.renderer, diagnostics);
+    return film.renderer;
+}
+
+void keep_for_film(FrameCache& film, const Prepared& p, std::shared_ptr<const Renderer> renderer)
+{
+    film.renderer = std::move(renderer);
+    film.still_hash = p.description.still_hash;
+    film.added = p.added.text;
+    // A scene that stays as it is asks for no picture again.
+    if (!p.description.animation || p.description.animation->moves_views_only) film.pictures.clear();
 }
 
 }  // namespace lancer

@@ -146,7 +146,8 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
                                  const RenderSettings& settings, const OutputDescription& output)
 {
     Diagnostics none;  // all of it has been read before
-    TomlValue tree = scene_tree(choice.file, choice.definitions, none);
+    const std::optional<uint32_t> frame = choice.turntable ? std::nullopt : choice.frame;
+    TomlValue tree = scene_tree(choice.file, choice.definitions, none, frame);
     auto& root = std::get<Entries>(tree.data);
     if (const std::optional<TomlValue> more = parse_toml(added, choice.file, none)) {
         Entries what = std::get<Entries>(more->data);

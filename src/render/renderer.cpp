@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "geometry/same_geometry.h"
 #include "render/estimators/background_only.h"
 #include "scene/alpha_test.h"
 
@@ -17,24 +18,41 @@ RayUse use_of_rays(bool may_have_emitters, const AnyIntegrator& integrator)
     return path && !path->direct.always && !may_have_emitters ? RayUse::bounces : RayUse::all;
 }
 
-// Builds the accelerator and resolves AccelKind::automatic. The geometry must be at its final address.
-std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool may_have_emitters,
-                                               RendererConfig& settings)
+// Resolves AccelKind::automatic.
+void choose_accelerator(const Geometry& geometry, bool may_have_emitters, RendererConfig& settings)
 {
     if (settings.accel == AccelKind::automatic)
         settings.accel = fastest_accelerator(geometry, use_of_rays(may_have_emitters, settings.integrator));
-    return make_accelerator(settings.accel, geometry, settings.isa);
+}
+
+// The accelerator points into the geometry of its scene, and other renderers may take it over.
+std::shared_ptr<const Accelerator> with_scene(std::unique_ptr<Accelerator> accelerator,
+                                              std::shared_ptr<const Scene> scene)
+{
+    struct Both {
+        std::shared_ptr<const Scene> scene;
+        std::unique_ptr<Accelerator> accelerator;
+    };
+    const auto both = std::make_shared<Both>(std::move(scene), std::move(accelerator));
+    return {both, both->accelerator.get()};
 }
 
 }  // namespace
 
 Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnostics& diagnostics,
-                   const std::function<void()>& accelerator_built)
+                   const std::function<void()>& accelerator_built, const Renderer* before)
     : settings_(settings)
 {
-    accel_ = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    choose_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    const bool serves = before && before->settings_.accel == settings_.accel &&
+                        before->settings_.isa == settings_.isa &&
+                        is_same_geometry(before->scene_->geometry, builder.geometry());
+    // The geometry is at its final address.
+    std::unique_ptr<Accelerator> built;
+    if (!serves) built = make_accelerator(settings_.accel, builder.geometry(), settings_.isa);
     if (accelerator_built) accelerator_built();
     scene_ = builder.finish(diagnostics);
+    accel_ = serves ? before->accel_ : with_scene(std::move(built), scene_);
     choose();
 }
 
@@ -43,7 +61,8 @@ Renderer::Renderer(Scene scene, const RendererConfig& settings) : settings_(sett
     auto placed = std::make_unique<Scene>(std::move(scene));
     bind_alpha_test(*placed);
     scene_ = std::move(placed);
-    accel_ = build_accelerator(scene_->geometry, scene_->has_emitters(), settings_);
+    choose_accelerator(scene_->geometry, scene_->has_emitters(), settings_);
+    accel_ = with_scene(make_accelerator(settings_.accel, scene_->geometry, settings_.isa), scene_);
     choose();
 }
 

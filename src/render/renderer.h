@@ -27,10 +27,10 @@ struct PassResult {
 class Renderer {
 public:
     // The first builds the accelerator while pictures are still being read, calls accelerator_built, and then finishes
-    // the scene. Problems with pictures go to diagnostics. Both throw Error (failed) and must be called inside
-    // with_threads.
+    // the scene. Problems with pictures go to diagnostics. before: a renderer whose accelerator is taken if it is of
+    // the same kind and geometry, or null. Both throw Error (failed) and must be called inside with_threads.
     Renderer(SceneBuilder scene, const RendererConfig& settings, Diagnostics& diagnostics,
-             const std::function<void()>& accelerator_built = {});
+             const std::function<void()>& accelerator_built = {}, const Renderer* before = nullptr);
     Renderer(Scene scene, const RendererConfig& settings);
     // The scene and the accelerator of another renderer with other settings; those of the accelerator are not used.
     Renderer(const Renderer& of_scene, const RendererConfig& settings);
@@ -67,7 +67,7 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     RendererConfig settings_;
-    std::shared_ptr<const Accelerator> accel_;
+    std::shared_ptr<const Accelerator> accel_;  // with the scene whose geometry it is of, which may be another one
     KernelChoice choice_;
     TileKernel kernel_;
     mutable std::mutex mutex_;  // guards what follows

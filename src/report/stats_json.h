@@ -36,9 +36,10 @@ struct RunStats {
         RenderSettings render;  // resolved
         Tile crop;
         uint32_t threads = 0, tile = 0, batch = 0;
-        std::string kernel;   // see Profile
-        std::string hash;     // of all that decides the value of a pixel, but the scene
-        std::string options;  // of the command line, that decide it again for the same scene
+        std::string kernel;      // see Profile
+        std::string hash;        // of all that decides the value of a pixel, but the scene
+        std::string options;     // of the command line, that decide it again for the same scene
+        std::string identity{};  // of a frame of a film: app/render/identity.h; else empty
     };
     struct Phase {
         std::string name;

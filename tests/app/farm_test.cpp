@@ -69,5 +69,13 @@ TEST_F(Farm, TheJobScriptRendersAllShardsOfAllFrames)
     }
 }
 
+TEST_F(Farm, TheJobScriptDrawsFramesOfAnAnimation)
+{
+    const Said script = run({"slurm", "film.toml", "--frames", "1-48", "-o", "f.##.exr"});
+    ASSERT_EQ(script.code, 0) << script.err;
+    expect_words(script.out, "lancer render film.toml --frame \"$frame\" --progress none");
+    EXPECT_EQ(run({"slurm", "film.toml", "--frames", "1-48", "-o", "f.exr"}).code, 2);
+}
+
 }  // namespace
 }  // namespace lancer

@@ -39,7 +39,7 @@ public:
 private:
     void run()
     {
-        SceneDescription description = load_scene(options_.scene, problems_);
+        SceneDescription description = load_scene(options_.scene, problems_, {}, nullptr, true);
         const RenderSettings settings = resolve_settings({}, description.render);
         const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);

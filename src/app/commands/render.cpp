@@ -14,12 +14,14 @@
 #include "app/render/error_log.h"
 #include "app/render/frames.h"
 #include "app/render/header_camera.h"
+#include "app/render/identity.h"
 #include "app/render/limits.h"
 #include "app/render/live_view.h"
 #include "app/render/outputs.h"
 #include "app/render/phase_clock.h"
 #include "app/render/progress.h"
 #include "app/render/recipe.h"
+#include "app/render/render_frame.h"
 #include "app/render/render_memory.h"
 #include "app/render/shard.h"
 #include "app/render/summary.h"
@@ -46,13 +48,20 @@ constexpr uint32_t unlimited_spp = 1u << 28;
 // One run of the command. Its figures grow as it goes.
 class Run {
 public:
-    explicit Run(const RenderOptions& options) : options_(options) {}
-    int execute();
+    // film: of the frames before, or null.
+    Run(const RenderOptions& options, Signals& signals, FrameCache* film)
+        : options_(options), signals_(signals), film_(film)
+    {
+    }
+    FrameEnd execute();
 
 private:
     template <class F>
     auto timed(const char* phase, F&& f);
     void load();
+    bool is_finished();
+    std::shared_ptr<const Renderer> build();
+    int report();
     void check_ocio() const;
     void hold_samples_out();
     void describe_settings(const Renderer& renderer);
@@ -85,7 +94,8 @@ private:
     void write_scene();
 
     RenderOptions options_;
-    Signals signals_;
+    Signals& signals_;
+    FrameCache* film_;
     Diagnostics diagnostics_;
     Prepared prepared_;
     RenderSettings settings_;  // resolved
@@ -117,7 +127,7 @@ auto Run::timed(const char* phase, F&& f)
 
 void Run::load()
 {
-    timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet); });
+    timed("load", [&] { prepared_ = load_prepared(options_.picture, diagnostics_, options_.quiet, film_); });
     refuse_input_as_output(options_, prepared_.description);
     settings_ = prepared_.settings;
     read_output_settings();
@@ -170,7 +180,8 @@ void Run::hold_samples_out()
 void Run::read_output_settings()
 {
     const SceneChoice& scene = options_.picture.scene;
-    output_ = read_output(scene.file, scene.definitions, diagnostics_);
+    const std::optional<uint32_t> frame = scene.turntable ? std::nullopt : scene.frame;
+    output_ = read_output(scene.file, scene.definitions, diagnostics_, frame);
     if (options_.exposure) output_.exposure = options_.exposure;
     if (options_.tonemap) output_.tonemap = options_.tonemap;
     if (options_.denoise) output_.denoise = true;
@@ -198,7 +209,8 @@ void Run::describe_settings(const Renderer& renderer)
                        .batch = options_.batch,
                        .kernel = std::string(name_of(renderer.profile())),
                        .hash = hash_with(settings_.spp),
-                       .options = reproducing_options(settings_) + options_text(options_.picture.scene)};
+                       .options = reproducing_options(settings_) + options_text(options_.picture.scene),
+                       .identity = stats_.settings.identity};
 }
 
 std::string Run::hash_with(uint32_t spp) const
@@ -482,17 +494,42 @@ void Run::write_stats()
     }
 }
 
-int Run::execute()
+// Of a frame: whether all its pictures are there, with the identity that they would get.
+bool Run::is_finished()
+{
+    if (!options_.picture.scene.frame) return false;
+    RunStats& s = stats_;
+    s.context = describe_context(options_);
+    s.scene.content_hash = prepared_.description.content_hash;
+    s.settings.render = settings_, s.settings.crop = crop_;
+    s.settings.identity = frame_identity(options_, s, output_);
+    return film_ && film_->skips_finished &&
+           std::all_of(options_.outputs.begin(), options_.outputs.end(),
+                       [&](const std::string& path) { return is_finished_picture(path, s.settings.identity); });
+}
+
+// The scene as it is now, with what the frame before left of it.
+std::shared_ptr<const Renderer> Run::build()
+{
+    if (film_ && is_same_scene(*film_, prepared_)) return renderer_of_film(*film_, prepared_, diagnostics_);
+    timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
+    prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
+    std::shared_ptr<const Renderer> renderer = timed("build accelerator", [&](PhaseClock& clock) {
+        return make_renderer(
+            prepared_, options_.picture, options_.batch, diagnostics_, [&] { clock.next("finish scene"); },
+            film_ ? film_->renderer.get() : nullptr);
+    });
+    if (film_) keep_for_film(*film_, prepared_, renderer);
+    return renderer;
+}
+
+FrameEnd Run::execute()
 {
     probe_outputs(options_);
     load();
+    if (is_finished()) return {exit_done, true};
     with_threads(prepared_.threads, [&] {
-        timed("build scene", [&] { begin_prepared(prepared_, diagnostics_); });
-        prepared_.description.meshes.clear();  // the scene has its own copy; two would be held for the whole render
-        const auto renderer = timed("build accelerator", [&](PhaseClock& clock) {
-            return make_renderer(prepared_, options_.picture, options_.batch, diagnostics_,
-                                 [&] { clock.next("finish scene"); });
-        });
+        const std::shared_ptr<const Renderer> renderer = build();
         settings_.accel = renderer->accelerator_kind();  // not automatic any more
         describe_run(options_, prepared_, *renderer, stats_);
         describe_settings(*renderer);
@@ -500,6 +537,12 @@ int Run::execute()
         choose_curve(*renderer);
         render(*renderer);
     });
+    return {report(), false};
+}
+
+// After the render; returns the exit code.
+int Run::report()
+{
     if (options_.shard.is_whole() ? stats_.phases.back().name != "write" : !has_samples() && pixels_ > 0) {
         print_problem("error: interrupted before the first sample; nothing is written");
         return exit_interrupted;
@@ -526,15 +569,21 @@ int Run::execute()
 
 }  // namespace
 
+FrameEnd render_frame(const RenderOptions& options, Signals& signals, FrameCache* film)
+{
+    return Run(options, signals, film).execute();
+}
+
 int run_render(int argc, char** argv)
 {
     const auto options = parse_render(argc, argv);
     if (!options) return exit_done;
-    if (!options->frames) return Run(*options).execute();
+    Signals signals;
+    if (!options->frames) return render_frame(*options, signals).code;
     // A frame that fails, or is interrupted, ends them.
     int code = exit_done;
     for (uint64_t frame = options->frames->first; frame <= options->frames->last && code == exit_done; ++frame)
-        code = Run(options_of_frame(*options, static_cast<uint32_t>(frame))).execute();
+        code = render_frame(options_of_frame(*options, static_cast<uint32_t>(frame)), signals).code;
     return code;
 }
 

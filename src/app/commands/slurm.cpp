@@ -27,6 +27,8 @@ std::string script_of(const SlurmOptions& o)
     const std::filesystem::path output(o.output);
     const std::string stem = (output.parent_path() / output.stem()).string();
     const std::string parts = word_of(stem, has_frames);
+    // Of numbered scene files each is one; else the scene has an [animation].
+    const bool is_film = has_frames && o.scene.find('#') == std::string::npos;
     std::string more;
     for (const std::string& options : o.render) more += " " + options;
     return "#!/bin/sh\n"
@@ -49,7 +51,7 @@ std::string script_of(const SlurmOptions& o)
            "# As a step, so that a signal reaches it. 75: stopped with a checkpoint, from which it goes on.\n"
            "code=0\n"
            "srun --ntasks=1 lancer render " +
-           word_of(o.scene, has_frames) + more +
+           word_of(o.scene, has_frames) + (is_film ? " --frame \"$frame\"" : "") + more +
            " --progress none \\\n"
            "    --shard \"$shard/" +
            std::to_string(o.shards) + "\" --resume auto -o " + parts +

@@ -23,6 +23,7 @@ Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, dou
     const DefaultView view = add_default_view(scene, choice, aspect);
     if (is_bare || !view.added.empty()) completed.view_s = wall_seconds() - begin;
     completed.text += view.added;
+    completed.up = view.up;
     if (!is_bare) return completed;
     begin = wall_seconds();
     const DefaultLight light = add_default_light(scene, choice, view, aspect, pictures, memory);

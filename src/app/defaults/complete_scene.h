@@ -10,6 +10,7 @@
 namespace lancer {
 
 struct Completed {
+    Vec3d up{0, 1, 0};  // of the scene, unit
     std::string text;   // what was added, as that of a scene file; empty if nothing was
     std::string light;  // of a bare mesh: which light was added or not, and why; on one line
     // Seconds by the clock that the choice took; nothing where there was none.

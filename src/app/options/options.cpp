@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "app/console.h"
 #include "app/options/option_parser.h"
@@ -67,7 +68,8 @@ void check_ocio(const std::vector<std::string>& given, const OcioChoice& o)
     if (o.is_given() && is_given("--tonemap")) fail_usage("--tonemap: has no use with --ocio, which takes its place");
 }
 
-void add_render_options(OptionParser& p, RenderOptions& o)
+// is_film: each frame is a picture.
+void add_render_options(OptionParser& p, RenderOptions& o, bool is_film = false)
 {
     add_picture_options(p, o.picture);
     p.value("--progress", listed(enum_names<ProgressKind>), "auto is a line on a terminal, else plain (auto)",
@@ -89,14 +91,20 @@ void add_render_options(OptionParser& p, RenderOptions& o)
     p.flag("-v,--verbose", "Also say what was loaded and with what settings", o.verbose);
     p.group("What is written");
     p.values("-o,--output", "FILE",
-             "Picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times (NAME.exr in this folder)",
+             is_film
+                 ? "Pictures of the frames, #### in their names stands for the number; a name in .mp4 is a movie, made "
+                   "by ffmpeg; may be given several times (NAME.####.exr in this folder)"
+                 : "Picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times (NAME.exr in this folder)",
              [&](const std::string& t) { o.outputs.push_back(t); });
     add_format(p, o.format);
     p.value("--shard", "K/N|auto",
-            "Only part K of N of the picture, for lancer merge: -o names it, and it is its own checkpoint "
-            "(NAME.%k-of-%n.lancer; %k and %n stand for K and N). auto: as Slurm, Open MPI or PMI say",
+            is_film ? "Only each Nth frame, from the Kth on. auto: as Slurm, Open MPI or PMI say"
+                    : "Only part K of N of the picture, for lancer merge: -o names it, and it is its own checkpoint "
+                      "(NAME.%k-of-%n.lancer; %k and %n stand for K and N). auto: as Slurm, Open MPI or PMI say",
             [&](const std::string& t) { o.shard = to_shard(t, [](const char* name) { return std::getenv(name); }); });
-    p.value("--frames", "A-B", "Scene files one after the other: #### in names stands for the number, 0001 for 1",
+    p.value("--frames", "A-B",
+            is_film ? "Only these frames (all)"
+                    : "Scene files one after the other: #### in names stands for the number, 0001 for 1",
             [&](const std::string& t) { o.frames = to_frames("--frames", t); });
     p.value("--crop", "x0,y0,x1,y1", "Only these pixels; x1 and y1 are exclusive",
             [&](const std::string& t) { o.crop = to_crop(t); });
@@ -195,16 +203,16 @@ std::string with_numbers(std::string text, const Shard& shard)
 }
 
 // Frames must not overwrite each other.
-void require_numbers(const RenderOptions& o)
+void require_numbers(const RenderOptions& o, bool of_scenes)
 {
     std::vector<std::string> names = o.outputs;
     std::erase(names, standard_output);  // a pipe takes one picture after the other
-    names.push_back(o.picture.scene.file);
+    if (of_scenes) names.push_back(o.picture.scene.file);
     for (const std::string& name : {o.checkpoint, o.stats, o.error_log, o.write_scene})
         if (!name.empty()) names.push_back(name);
     for (const std::string& name : names)
         if (name.find('#') == std::string::npos)
-            fail_usage("--frames: " + in_quotes(name) + " has no #### for the number");
+            fail_usage((of_scenes ? "--frames: " : "lancer film: ") + in_quotes(name) + " has no #### for the number");
 }
 
 // The output of a shard is its checkpoint. given: the options that were.
@@ -225,6 +233,47 @@ void take_part(const std::vector<std::string>& given, RenderOptions& o)
     o.outputs.clear();
 }
 
+// What the options of a picture mean together. given: those that were. o: with its outputs.
+void complete_picture_options(const std::vector<std::string>& given, RenderOptions& o)
+{
+    take_environment(o.picture.threads);
+    check_ocio(given, o.ocio);
+    if (o.space != ColorSpace::lin_rec709 && o.denoise_sets)
+        fail_usage("--color-space: lancer denoise takes linear Rec. 709; use --denoise");
+    take_outputs(o.outputs, o.format);
+    const auto format = [&](const std::string& path) { return format_of(path, o.format); };
+    const auto is_exr = [&](const std::string& path) { return format(path) == PictureFormat::exr; };
+    if (o.background != BackgroundChoice::keep)
+        for (const std::string& path : o.outputs)
+            if (!is_exr(path) && format(path) != PictureFormat::png)
+                fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
+    if (o.shard.is_whole() && (!o.aovs.empty() || o.divides_light() || o.mattes || o.denoise_sets || o.guides) &&
+        std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
+        fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
+    if (o.mattes && (o.compression == ExrCompression::dwaa || o.compression == ExrCompression::dwab))
+        fail_usage("--exr-compression: dwaa and dwab would destroy the names of cryptomatte");
+    std::vector<std::string> files = o.outputs;
+    if (!o.stats.empty()) files.push_back(o.stats);
+    if (!o.error_log.empty()) files.push_back(o.error_log);
+    if (!o.write_scene.empty()) files.push_back(o.write_scene);
+    if (!o.checkpoint.empty()) files.push_back(o.checkpoint);
+    if (o.resume == "auto" && o.checkpoint.empty()) fail_usage("--resume: auto needs --checkpoint FILE");
+    refuse_doubles(files);
+    if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
+    for (const std::string& reference : {o.reference, o.reference2})
+        for (const std::string& file : files)
+            if (!reference.empty() && place_of(reference) == place_of(file))
+                fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
+}
+
+// As it was given.
+std::string command_line_of(const char* command, int argc, char** argv)
+{
+    std::string line = command;
+    for (int i = 1; i < argc; ++i) line += " " + in_shell_quotes(argv[i]);
+    return line;
+}
+
 }  // namespace
 
 std::optional<RenderOptions> parse_render(int argc, char** argv)
@@ -238,41 +287,47 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
                        "  lancer mesh.obj --size 640x360\n");
     add_render_options(p, o);
     if (!p.parse(argc, argv)) return {};
-    take_environment(o.picture.threads);
-    check_ocio(p.given(), o.ocio);
-    if (o.space != ColorSpace::lin_rec709 && o.denoise_sets)
-        fail_usage("--color-space: lancer denoise takes linear Rec. 709; use --denoise");
     if (!o.shard.is_whole())
         take_part(p.given(), o);
     else if (o.outputs.empty())
         o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
-    take_outputs(o.outputs, o.format);
-    const auto format = [&](const std::string& path) { return format_of(path, o.format); };
-    const auto is_exr = [&](const std::string& path) { return format(path) == PictureFormat::exr; };
-    if (o.background != BackgroundChoice::keep)
-        for (const std::string& path : o.outputs)
-            if (!is_exr(path) && format(path) != PictureFormat::png)
-                fail_usage("--background: " + in_quotes(path) + " cannot hold an alpha channel; .exr and .png can");
-    if (o.shard.is_whole() && (!o.aovs.empty() || o.divides_light() || o.mattes || o.denoise_sets || o.guides) &&
-        std::none_of(o.outputs.begin(), o.outputs.end(), is_exr))
-        fail_usage("--aov: its channels are written to EXR pictures; add -o NAME.exr");
-    if (o.mattes && (o.compression == ExrCompression::dwaa || o.compression == ExrCompression::dwab))
-        fail_usage("--exr-compression: dwaa and dwab would destroy the names of cryptomatte");
-    if (o.frames) require_numbers(o);
-    std::vector<std::string> files = o.outputs;
-    if (!o.stats.empty()) files.push_back(o.stats);
-    if (!o.error_log.empty()) files.push_back(o.error_log);
-    if (!o.write_scene.empty()) files.push_back(o.write_scene);
-    if (!o.checkpoint.empty()) files.push_back(o.checkpoint);
-    if (o.resume == "auto" && o.checkpoint.empty()) fail_usage("--resume: auto needs --checkpoint FILE");
-    refuse_doubles(files);
-    if (!o.reference2.empty() && o.reference.empty()) fail_usage("--reference2: needs --reference");
-    for (const std::string& reference : {o.reference, o.reference2})
-        for (const std::string& file : files)
-            if (!reference.empty() && place_of(reference) == place_of(file))
-                fail_usage("--reference: " + in_quotes(reference) + " would be overwritten");
-    o.command_line = "lancer render";
-    for (int i = 1; i < argc; ++i) o.command_line += " " + in_shell_quotes(argv[i]);
+    complete_picture_options(p.given(), o);
+    if (o.frames) require_numbers(o, true);
+    o.command_line = command_line_of("lancer render", argc, argv);
+    return o;
+}
+
+std::optional<FilmOptions> parse_film(int argc, char** argv)
+{
+    FilmOptions o;
+    OptionParser p(
+        "lancer film",
+        "Render the frames of a scene's [animation], or of a turntable. Frames that are finished are not drawn "
+        "again: the same command goes on where it was stopped.",
+        exit_codes + std::string("75 interrupted, to go on with the same command; 130\ninterrupted where only a "
+                                 "movie was asked for.\n\n"
+                                 "Examples:\n  lancer film scene.toml -o frame.####.exr -o film.mp4\n"
+                                 "  lancer film mesh.obj --turntable 48 -o turn.####.png\n"));
+    add_render_options(p, o.render, true);
+    p.value("--fps", "X", "Of the movie: frames per second (as [animation] says, else 24)",
+            [&](const std::string& t) { o.fps = to_number<double>("--fps", t, 0.001, 1000, "a number"); });
+    p.flag("--again", "Draw frames again that are finished", o.again);
+    if (!p.parse(argc, argv)) return {};
+    RenderOptions& r = o.render;
+    if (r.picture.scene.frame) fail_usage("--frame: is for one picture; --frames A-B are some of a film");
+    o.shard = std::exchange(r.shard, {});
+    for (const std::string& name : r.outputs)
+        if (extension_of(name) == ".mp4") {
+            if (!o.movie.empty()) fail_usage("--output: there can be one movie");
+            o.movie = name;
+        }
+    std::erase(r.outputs, o.movie);
+    if (!o.movie.empty() && !o.shard.is_whole()) fail_usage("--shard: a movie needs all frames; give it pictures");
+    if (r.outputs.empty() && o.movie.empty())
+        r.outputs.push_back(std::filesystem::path(r.picture.scene.file).stem().string() + ".####.exr");
+    complete_picture_options(p.given(), r);
+    require_numbers(r, false);
+    r.command_line = command_line_of("lancer film", argc, argv);
     return o;
 }
 
@@ -400,15 +455,15 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
             [&](const std::string& t) { o.output = to_output(t, {}); });
     p.value("--shards", "N", "Parts of each picture (1)",
             [&](const std::string& t) { o.shards = to_count("--shards", t, 1, 1u << 20); });
-    p.value("--frames", "A-B", "Numbered scene files: as of lancer render",
+    p.value("--frames", "A-B",
+            "Frames of an [animation], or numbered scene files, where the name of the scene has ####",
             [&](const std::string& t) { o.frames = to_frames("--frames", t); });
     p.values("--render", "OPTIONS", "More options of lancer render: --render='-s 4096 --aov albedo'",
              [&](const std::string& t) { o.render.push_back(t); });
     if (!p.parse(argc, argv)) return {};
     if (o.output.empty()) o.output = std::filesystem::path(o.scene).stem().string() + ".exr";
-    for (const std::string& name : {o.scene, o.output})
-        if (o.frames && name.find('#') == std::string::npos)
-            fail_usage("--frames: " + in_quotes(name) + " has no #### for the number");
+    if (o.frames && o.output.find('#') == std::string::npos)
+        fail_usage("--frames: " + in_quotes(o.output) + " has no #### for the number");
     return o;
 }
 

@@ -117,6 +117,14 @@ struct RenderOptions {
     bool divides_light() const { return light_layers || part_layers || lobe_layers; }
 };
 
+struct FilmOptions {
+    RenderOptions render;  // of each frame: #### in the names of outputs stands for its number; shard: none
+    Shard shard;           // frames are dealt to shards
+    std::string movie;     // .mp4; empty: none, and then outputs are not
+    std::optional<double> fps;
+    bool again = false;  // draws frames that are finished, too
+};
+
 struct DenoiseOptions {
     std::string picture;
     std::vector<std::string> outputs;     // never empty; as of RenderOptions
@@ -213,6 +221,7 @@ struct CompareOptions {
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
+std::optional<FilmOptions> parse_film(int argc, char** argv);
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
 std::optional<MergeOptions> parse_merge(int argc, char** argv);
 // Throws Error (usage) unless these are options of lancer render that say what is rendered, and neither write files nor

@@ -106,6 +106,10 @@ void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
     p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
     p.group("The scene");
     p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
+    p.value("--frame", "N", "Frame of its [animation], or of --turntable (the first)",
+            [&](const std::string& t) { o.frame = to_count("--frame", t, 0); });
+    p.value("--turntable", "N", "The camera turns around the scene in frames 0 to N-1: frame 0 is its own view",
+            [&](const std::string& t) { o.turntable = to_count("--turntable", t, 1, 1000000); });
     p.value("--env", "FILE", "Of a mesh: picture all around it, in place of the sky and the key light",
             [&](const std::string& t) { o.env = t; });
     p.flag("--no-ground", "Of a mesh: no ground below it", [&] { o.ground = false; });

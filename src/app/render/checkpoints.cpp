@@ -22,7 +22,9 @@ Checkpoints::Checkpoints(const PictureRecipe& recipe, const Film& film)
     : path_(recipe.options.checkpoint),
       resume_(recipe.options.resume == "auto" ? recipe.options.checkpoint : recipe.options.resume),
       may_begin_anew_(recipe.options.resume == "auto"),
-      identity_(are_wanted(recipe.options) ? identity_of(recipe.options, recipe.stats, film) : RenderIdentity{}),
+      identity_(are_wanted(recipe.options) ? identity_of(recipe.options, recipe.stats,
+                                                         film.sets.empty() ? std::nullopt : std::optional(film.deal))
+                                           : RenderIdentity{}),
       shard_(recipe.options.shard),
       interval_(recipe.options.checkpoint_interval),
       due_(wall_seconds() + std::min(first_after, interval_))

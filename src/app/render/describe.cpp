@@ -8,17 +8,22 @@
 
 namespace lancer {
 
+RunStats::Context describe_context(const RenderOptions& options)
+{
+    return {.version = LANCER_VERSION,
+            .embree = embree_version(),
+            .parallel = parallel_version(),
+            .compiler = compiler_text(),
+            .build_type = LANCER_BUILD_TYPE,
+            .instructions = instruction_text(),
+            .cpu = cpu_model(),
+            .command_line = options.command_line,
+            .load_average = load_average()};
+}
+
 void describe_run(const RenderOptions& options, const Prepared& prepared, const Renderer& renderer, RunStats& stats)
 {
-    stats.context = {.version = LANCER_VERSION,
-                     .embree = embree_version(),
-                     .parallel = parallel_version(),
-                     .compiler = compiler_text(),
-                     .build_type = LANCER_BUILD_TYPE,
-                     .instructions = instruction_text(),
-                     .cpu = cpu_model(),
-                     .command_line = options.command_line,
-                     .load_average = load_average()};
+    stats.context = describe_context(options);
     const Scene& scene = renderer.scene();
     stats.scene = {.file = options.picture.scene.file,
                    .content_hash = prepared.description.content_hash,

@@ -7,6 +7,8 @@
 
 namespace lancer {
 
+// Program and machine.
+RunStats::Context describe_context(const RenderOptions& options);
 // Fills in context, scene and the analyses of building it.
 void describe_run(const RenderOptions& options, const Prepared& prepared, const Renderer& renderer, RunStats& stats);
 

@@ -1,5 +1,7 @@
 #include "app/render/frames.h"
 
+#include "io/image/read.h"
+
 namespace lancer {
 
 std::string with_number(std::string name, uint32_t number)
@@ -23,6 +25,16 @@ RenderOptions options_of_frame(const RenderOptions& all, uint32_t frame)
         *name = with_number(*name, frame);
     for (std::string& name : one.outputs) name = with_number(name, frame);
     return one;
+}
+
+bool is_finished_picture(const std::string& path, const std::string& identity)
+{
+    try {
+        const Metadata metadata = read_picture_metadata(path);
+        return text_of(metadata, "identity") == identity && text_of(metadata, "partial") == "0";
+    } catch (const Error&) {
+        return false;  // missing, or something else
+    }
 }
 
 }  // namespace lancer

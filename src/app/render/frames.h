@@ -10,4 +10,7 @@ std::string with_number(std::string name, uint32_t number);
 // The options of one frame.
 RenderOptions options_of_frame(const RenderOptions& all, uint32_t frame);
 
+// Whether a picture is complete and says that it has this identity (app/render/identity.h).
+bool is_finished_picture(const std::string& path, const std::string& identity);
+
 }  // namespace lancer

@@ -1,6 +1,8 @@
 #include "app/render/identity.h"
 
 #include "app/console.h"
+#include "app/render/recipe.h"
+#include "core/hash.h"
 #include "scene/description/render_options.h"
 
 namespace lancer {
@@ -15,7 +17,7 @@ std::string halves_text(const SetDeal& deal)
 
 }  // namespace
 
-RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const Film& film)
+RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const std::optional<SetDeal>& sets)
 {
     const RunStats::Context& c = stats.context;
     const RenderSettings& settings = stats.settings.render;
@@ -34,8 +36,22 @@ RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, 
                                    (options.part_layers ? "parts " : "") + (options.lobe_layers ? "lobes " : "") +
                                    (options.mattes ? "cryptomatte" : ""));
     all.emplace_back("background", name_of(options.background));
-    all.emplace_back("halves to denoise", film.sets.empty() ? "none" : halves_text(film.deal));
+    all.emplace_back("halves to denoise", sets ? halves_text(*sets) : "none");
     return all;
+}
+
+std::string frame_identity(const RenderOptions& options, const RunStats& stats, const OutputDescription& output)
+{
+    uint64_t hash = hash_of_contents(options);
+    const auto add = [&](const std::string& text) { hash = hash_bytes(text, hash); };
+    for (const auto& [name, value] : identity_of(options, stats, sets_of(options, stats.settings.render)))
+        if (name != "accel") add(name + "=" + value);  // all give the same picture, and which one is not chosen yet
+    add("spp=" + std::to_string(stats.settings.render.spp));
+    for (const auto& limit : {options.time, options.error}) add(limit ? shortest(*limit) : "none");
+    const Exposure exposure = output.exposure.value_or(Exposure{});
+    add((exposure.is_automatic ? "auto" : shortest(exposure.stops)) + " " +
+        (output.tonemap ? std::string(name_of(*output.tonemap)) : ""));
+    return to_hex(hash);
 }
 
 }  // namespace lancer

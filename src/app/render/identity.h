@@ -1,12 +1,14 @@
 // What decides the bits of a picture.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/options/options.h"
 #include "core/film.h"
+#include "io/scene/output_table.h"
 #include "report/stats_json.h"
 
 namespace lancer {
@@ -15,7 +17,11 @@ namespace lancer {
 using RenderIdentity = std::vector<std::pair<std::string, std::string>>;
 
 // The number of samples is a part of it only where it decides where they are taken or how they are halved. stats: of
-// the run, with context, scene and settings.
-RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const Film& film);
+// the run, with context, scene and settings. sets: how samples are dealt to sets, if they are.
+RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const std::optional<SetDeal>& sets);
+
+// All that decides what is in the files of a frame, as 16 hexadecimal digits: known before it is drawn, and in its
+// header (lancer:identity), so that a film knows what is finished. output: of the scene and the command line.
+std::string frame_identity(const RenderOptions& options, const RunStats& stats, const OutputDescription& output);
 
 }  // namespace lancer

@@ -161,6 +161,7 @@ Metadata make_metadata(const RunStats& s, bool reproducible)
                  {"scene_hash", to_hex(s.scene.content_hash)},
                  {"settings_hash", s.settings.hash},
                  {"options", s.settings.options}};
+    if (!s.settings.identity.empty()) all.emplace_back("identity", s.settings.identity);
     if (!s.scene.added_light.empty()) all.emplace_back("light", s.scene.added_light);
     // The picture has its size, and the ledger lists the switches that bias it.
     for (const RenderOption& option : render_options())

@@ -1,6 +1,7 @@
 #include "app/render/recipe.h"
 
 #include "app/options/shared_options.h"
+#include "core/hash.h"
 #include "render/aov.h"
 #include "scene/description/render_options.h"
 
@@ -65,7 +66,35 @@ void visit_recipe(Stream& stream, AnyRecipe& r)
     visit_flag(stream, r.has_stop_rule), visit_flag(stream, r.keeps_blocks_open);
 }
 
+// A stream that keeps nothing but the hash.
+struct HashStream {
+    static constexpr bool loads = false;
+    uint64_t hash = 0;
+
+    void operator()(uint32_t x) { (*this)(std::to_string(x)); }
+    void operator()(const std::string& text) { hash = hash_bytes(text, hash); }
+    template <class T, class F>
+    void each(const std::vector<T>& all, const F& visit)
+    {
+        (*this)(static_cast<uint32_t>(all.size()));
+        for (const T& x : all) visit(x);
+    }
+};
+
 }  // namespace
+
+std::optional<SetDeal> sets_of(const RenderOptions& o, const RenderSettings& s, bool has_stop_rule)
+{
+    if (!o.denoise && !o.denoise_sets && !o.guides) return {};
+    return SetDeal{.replicates = s.replicates, .second_half = has_stop_rule ? 0 : s.spp / 2};
+}
+
+uint64_t hash_of_contents(const RenderOptions& options)
+{
+    HashStream stream;
+    visit_options(stream, options);
+    return stream.hash;
+}
 
 Film empty_film(const PictureRecipe& recipe)
 {
@@ -80,8 +109,7 @@ Film empty_film(const PictureRecipe& recipe)
     film.keep_aovs(layout);
     if (s.stop) film.wanted.resize(film.pixels.size());
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
-    if (o.denoise || o.denoise_sets || o.guides)
-        film.keep_sets({.replicates = s.replicates, .second_half = recipe.has_stop_rule ? 0 : s.spp / 2});
+    if (const auto sets = sets_of(o, s, recipe.has_stop_rule)) film.keep_sets(*sets);
     film.keep_layers({.groups = o.light_layers ? static_cast<uint32_t>(recipe.light_groups.size()) : 0,
                       .has_segments = o.part_layers,
                       .has_lobes = o.lobe_layers});

@@ -23,6 +23,15 @@ struct PictureRecipe {
     bool keeps_blocks_open = false;
 };
 
+// How samples are dealt to the sets that denoising needs; nothing if it is not asked for.
+std::optional<SetDeal> sets_of(const RenderOptions& options, const RenderSettings& settings, bool has_stop_rule);
+inline std::optional<SetDeal> sets_of(const RenderOptions& options, const RenderSettings& settings)
+{
+    return sets_of(options, settings, options.time || options.error);
+}
+// Of the options that decide what files hold besides the picture itself.
+uint64_t hash_of_contents(const RenderOptions& options);
+
 // A film without samples, with room for what the options ask for.
 Film empty_film(const PictureRecipe& recipe);
 
