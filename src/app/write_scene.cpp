@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/scene/definition.h"
 #include "io/scene/scene_file.h"
 #include "io/toml_file.h"
 #include "io/toml_write.h"
@@ -143,7 +144,8 @@ std::string asset_root_for(const std::string& file, const SceneChoice& choice)
 }
 
 std::string completed_scene_text(const SceneChoice& choice, const std::string& added, const CameraDescription& camera,
-                                 const RenderSettings& settings, const OutputDescription& output)
+                                 const RenderSettings& settings, const OutputDescription& output,
+                                 const std::vector<std::string>& edits)
 {
     Diagnostics none;  // all of it has been read before
     TomlValue tree = scene_tree(choice.file, choice.definitions, none);
@@ -162,6 +164,13 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
     else if (output.exposure)
         set(table_at(root, "output"), "exposure", {.data = static_cast<double>(output.exposure->stops)});
     if (output.tonemap) set(table_at(root, "output"), "tonemap", {.data = std::string(name_of(*output.tonemap))});
+    TomlProblems problems({choice.file});
+    for (const std::string& edit : edits) {
+        const Definition definition = parse_definition(edit);
+        define(tree, definition, parse_toml_value(definition.value), problems);
+    }
+    problems.report(none);
+    none.throw_if_errors();
     drop(root, "version");
     return "version = 1\n" + to_toml_text(tree);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "geometry/same_shapes.h"
 #include "render/estimators/background_only.h"
 #include "scene/alpha_test.h"
 
@@ -26,15 +27,22 @@ std::unique_ptr<Accelerator> build_accelerator(const Geometry& geometry, bool ma
     return make_accelerator(settings.accel, geometry, settings.isa);
 }
 
+// An accelerator refers to the geometry of a scene: that stays as long, and goes after it.
+struct OwnedAccelerator {
+    std::shared_ptr<const Scene> scene;
+    std::unique_ptr<const Accelerator> accel;
+};
+
 }  // namespace
 
 Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnostics& diagnostics,
                    const std::function<void()>& accelerator_built)
     : settings_(settings)
 {
-    accel_ = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    auto accel = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
     if (accelerator_built) accelerator_built();
     scene_ = builder.finish(diagnostics);
+    own(std::move(accel));
     choose();
 }
 
@@ -43,7 +51,7 @@ Renderer::Renderer(Scene scene, const RendererConfig& settings) : settings_(sett
     auto placed = std::make_unique<Scene>(std::move(scene));
     bind_alpha_test(*placed);
     scene_ = std::move(placed);
-    accel_ = build_accelerator(scene_->geometry, scene_->has_emitters(), settings_);
+    own(build_accelerator(scene_->geometry, scene_->has_emitters(), settings_));
     choose();
 }
 
@@ -52,6 +60,30 @@ Renderer::Renderer(const Renderer& of_scene, const RendererConfig& settings)
 {
     settings_.accel = of_scene.settings_.accel;
     choose();
+}
+
+Renderer::Renderer(SceneBuilder builder, const Renderer& before, const RendererConfig& settings,
+                   Diagnostics& diagnostics)
+    : settings_(settings)
+{
+    const AccelKind kind = before.settings_.accel;
+    const bool fits = (settings.accel == AccelKind::automatic || settings.accel == kind) &&
+                      settings.isa == before.settings_.isa &&
+                      has_same_opaque_shapes(builder.geometry(), before.scene_->geometry);
+    std::unique_ptr<Accelerator> accel;
+    if (!fits) accel = build_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
+    scene_ = builder.finish(diagnostics);
+    if (fits)
+        accel_ = before.accel_, settings_.accel = kind;
+    else
+        own(std::move(accel));
+    choose();
+}
+
+void Renderer::own(std::unique_ptr<Accelerator> accel)
+{
+    const auto owned = std::make_shared<const OwnedAccelerator>(OwnedAccelerator{scene_, std::move(accel)});
+    accel_ = {owned, owned->accel.get()};
 }
 
 void Renderer::choose()
@@ -65,7 +97,19 @@ Renderer::~Renderer() = default;
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                           const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
 {
-    const auto plan = this->plan(camera, film.width, film.height);
+    return trace(*plan(camera, film.width, film.height), camera, film, tiles, samples, stop, tile_done);
+}
+
+PassResult Renderer::preview(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
+                             const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
+{
+    return trace({}, camera, film, tiles, samples, stop, tile_done);
+}
+
+PassResult Renderer::trace(const SamplingPlan& plan, const Camera& camera, Film& film, std::span<const Tile> tiles,
+                           SampleRange samples, const std::stop_token& stop,
+                           const std::function<void(const Tile&)>& tile_done) const
+{
     PassResult result;
     parallel_for(tiles.size(), [&](size_t i) {
         if (stop.stop_requested()) {
@@ -83,7 +127,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (!w) w = std::make_unique<Workspace>();
         Counters counters;
-        kernel_(*plan, camera, film, tiles[i], samples, *w, counters);
+        kernel_(plan, camera, film, tiles[i], samples, *w, counters);
         {
             std::lock_guard lock(mutex_);
             result.counters += counters;
@@ -101,7 +145,8 @@ Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, co
                           camera, width, id, listener);
 }
 
-std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
+std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height,
+                                                   const std::stop_token& stop) const
 {
     // What is asked for stays with who asked, whatever camera comes next.
     const auto plan_of = [](std::shared_ptr<const Piloted> known) {
@@ -116,8 +161,10 @@ std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_
     // Without the lock: the pilot runs in parallel, and a thread that waits for it may take up other work. Two threads
     // that ask at once both find the same plan.
     const auto* path = std::get_if<Path>(&settings_.integrator);
-    SamplingPlan plan =
-        path ? make_plan(*scene_, *accel_, *path, settings_.kernel, choice_, camera, width, height) : SamplingPlan{};
+    SamplingPlan plan = path
+                            ? make_plan(*scene_, *accel_, *path, settings_.kernel, choice_, camera, width, height, stop)
+                            : SamplingPlan{};
+    if (stop.stop_requested()) return nullptr;
     find_background_only(*scene_, camera, width, height, plan);
     auto found = std::make_shared<const Piloted>(Piloted{camera, width, height, std::move(plan)});
     {
