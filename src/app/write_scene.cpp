@@ -169,8 +169,9 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
         const Definition definition = parse_definition(edit);
         define(tree, definition, parse_toml_value(definition.value), problems);
     }
-    problems.report(none);
-    none.throw_if_errors();
+    Diagnostics of_edits;
+    problems.report(of_edits);
+    of_edits.throw_if_errors();
     drop(root, "version");
     return "version = 1\n" + to_toml_text(tree);
 }

@@ -80,6 +80,13 @@ Renderer::Renderer(SceneBuilder builder, const Renderer& before, const RendererC
     choose();
 }
 
+Renderer::Renderer(std::unique_ptr<const Scene> scene, const Renderer& before, const RendererConfig& settings)
+    : scene_(std::move(scene)), settings_(settings), accel_(before.accel_)
+{
+    settings_.accel = before.settings_.accel;
+    choose();
+}
+
 void Renderer::own(std::unique_ptr<Accelerator> accel)
 {
     const auto owned = std::make_shared<const OwnedAccelerator>(OwnedAccelerator{scene_, std::move(accel)});

@@ -38,6 +38,8 @@ public:
     // same kind, the same shapes in the same places, and no surface that lets rays through. Else it builds one. Throws
     // as the first.
     Renderer(SceneBuilder scene, const Renderer& before, const RendererConfig& settings, Diagnostics& diagnostics);
+    // The same of a scene that is known to have the shapes and the opacity of the one before: see relit().
+    Renderer(std::unique_ptr<const Scene> scene, const Renderer& before, const RendererConfig& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

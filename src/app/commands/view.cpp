@@ -21,7 +21,7 @@
 namespace lancer {
 namespace {
 
-constexpr double idle_seconds = 0.5, moving_seconds = 1.0 / 60;
+constexpr double idle_seconds = 0.5, moving_seconds = 1.0 / 60, longest_still_seconds = 0.1;
 
 // One run of the command.
 class ViewRun {
@@ -110,15 +110,22 @@ void ViewRun::run(Session& session, Controller& controller, ViewWindow& window)
     WindowFrame frame;
     while (!controller.wants_close() && !frame.should_close && !signals_.interrupted()) {
         const bool is_new = session.take(picture);
-        const auto [first, end] = bytes.update(picture, controller.curve(), is_new);
-        frame.rgb = bytes.rgb().data(), frame.first_row = first, frame.end_row = end;
-        frame.width = picture.image.data.width(), frame.height = picture.image.data.height();
-        controller.draw(picture, frame);
+        // What would be drawn while an image is on its way only delays it.
+        frame.is_drawn = is_new || picture.sight >= controller.shown_number() ||
+                         frame.seconds - frame.drawn_seconds > longest_still_seconds;
+        if (frame.is_drawn) {
+            const auto [first, end] = bytes.update(picture, controller.curve(), is_new);
+            frame.rgb = bytes.rgb().data(), frame.first_row = first, frame.end_row = end;
+            frame.width = picture.image.data.width(), frame.height = picture.image.data.height();
+            controller.draw(picture, frame);
+        }
         frame.wait_seconds = controller.is_moving() ? moving_seconds : idle_seconds;
         window.turn(frame);
-        latency_.drawn(picture.sight, frame.drawn_seconds);
-        for (const Widget& widget : frame.widgets)
-            if (widget.is_changed) controller.change(widget);
+        if (frame.is_drawn) {
+            latency_.drawn(picture.sight, frame.drawn_seconds);
+            for (const Widget& widget : frame.widgets)
+                if (widget.is_changed) controller.change(widget);
+        }
         for (const InputEvent& event : frame.events) {
             const uint64_t before = controller.shown_number();
             controller.handle(event);

@@ -51,7 +51,7 @@ void Controller::say(const std::string& text)
 
 void Controller::show()
 {
-    sight_.scene = document_.scene();
+    sight_.scene = document_.scene(), sight_.rest = document_.rest();
     number_ = session_.show(sight_);
 }
 

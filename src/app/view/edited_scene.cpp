@@ -74,9 +74,16 @@ EditedScene::EditedScene(SceneChoice choice, std::string added, SceneDescription
 
 SceneDescription& EditedScene::change()
 {
-    changing_ = std::make_shared<SceneDescription>(*scene_);
-    scene_ = changing_;
-    return *changing_;
+    const auto changed = std::make_shared<SceneDescription>(*scene_);
+    scene_ = changed;
+    return *changed;
+}
+
+LightDescription& EditedScene::light(size_t index)
+{
+    LightDescription& l = change().lights[index];
+    if (l.type != LightType::point && l.type != LightType::directional) ++rest_;
+    return l;
 }
 
 void EditedScene::move_light(size_t i, Vec3d position)
@@ -117,6 +124,7 @@ bool EditedScene::can_move(size_t sphere) const
 
 void EditedScene::move_sphere(size_t sphere, Vec3d center)
 {
+    ++rest_;
     change().spheres[sphere].center = center;
     edits_["sphere." + std::to_string(sphere) + ".center"] = to_toml(center);
 }
@@ -141,6 +149,7 @@ void EditedScene::set_number(const std::string& material, const MaterialNumber& 
 {
     if (find_material(scene_->materials, material) == scene_->materials.end()) return;
     const auto in_range = [&](float x) { return std::clamp(x, number.least, number.most); };
+    ++rest_;
     for_each_number(*find_material(change().materials, material), [&](const auto& row, auto& field) {
         if (row.key != number.key) return;
         std::string& text = edits_["material.\"" + material + "\"." + number.key];

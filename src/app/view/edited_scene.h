@@ -28,7 +28,8 @@ public:
                 RenderSettings opened);
 
     const std::shared_ptr<const SceneDescription>& scene() const { return scene_; }
-    bool has_changes() const { return !edits_.empty(); }
+    // Counts the changes of all but point and directional lights.
+    uint64_t rest() const { return rest_; }
 
     void move_light(size_t light, Vec3d position);   // point, sphere
     void turn_light(size_t light, Vec3d direction);  // directional
@@ -47,14 +48,14 @@ public:
 
 private:
     SceneDescription& change();
-    LightDescription& light(size_t index) { return change().lights[index]; }
+    LightDescription& light(size_t index);
 
     SceneChoice choice_;
     std::string added_;
     RenderSettings given_, opened_;
     std::shared_ptr<const SceneDescription> scene_;
-    std::shared_ptr<SceneDescription> changing_;  // the same object
-    std::map<std::string, std::string> edits_;    // key of -D: value
+    std::map<std::string, std::string> edits_;  // key of -D: value
+    uint64_t rest_ = 0;
 };
 
 }  // namespace lancer

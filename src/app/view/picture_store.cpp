@@ -47,6 +47,15 @@ void PictureStore::put_tile(const Film& film, const Tile& tile)
     if (is_due && on_news_) on_news_();
 }
 
+void PictureStore::keep_for(uint64_t sight)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        sight_ = sight, ++version_;
+    }
+    if (on_news_) on_news_();
+}
+
 bool PictureStore::take(ShownPicture& mine)
 {
     const std::lock_guard lock(mutex_);

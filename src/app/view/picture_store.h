@@ -32,6 +32,8 @@ public:
     void enlarge(uint32_t width, uint32_t height, uint64_t sight);
     // The means of the tile's pixels. The film must not change them meanwhile; it has the size of the last picture.
     void put_tile(const Film& film, const Tile& tile);
+    // What is there is of this sight, too.
+    void keep_for(uint64_t sight);
     // Brings `mine` up to date; false if it is.
     bool take(ShownPicture& mine);
 

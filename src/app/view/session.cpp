@@ -8,6 +8,7 @@
 #include "app/view/still.h"
 #include "core/lanes/denormals.h"
 #include "core/parallel.h"
+#include "scene/build/relight.h"
 
 namespace lancer {
 namespace {
@@ -205,7 +206,10 @@ void Session::adopt(Sight sight)
                          }();
     rebuild(sight);
     now_ = std::move(sight);
-    if (!goes_on) restart();
+    if (!goes_on) return restart();
+    store_.keep_for(now_number_);
+    const std::lock_guard lock(mutex_);
+    status_.sight = now_number_, status_.is_complete = samples_ >= now_.settings.spp;
 }
 
 // What the sight needs of the one before: nothing, a kernel, a scene, or its accelerator too.
@@ -232,6 +236,10 @@ std::shared_ptr<const Renderer> Session::renderer_for(const Sight& sight, const 
     if (same_scene && settings == now_.settings) return nullptr;
     const RendererConfig config = configure(sight.settings, batch_);
     if (same_scene) return std::make_shared<const Renderer>(before, config);
+    if (sight.rest == now_.rest && !is_empty && needs_the_same_scene(sight.settings, now_.settings)) {
+        Diagnostics none;
+        return std::make_shared<const Renderer>(relit(before.scene(), *sight.scene, none), before, config);
+    }
     SceneDescription description = *sight.scene;
     description.camera = sight.camera;
     Diagnostics diagnostics;

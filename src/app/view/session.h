@@ -24,6 +24,7 @@ struct Sight {
     std::shared_ptr<const SceneDescription> scene;  // what has changed is another object
     RenderSettings settings;                        // resolved; spp: the samples that a picture ends with
     ShownAs shown = ShownAs::light;
+    uint64_t rest = 0;  // equal for scenes that differ in point and directional lights alone
 };
 
 // What a session was made of and runs with.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "app/view/key_map.h"
@@ -66,6 +67,16 @@ struct WindowOfModule {
 };
 
 namespace {
+
+// A pointer or a number, by the version of Dear ImGui.
+template <class Id>
+Id texture_id(GLuint texture)
+{
+    if constexpr (std::is_pointer_v<Id>)
+        return reinterpret_cast<Id>(static_cast<uintptr_t>(texture));
+    else
+        return static_cast<Id>(texture);
+}
 
 WindowOfModule& of(GLFWwindow* window) { return *static_cast<WindowOfModule*>(glfwGetWindowUserPointer(window)); }
 
@@ -200,6 +211,39 @@ void draw_panel(WindowFrame& frame, int width, int height)
     list.AddText({16, 16}, 0xffffffff, frame.overlay.c_str());
 }
 
+void draw_frame(WindowOfModule& w, WindowFrame& frame)
+{
+    int width = 0, height = 0, pixels_across = 0, pixels_down = 0;
+    glfwGetWindowSize(w.window, &width, &height);
+    glfwGetFramebufferSize(w.window, &pixels_across, &pixels_down);
+    const double room_x = std::max(1.0, width - double{panel_width}),
+                 room_y = std::max(1.0, height - double{status_height});
+    w.place.scale = std::min(room_x / frame.picture_width, room_y / frame.picture_height);
+    w.place.x = std::floor((room_x - frame.picture_width * w.place.scale) / 2);
+    w.place.y = std::floor((room_y - frame.picture_height * w.place.scale) / 2);
+    upload(w, frame);
+
+    ImGui_ImplOpenGL2_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    const auto at = [&](double x, double y) {
+        return ImVec2(static_cast<float>(w.place.x + x * w.place.scale),
+                      static_cast<float>(w.place.y + y * w.place.scale));
+    };
+    if (w.width > 0)
+        ImGui::GetBackgroundDrawList()->AddImage(texture_id<ImTextureID>(w.texture), at(0, 0),
+                                                 at(frame.picture_width, frame.picture_height));
+    draw_marks(w, frame.marks);
+    draw_panel(frame, width, height);
+    ImGui::Render();
+    glViewport(0, 0, pixels_across, pixels_down);
+    glClearColor(0.1f, 0.1f, 0.1f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(w.window);
+    frame.drawn_seconds = glfwGetTime();
+}
+
 }  // namespace
 
 int32_t lancer_view_version() { return lancer_view_current_version; }
@@ -240,44 +284,11 @@ WindowOfModule* lancer_view_open(const WindowSetup& setup, std::string& problem)
 
 void lancer_view_frame(WindowOfModule* window, WindowFrame& frame)
 {
-    WindowOfModule& w = *window;
-    int width = 0, height = 0, pixels_across = 0, pixels_down = 0;
-    glfwGetWindowSize(w.window, &width, &height);
-    glfwGetFramebufferSize(w.window, &pixels_across, &pixels_down);
-    const double room_x = std::max(1.0, width - double{panel_width}),
-                 room_y = std::max(1.0, height - double{status_height});
-    w.place.scale = std::min(room_x / frame.picture_width, room_y / frame.picture_height);
-    w.place.x = std::floor((room_x - frame.picture_width * w.place.scale) / 2);
-    w.place.y = std::floor((room_y - frame.picture_height * w.place.scale) / 2);
-    upload(w, frame);
-
-    ImGui_ImplOpenGL2_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-    const auto at = [&](double x, double y) {
-        return ImVec2(static_cast<float>(w.place.x + x * w.place.scale),
-                      static_cast<float>(w.place.y + y * w.place.scale));
-    };
-    if (w.width > 0)
-        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(w.texture)),
-                                                 at(0, 0), at(frame.picture_width, frame.picture_height));
-    draw_marks(w, frame.marks);
-    draw_panel(frame, width, height);
-    ImGui::Render();
-    glViewport(0, 0, pixels_across, pixels_down);
-    glClearColor(0.1f, 0.1f, 0.1f, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
-    glfwSwapBuffers(w.window);
-    frame.drawn_seconds = glfwGetTime();
-
-    if (frame.wait_seconds > 0)
-        glfwWaitEventsTimeout(frame.wait_seconds);
-    else
-        glfwPollEvents();
+    if (frame.is_drawn) draw_frame(*window, frame);
+    glfwWaitEventsTimeout(frame.wait_seconds);
     frame.seconds = glfwGetTime();
-    frame.events = std::exchange(w.events, {});
-    frame.should_close = glfwWindowShouldClose(w.window) != 0;
+    frame.events = std::exchange(window->events, {});
+    frame.should_close = glfwWindowShouldClose(window->window) != 0;
 }
 
 void lancer_view_copy(WindowOfModule* window, const char* text) { glfwSetClipboardString(window->window, text); }

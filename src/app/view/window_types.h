@@ -47,6 +47,7 @@ struct WindowFrame {
     std::vector<Widget> widgets;
     std::string status, overlay;  // one line below the picture; lines over it, or empty
     double wait_seconds = 0;      // for events, at most
+    bool is_drawn = true;         // else it only waits
 
     std::vector<InputEvent> events;  // what came
     bool should_close = false;
