@@ -12,6 +12,7 @@ packages=(
     libopenimageio-dev libopenexr-dev libimath-dev libpng-dev libjpeg-dev # pictures
     libopencolorio-dev                                      # their colours
     libcli11-dev nlohmann-json3-dev                         # command line, reports
+    libglfw3-dev libimgui-dev libgl-dev                     # the window
     libgtest-dev libgmock-dev                               # tests
 )
 

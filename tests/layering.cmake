@@ -19,7 +19,7 @@ set(io_sees ${scene_sees} scene)
 set(app_sees core geometry materials scene integrators render report io)
 
 # Library: what its includes look like, and the files that may contain them.
-set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json)
+set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json GLFW ImGui OpenGL)
 set(embree_include "^(embree[0-9]*/|rtcore)")
 set(embree_owner "^geometry/embree/[a-z_]+\\.(h|cpp)$")
 set(tbb_include "^(oneapi/)?tbb(/|\\.h)")
@@ -42,6 +42,13 @@ set(CLI11_include "^CLI(/|11)")
 set(CLI11_owner "^app/options/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
 set(nlohmann-json_owner "^(report/(stats_json|study/json|study/peer)|io/scene/scene_json)\\.cpp$")
+
+set(GLFW_include "^GLFW/|imgui_impl_glfw")
+set(GLFW_owner "^app/view/window_module\\.cpp$")
+set(ImGui_include "imgui")
+set(ImGui_owner "^app/view/window_module\\.cpp$")
+set(OpenGL_include "^(GL|GLES[0-9]|EGL)/|imgui_impl_opengl")
+set(OpenGL_owner "^app/view/window_module\\.cpp$")
 
 set(virtual_owner "^geometry/(accel|embree/embree|list/list)\\.h$")
 set(before "(^|[^A-Za-z0-9_])")

@@ -23,8 +23,9 @@ struct Command {
     std::string_view name;
     int (*run)(int, char**);
 };
-constexpr std::array<Command, 14> commands{{{"render", run_render},
+constexpr std::array<Command, 15> commands{{{"render", run_render},
                                             {"film", run_film},
+                                            {"view", run_view},
                                             {"denoise", run_denoise},
                                             {"merge", run_merge},
                                             {"verify", run_verify},
@@ -43,6 +44,7 @@ const char* const help =
     "Usage:\n"
     "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj) into .exr and .png files\n"
     "  lancer film SCENE -o FRAME.####.exr       render the frames of an animation or a turntable\n"
+    "  lancer view SCENE                         show a scene in a window and move camera and lights by hand\n"
     "  lancer check SCENE                        print every problem of a scene and its files; nothing is rendered\n"
     "  lancer info FILE                          print what is in a scene, or what a picture says of its making\n"
     "  lancer denoise PICTURE -o FILE            remove the noise of a picture of lancer render --aov denoise\n"

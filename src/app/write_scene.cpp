@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/scene/definition.h"
 #include "io/scene/scene_file.h"
 #include "io/toml_file.h"
 #include "io/toml_write.h"
@@ -143,7 +144,8 @@ std::string asset_root_for(const std::string& file, const SceneChoice& choice)
 }
 
 std::string completed_scene_text(const SceneChoice& choice, const std::string& added, const CameraDescription& camera,
-                                 const RenderSettings& settings, const OutputDescription& output)
+                                 const RenderSettings& settings, const OutputDescription& output,
+                                 const std::vector<std::string>& edits)
 {
     Diagnostics none;  // all of it has been read before
     const std::optional<uint32_t> frame = choice.turntable ? std::nullopt : choice.frame;
@@ -164,6 +166,14 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
         set(table_at(root, "output"), "exposure", {.data = static_cast<double>(output.exposure->stops)});
     if (output.tonemap) set(table_at(root, "output"), "tonemap", {.data = std::string(name_of(*output.tonemap))});
     if (output.denoise) set(table_at(root, "output"), "denoise", {.data = *output.denoise});
+    TomlProblems problems({choice.file});
+    for (const std::string& edit : edits) {
+        const Definition definition = parse_definition(edit);
+        define(tree, definition, parse_toml_value(definition.value), problems);
+    }
+    Diagnostics of_edits;
+    problems.report(of_edits);
+    of_edits.throw_if_errors();
     drop(root, "version");
     return "version = 1\n" + to_toml_text(tree);
 }

@@ -10,9 +10,10 @@ namespace lancer {
 
 // The text of such a file. The scene has been loaded without errors. added: what complete_scene() returned; camera: of
 // the scene, complete; settings: those of the command line; output: of the scene, and over it
-// of the command line.
+// of the command line; edits: values over all of these, as of -D.
 std::string completed_scene_text(const SceneChoice& choice, const std::string& added, const CameraDescription& camera,
-                                 const RenderSettings& settings, const OutputDescription& output);
+                                 const RenderSettings& settings, const OutputDescription& output,
+                                 const std::vector<std::string>& edits = {});
 
 // What --asset-root has to be for that file: the files that the scene names are found from there. Empty if none is
 // needed, as the file lies beside the scene.

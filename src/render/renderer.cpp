@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "geometry/same_geometry.h"
+#include "geometry/same_shapes.h"
 #include "render/estimators/background_only.h"
 #include "scene/alpha_test.h"
 
@@ -46,7 +46,7 @@ Renderer::Renderer(SceneBuilder builder, const RendererConfig& settings, Diagnos
     choose_accelerator(builder.geometry(), builder.may_have_emitters(), settings_);
     const bool serves = before && before->settings_.accel == settings_.accel &&
                         before->settings_.isa == settings_.isa &&
-                        is_same_geometry(before->scene_->geometry, builder.geometry());
+                        has_same_opaque_shapes(before->scene_->geometry, builder.geometry());
     // The geometry is at its final address.
     std::unique_ptr<Accelerator> built;
     if (!serves) built = make_accelerator(settings_.accel, builder.geometry(), settings_.isa);
@@ -73,6 +73,13 @@ Renderer::Renderer(const Renderer& of_scene, const RendererConfig& settings)
     choose();
 }
 
+Renderer::Renderer(std::unique_ptr<const Scene> scene, const Renderer& before, const RendererConfig& settings)
+    : scene_(std::move(scene)), settings_(settings), accel_(before.accel_)
+{
+    settings_.accel = before.settings_.accel;
+    choose();
+}
+
 void Renderer::choose()
 {
     choice_ = choose_kernel(*scene_, settings_.integrator, settings_.kernel.profile);
@@ -84,7 +91,19 @@ Renderer::~Renderer() = default;
 PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                           const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
 {
-    const auto plan = this->plan(camera, film.width, film.height);
+    return trace(*plan(camera, film.width, film.height), camera, film, tiles, samples, stop, tile_done);
+}
+
+PassResult Renderer::preview(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
+                             const std::stop_token& stop, const std::function<void(const Tile&)>& tile_done) const
+{
+    return trace({}, camera, film, tiles, samples, stop, tile_done);
+}
+
+PassResult Renderer::trace(const SamplingPlan& plan, const Camera& camera, Film& film, std::span<const Tile> tiles,
+                           SampleRange samples, const std::stop_token& stop,
+                           const std::function<void(const Tile&)>& tile_done) const
+{
     PassResult result;
     parallel_for(tiles.size(), [&](size_t i) {
         if (stop.stop_requested()) {
@@ -102,7 +121,7 @@ PassResult Renderer::pass(const Camera& camera, Film& film, std::span<const Tile
         }
         if (!w) w = std::make_unique<Workspace>();
         Counters counters;
-        kernel_(*plan, camera, film, tiles[i], samples, *w, counters);
+        kernel_(plan, camera, film, tiles[i], samples, *w, counters);
         {
             std::lock_guard lock(mutex_);
             result.counters += counters;
@@ -120,7 +139,8 @@ Color Renderer::replay(const Camera& camera, uint32_t width, uint32_t height, co
                           camera, width, id, listener);
 }
 
-std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height) const
+std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_t width, uint32_t height,
+                                                   const std::stop_token& stop) const
 {
     // What is asked for stays with who asked, whatever camera comes next.
     const auto plan_of = [](std::shared_ptr<const Piloted> known) {
@@ -135,8 +155,10 @@ std::shared_ptr<const SamplingPlan> Renderer::plan(const Camera& camera, uint32_
     // Without the lock: the pilot runs in parallel, and a thread that waits for it may take up other work. Two threads
     // that ask at once both find the same plan.
     const auto* path = std::get_if<Path>(&settings_.integrator);
-    SamplingPlan plan =
-        path ? make_plan(*scene_, *accel_, *path, settings_.kernel, choice_, camera, width, height) : SamplingPlan{};
+    SamplingPlan plan = path
+                            ? make_plan(*scene_, *accel_, *path, settings_.kernel, choice_, camera, width, height, stop)
+                            : SamplingPlan{};
+    if (stop.stop_requested()) return nullptr;
     find_background_only(*scene_, camera, width, height, plan);
     auto found = std::make_shared<const Piloted>(Piloted{camera, width, height, std::move(plan)});
     {

@@ -34,6 +34,8 @@ public:
     Renderer(Scene scene, const RendererConfig& settings);
     // The scene and the accelerator of another renderer with other settings; those of the accelerator are not used.
     Renderer(const Renderer& of_scene, const RendererConfig& settings);
+    // Of a scene that is known to have the shapes and the opacity of that of the renderer before: see relit().
+    Renderer(std::unique_ptr<const Scene> scene, const Renderer& before, const RendererConfig& settings);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -46,13 +48,18 @@ public:
     PassResult pass(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
                     const std::stop_token& stop = {}, const std::function<void(const Tile&)>& tile_done = {}) const;
 
+    // The same without a plan, for a first look: the picture has the same mean, other bits and more noise.
+    PassResult preview(const Camera& camera, Film& film, std::span<const Tile> tiles, SampleRange samples,
+                       const std::stop_token& stop = {}, const std::function<void(const Tile&)>& tile_done = {}) const;
+
     // See lancer::replay. width, height: of the whole picture.
     Color replay(const Camera& camera, uint32_t width, uint32_t height, const SampleId& id,
                  const PathListener& listener) const;
 
     // The sampling plan for a picture of this size; computed once, until another camera or size is asked for. May be
-    // called from any thread.
-    std::shared_ptr<const SamplingPlan> plan(const Camera& camera, uint32_t width, uint32_t height) const;
+    // called from any thread. Null, soon after, if `stop` is requested before it is known.
+    std::shared_ptr<const SamplingPlan> plan(const Camera& camera, uint32_t width, uint32_t height,
+                                             const std::stop_token& stop = {}) const;
 
     const AnyIntegrator& integrator() const { return settings_.integrator; }
     const Scene& scene() const { return *scene_; }
@@ -61,9 +68,13 @@ public:
     Profile profile() const { return choice_.profile(); }
     // Never automatic.
     AccelKind accelerator_kind() const { return settings_.accel; }
+    bool shares_accelerator_with(const Renderer& other) const { return accel_ == other.accel_; }
 
 private:
     void choose();
+    PassResult trace(const SamplingPlan& plan, const Camera& camera, Film& film, std::span<const Tile> tiles,
+                     SampleRange samples, const std::stop_token& stop,
+                     const std::function<void(const Tile&)>& tile_done) const;
 
     std::shared_ptr<const Scene> scene_;
     RendererConfig settings_;

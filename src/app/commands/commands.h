@@ -7,6 +7,7 @@ namespace lancer {
 
 int run_render(int argc, char** argv);
 int run_film(int argc, char** argv);
+int run_view(int argc, char** argv);
 int run_denoise(int argc, char** argv);
 int run_merge(int argc, char** argv);
 int run_verify(int argc, char** argv);

@@ -331,6 +331,45 @@ std::optional<FilmOptions> parse_film(int argc, char** argv)
     return o;
 }
 
+std::optional<ViewOptions> parse_view(int argc, char** argv)
+{
+    ViewOptions view;
+    RenderOptions& o = view.render;
+    OptionParser p("lancer view",
+                   "Show a scene in a window while it renders, and move its camera, lights and materials by hand.",
+                   exit_codes + std::string(interrupted) +
+                       "\nThe key H shows all keys.\n\nExample:\n  lancer view scene.toml -o picture.exr\n");
+    add_picture_options(p, o.picture);
+    p.flag("-q,--quiet", "Only warnings and errors", o.quiet);
+    p.flag("-v,--verbose", "At the end, say how long the hand waited for pictures", o.verbose);
+    p.group("What is written");
+    p.values("-o,--output", "FILE",
+             "What R, Shift+R, Ctrl+R and O write: .exr, .png, .ppm, .jpg or .hdr; may be given several times "
+             "(output.png; with --legacy output.ppm)",
+             [&](const std::string& t) { o.outputs.push_back(t); });
+    p.value("--write-scene", "FILE", "What Ctrl+S writes (NAME.view.toml in this folder)",
+            [&](const std::string& t) { o.write_scene = t; });
+    p.value("--path", "FILE",
+            "Key frames: read at the beginning, if it is there, and written at the end (NAME.path.toml)",
+            [&](const std::string& t) { view.path = t; });
+    p.value("--tonemap", listed(enum_names<ToneMap>), "As of lancer render, to begin with",
+            [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
+    p.value("--exposure", "STOPS|auto", "As of lancer render, to begin with",
+            [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
+    if (!p.parse(argc, argv)) return {};
+    take_environment(o.picture.threads);
+    const std::string name = std::filesystem::path(o.picture.scene.file).stem().string();
+    if (o.outputs.empty()) o.outputs.push_back(o.picture.render.legacy ? "output.ppm" : "output.png");
+    take_outputs(o.outputs, {});
+    if (o.write_scene.empty()) o.write_scene = name + ".view.toml";
+    view.reads_path = !view.path.empty();
+    if (view.path.empty()) view.path = name + ".path.toml";
+    std::vector<std::string> files = o.outputs;
+    files.insert(files.end(), {o.write_scene, view.path});
+    refuse_doubles(files);
+    return view;
+}
+
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv)
 {
     DenoiseOptions o;

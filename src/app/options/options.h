@@ -179,6 +179,12 @@ struct PixelOptions {
     uint32_t x = 0, y = 0, sample = 0;
 };
 
+struct ViewOptions {
+    RenderOptions render;  // what pictures are written with
+    std::string path;      // of key frames
+    bool reads_path = false;
+};
+
 struct TuneOptions {
     PictureOptions picture;
     double seconds = 30;
@@ -222,6 +228,7 @@ struct CompareOptions {
 // for; it has then been printed. Throws Error (usage).
 std::optional<RenderOptions> parse_render(int argc, char** argv);
 std::optional<FilmOptions> parse_film(int argc, char** argv);
+std::optional<ViewOptions> parse_view(int argc, char** argv);
 std::optional<DenoiseOptions> parse_denoise(int argc, char** argv);
 std::optional<MergeOptions> parse_merge(int argc, char** argv);
 // Throws Error (usage) unless these are options of lancer render that say what is rendered, and neither write files nor

@@ -77,7 +77,8 @@ struct PilotGrid {
 
 // learns: where light sampling pays.
 PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height, bool learns)
+                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height, bool learns,
+                       const std::stop_token& stop)
 {
     // Light of the view segment does not depend on the plan. All other segments count, whether they are part of the
     // picture or not: the parts add up to the whole only with a common plan.
@@ -95,6 +96,7 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
     std::vector<Counters> counters(s.rows);
     std::vector<std::vector<Arrival>> arrivals(s.rows);
     parallel_for(s.rows, [&](size_t row) {
+        if (stop.stop_requested()) return;
         Workspace w;
         w.is_pilot = true;
         size_t named = 0;  // arrivals that know their pixel
@@ -205,12 +207,14 @@ void estimate_importance(const PilotGrid& s, SamplingPlan& plan)
 }  // namespace
 
 SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path& path, const KernelSettings& settings,
-                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height)
+                       const KernelChoice& kernel, const Camera& camera, uint32_t width, uint32_t height,
+                       const std::stop_token& stop)
 {
     SamplingPlan plan;
     const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
     if (!path.split && !path.roulette_by_pixel && !learns) return plan;
-    PilotGrid s = measure_grid(scene, accel, path, settings, kernel, camera, width, height, learns);
+    PilotGrid s = measure_grid(scene, accel, path, settings, kernel, camera, width, height, learns, stop);
+    if (stop.stop_requested()) return plan;
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
     if (learns) plan.light_choice = best_light_choice(s, scene);

@@ -10,16 +10,14 @@
 #include "scene/alpha_test.h"
 #include "scene/build/fold.h"
 #include "scene/build/light_group.h"
-#include "scene/build/light_table.h"
 #include "scene/build/material_table.h"
 #include "scene/build/mesh_tables.h"
-#include "scene/build/planar_mirrors.h"
 #include "scene/build/receive_environment.h"
+#include "scene/build/relight.h"
 #include "scene/build/shapes.h"
 #include "scene/build/texture_table.h"
 #include "scene/build/thin_glass.h"
 #include "scene/environment/environment.h"
-#include "scene/through_glass.h"
 
 namespace lancer {
 namespace {
@@ -222,19 +220,7 @@ private:
             });
             if (l.type == LightType::environment) add_environment(l);
         }
-        add_delta_lights(std::type_identity<DeltaLight>{});
-    }
-    template <class... L>
-    void add_delta_lights(std::type_identity<std::variant<L...>>)
-    {
-        const auto add = [&]<class Of>(std::type_identity<Of>) {
-            for (const auto& l : d_.lights)
-                if (l.type == Of::type && !is_black(l.power)) {
-                    scene_.delta_lights.push_back(Of::make(l, scene_.normalisation));
-                    scene_.light_groups.of_delta.push_back(light_group(scene_, l.group, l.where, diagnostics_));
-                }
-        };
-        (add(std::type_identity<L>{}), ...);
+        list_delta_lights(d_, scene_, diagnostics_);
     }
     // Constant ones add up; of pictures there can be one.
     void add_environment(const LightDescription& l)
@@ -315,9 +301,7 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
     if (pending_.background)
         receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);
     diagnostics.throw_if_errors();
-    build_light_table(s);
-    s.passes_glass = lights_pass_glass(s);
-    find_planar_mirrors(s);
+    list_lights(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
     // Light sampling may leave all of an environment to BSDF sampling.

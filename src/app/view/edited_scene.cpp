@@ -1,0 +1,187 @@
+#include "app/view/edited_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "app/console.h"
+#include "app/defaults/toml_text.h"
+#include "app/view/camera_moves.h"
+#include "app/write_scene.h"
+
+namespace lancer {
+namespace {
+
+// Floats are written as the doubles that they are, so that reading rounds nothing.
+std::string exact(Color c) { return to_toml(Vec3d{c.r, c.g, c.b}); }
+
+std::string light_key(size_t light, std::string_view key)
+{
+    return "light." + std::to_string(light) + "." + std::string(key);
+}
+
+// The key of a field of a type of light.
+template <class Field>
+std::string_view key_of(LightType type, Field LightDescription::*field)
+{
+    std::string_view key;
+    for_each_parameter_of(type, [&](const auto& row) {
+        if constexpr (std::is_same_v<decltype(row.field), Field LightDescription::*>)
+            if (row.field == field) key = row.key;
+    });
+    return key;
+}
+
+float least_of(ParameterRange range)
+{
+    return range == ParameterRange::finite     ? -std::numeric_limits<float>::infinity()
+           : range == ParameterRange::positive ? 1e-6f
+                                               : 0;
+}
+float most_of(ParameterRange range)
+{
+    return range == ParameterRange::unit ? 1 : std::numeric_limits<float>::infinity();
+}
+
+// f(row, field) for each parameter of the material that is a number or a colour.
+template <class M, class F>
+void for_each_number(M& material, const F& f)
+{
+    for_each_material_parameter([&](const auto& row) {
+        auto& field = row.value_of(material);
+        using T = std::remove_cvref_t<decltype(field)>;
+        if constexpr (std::is_same_v<T, float> || std::is_same_v<T, Color>)
+            if (has_parameter(material.type, row.key)) f(row, field);
+    });
+}
+
+auto find_material(auto& materials, const std::string& name)
+{
+    return std::find_if(materials.begin(), materials.end(), [&](const auto& m) { return m.name == name; });
+}
+
+}  // namespace
+
+EditedScene::EditedScene(SceneChoice choice, std::string added, SceneDescription scene, RenderSettings given,
+                         RenderSettings opened)
+    : choice_(std::move(choice)),
+      added_(std::move(added)),
+      given_(given),
+      opened_(opened),
+      scene_(std::make_shared<const SceneDescription>(std::move(scene)))
+{
+}
+
+SceneDescription& EditedScene::change()
+{
+    const auto changed = std::make_shared<SceneDescription>(*scene_);
+    scene_ = changed;
+    return *changed;
+}
+
+LightDescription& EditedScene::light(size_t index)
+{
+    LightDescription& l = change().lights[index];
+    if (l.type != LightType::point && l.type != LightType::directional) ++rest_;
+    return l;
+}
+
+void EditedScene::move_light(size_t i, Vec3d position)
+{
+    LightDescription& l = light(i);
+    l.position = position;
+    edits_[light_key(i, key_of(l.type, &LightDescription::position))] = to_toml(position);
+}
+
+void EditedScene::turn_light(size_t i, Vec3d direction)
+{
+    if (!(length(direction) > 0)) return;
+    light(i).direction = direction;
+    edits_[light_key(i, "direction")] = to_toml(direction);
+}
+
+void EditedScene::set_radius(size_t i, double radius)
+{
+    if (!(radius > 0)) return;
+    light(i).radius = radius;
+    edits_[light_key(i, "radius")] = shortest(radius);
+}
+
+void EditedScene::set_power(size_t i, Color power)
+{
+    LightDescription& l = light(i);
+    l.power = power;
+    edits_[light_key(i, key_of(l.type, &LightDescription::power))] = exact(power);
+}
+
+bool EditedScene::can_move(size_t sphere) const
+{
+    const auto& s = scene_->spheres;
+    return sphere < s.size() && s[sphere].part == SphereDescription::Part::whole &&
+           std::all_of(s.begin(), s.begin() + static_cast<std::ptrdiff_t>(sphere),
+                       [](const SphereDescription& other) { return other.part == SphereDescription::Part::whole; });
+}
+
+void EditedScene::move_sphere(size_t sphere, Vec3d center)
+{
+    ++rest_;
+    change().spheres[sphere].center = center;
+    edits_["sphere." + std::to_string(sphere) + ".center"] = to_toml(center);
+}
+
+std::vector<MaterialNumber> EditedScene::numbers_of(const std::string& material) const
+{
+    std::vector<MaterialNumber> numbers;
+    const auto found = find_material(scene_->materials, material);
+    if (found == scene_->materials.end()) return numbers;
+    for_each_number(*found, [&](const auto& row, const auto& field) {
+        MaterialNumber n{std::string(row.key), {}, 1, least_of(row.range), most_of(row.range)};
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Color>)
+            n.value = {field.r, field.g, field.b}, n.count = 3;
+        else
+            n.value[0] = field;
+        numbers.push_back(n);
+    });
+    return numbers;
+}
+
+void EditedScene::set_number(const std::string& material, const MaterialNumber& number)
+{
+    if (find_material(scene_->materials, material) == scene_->materials.end()) return;
+    const auto in_range = [&](float x) { return std::clamp(x, number.least, number.most); };
+    ++rest_;
+    for_each_number(*find_material(change().materials, material), [&](const auto& row, auto& field) {
+        if (row.key != number.key) return;
+        std::string& text = edits_["material.\"" + material + "\"." + number.key];
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Color>) {
+            field = {in_range(number.value[0]), in_range(number.value[1]), in_range(number.value[2])};
+            text = exact(field);
+        } else {
+            field = in_range(number.value[0]);
+            text = shortest(double{field});
+        }
+    });
+}
+
+std::string EditedScene::text(const CameraDescription& camera, const RenderSettings& settings,
+                              const OutputDescription& output) const
+{
+    std::vector<std::string> edits;
+    for (const auto& [key, value] : edits_) edits.push_back(key + "=" + value);
+    if (camera.type == CameraType::thin_lens) {
+        edits.emplace_back("camera.type=thin_lens");
+        edits.push_back("camera.aperture=" + shortest(camera.aperture));
+        if (camera.focus) edits.push_back("camera.focus=" + shortest(*camera.focus));
+    }
+    RenderSettings given = given_;
+    const auto give = [&](auto field) {
+        if (settings.*field != opened_.*field) given.give(field, settings.*field);
+    };
+    give(&RenderSettings::spp), give(&RenderSettings::max_depth), give(&RenderSettings::sampler);
+    give(&RenderSettings::integrator);
+    // Another integrator has another depth of its own.
+    if (settings.integrator != opened_.integrator) given.give(&RenderSettings::max_depth, settings.max_depth);
+    return completed_scene_text(choice_, added_, camera, given, output, edits);
+}
+
+}  // namespace lancer

@@ -1,0 +1,370 @@
+#include "app/view/session.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "app/system_info.h"
+#include "app/view/camera_moves.h"
+#include "app/view/still.h"
+#include "core/lanes/denormals.h"
+#include "core/parallel.h"
+#include "scene/build/relight.h"
+
+namespace lancer {
+namespace {
+
+constexpr uint32_t tile_side = 16;
+constexpr double slow_preview = 0.05, fast_preview = 0.01;  // seconds
+
+// Whether a scene that was built for one serves the other: they differ in what the kernel alone is asked for.
+bool needs_the_same_scene(RenderSettings a, const RenderSettings& b)
+{
+    a.spp = b.spp, a.seed = b.seed, a.max_depth = b.max_depth, a.sampler = b.sampler, a.filter = b.filter;
+    a.split = b.split, a.roulette = b.roulette, a.learned_nee = b.learned_nee, a.given = b.given;
+    return a == b;
+}
+
+// Passes grow up to a block. Pixels that end by themselves have to see whole blocks.
+uint32_t end_of_pass(uint32_t done, const RenderSettings& s)
+{
+    const uint32_t step = s.stop || done >= samples_per_block ? samples_per_block : std::max(1u, done);
+    return std::min(done + step, s.spp);
+}
+
+}  // namespace
+
+Session::Session(SessionSetup setup, Sight first)
+    : images_(std::move(setup.images)),
+      memory_(std::move(setup.memory)),
+      threads_(setup.threads),
+      batch_(setup.batch),
+      store_(std::move(setup.on_news)),
+      now_(std::move(first)),
+      now_number_(1),
+      renderer_(std::move(setup.renderer))
+{
+    status_.scenes_built = status_.accelerators_built = 1;
+    thread_ = std::thread([this] { work(); });
+}
+
+Session::~Session()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        is_closing_ = true;
+        step_.request_stop(), still_.request_stop();
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+uint64_t Session::show(Sight sight)
+{
+    uint64_t number = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_ = std::move(sight);
+        number = ++wanted_number_;
+        if (can_be_cut_) step_.request_stop();
+    }
+    wake_.notify_all();
+    return number;
+}
+
+void Session::pause(bool is_paused)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        is_paused_ = is_paused;
+    }
+    wake_.notify_all();
+}
+
+SessionStatus Session::status() const
+{
+    const std::lock_guard lock(mutex_);
+    return status_;
+}
+
+std::shared_ptr<const Renderer> Session::renderer() const
+{
+    const std::lock_guard lock(mutex_);
+    return renderer_;
+}
+
+void Session::write_picture(Write write)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        writes_.push_back(std::move(write));
+    }
+    wake_.notify_all();
+}
+
+void Session::render_still(Sight sight, uint32_t reduction, Write write)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        stills_.push_back({std::move(sight), reduction, std::move(write)});
+        if (can_be_cut_) step_.request_stop();
+    }
+    wake_.notify_all();
+}
+
+void Session::cancel_still()
+{
+    const std::lock_guard lock(mutex_);
+    stills_.clear();
+    still_.request_stop();
+}
+
+void Session::wait_until_idle() const
+{
+    std::unique_lock lock(mutex_);
+    rest_.wait(lock, [&] { return is_idle_ && !wanted_ && stills_.empty() && (writes_.empty() || is_paused_); });
+}
+
+void Session::work()
+{
+    set_flush_denormals();  // as every thread that renders
+    try {
+        with_threads(threads_, [&] {
+            while (wait_for_work()) step();
+        });
+    } catch (const std::exception& problem) {  // no threads to be had
+        fail(problem.what());
+    }
+}
+
+bool Session::wait_for_work()
+{
+    std::unique_lock lock(mutex_);
+    const auto has_work = [&] {
+        return is_closing_ || wanted_ || !stills_.empty() ||
+               (!writes_.empty() && !has_failed_ && samples_ > 0 && left_.empty()) ||
+               (!has_failed_ && has_more() && (!is_paused_ || reduction_ > 1));
+    };
+    is_idle_ = !has_work();
+    if (is_idle_) rest_.notify_all();
+    wake_.wait(lock, has_work);
+    is_idle_ = false;
+    return !is_closing_;
+}
+
+void Session::step()
+{
+    try {
+        if (!adopt_wanted() && !run_job()) advance();
+    } catch (const std::exception& problem) {
+        has_failed_ = true;
+        fail(problem.what());
+    }
+}
+
+void Session::fail(const std::string& problem)
+{
+    const std::lock_guard lock(mutex_);
+    status_.problem = problem;
+    is_idle_ = true;
+    rest_.notify_all();
+}
+
+// Of what is done from here on until the next call.
+std::stop_token Session::begin_step(bool can_be_cut)
+{
+    const std::lock_guard lock(mutex_);
+    step_ = std::stop_source();
+    can_be_cut_ = can_be_cut;
+    if (is_closing_ || (can_be_cut && (wanted_ || !stills_.empty()))) step_.request_stop();
+    return step_.get_token();
+}
+
+bool Session::adopt_wanted()
+{
+    std::optional<Sight> sight;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!wanted_) return false;
+        sight = std::exchange(wanted_, {});
+        now_number_ = wanted_number_;
+        status_.problem = writes_.empty() ? "" : "the picture has changed before it could be written";
+        writes_.clear();
+    }
+    adopt(std::move(*sight));
+    return true;
+}
+
+void Session::adopt(Sight sight)
+{
+    has_failed_ = false;
+    // More samples of the same go on where the picture is.
+    const bool goes_on = film_ && is_same_view(sight.camera, now_.camera) && sight.scene == now_.scene &&
+                         sight.shown == now_.shown && !sight.settings.stop && sight.settings.spp >= samples_ && [&] {
+                             RenderSettings s = sight.settings;
+                             s.spp = now_.settings.spp, s.given = now_.settings.given;
+                             return s == now_.settings;
+                         }();
+    rebuild(sight);
+    now_ = std::move(sight);
+    if (!goes_on) return restart();
+    store_.keep_for(now_number_);
+    const std::lock_guard lock(mutex_);
+    status_.sight = now_number_, status_.is_complete = samples_ >= now_.settings.spp;
+}
+
+// What the sight needs of the one before: nothing, a kernel, a scene, or its accelerator too.
+void Session::rebuild(const Sight& sight)
+{
+    begin_step(false);
+    const auto before = renderer();
+    auto made = renderer_for(sight, *before);
+    if (!made) return;
+    const std::lock_guard lock(mutex_);
+    status_.scenes_built += &made->scene() != &before->scene() ? 1 : 0;
+    status_.accelerators_built += made->shares_accelerator_with(*before) ? 0 : 1;
+    renderer_ = std::move(made);
+}
+
+// Null: that of before serves. A scene without extent is normalised by its camera.
+std::shared_ptr<const Renderer> Session::renderer_for(const Sight& sight, const Renderer& before)
+{
+    const bool is_empty = !(before.scene().bounds.extent() > 0);
+    const bool same_scene = sight.scene == now_.scene && needs_the_same_scene(sight.settings, now_.settings) &&
+                            !(is_empty && !is_same_view(sight.camera, now_.camera));
+    RenderSettings settings = sight.settings;
+    settings.spp = now_.settings.spp, settings.given = now_.settings.given;
+    if (same_scene && settings == now_.settings) return nullptr;
+    const RendererConfig config = configure(sight.settings, batch_);
+    if (same_scene) return std::make_shared<const Renderer>(before, config);
+    if (sight.rest == now_.rest && !is_empty && needs_the_same_scene(sight.settings, now_.settings)) {
+        Diagnostics none;
+        return std::make_shared<const Renderer>(relit(before.scene(), *sight.scene, none), before, config);
+    }
+    SceneDescription description = *sight.scene;
+    description.camera = sight.camera;
+    Diagnostics diagnostics;
+    SceneBuilder builder(description, sight.settings, diagnostics, images_, memory_);
+    return std::make_shared<const Renderer>(std::move(builder), config, diagnostics, std::function<void()>{}, &before);
+}
+
+void Session::restart()
+{
+    film_.reset();
+    left_.clear();
+    range_ = {}, samples_ = 0, reduction_ = coarsest_;
+    has_plan_ = false;
+    const std::lock_guard lock(mutex_);
+    status_.samples = 0, status_.is_complete = false;
+}
+
+bool Session::run_job()
+{
+    std::optional<Still> still;
+    Write write;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!stills_.empty()) {
+            still = std::move(stills_.front());
+            stills_.pop_front();
+            still_ = std::stop_source();
+            if (is_closing_) still_.request_stop();
+        } else if (!writes_.empty() && samples_ > 0 && left_.empty()) {
+            write = std::move(writes_.front());
+            writes_.pop_front();
+        }
+    }
+    try {
+        if (still) run_still(*still);
+        if (write) write(*film_, *renderer());
+    } catch (const std::exception& problem) {  // the picture itself is none the worse
+        fail(problem.what());
+    }
+    return still || write;
+}
+
+void Session::run_still(const Still& still)
+{
+    const auto report = [&](double done) {
+        const std::lock_guard lock(mutex_);
+        status_.still = done;
+    };
+    report(0);
+    std::stop_token stop;
+    {
+        const std::lock_guard lock(mutex_);
+        stop = still_.get_token();
+    }
+    try {
+        const auto before = renderer();
+        const auto other = renderer_for(still.sight, *before);
+        const Renderer& r = other ? *other : *before;
+        const auto film = still_of(r, still.sight, still.reduction, stop, report);
+        if (film) still.write(*film, r);
+        has_plan_ = false;
+    } catch (...) {
+        report(-1);
+        throw;
+    }
+    report(-1);
+}
+
+void Session::advance()
+{
+    if (!has_more()) return;
+    if (reduction_ > 1)
+        preview();
+    else
+        add_samples();
+}
+
+// One sample of each pixel of a smaller picture.
+void Session::preview()
+{
+    const bool is_coarsest = reduction_ == coarsest_;
+    const std::stop_token stop = begin_step(!is_coarsest);
+    const double begin = wall_seconds();
+    Film film = film_of(now_, reduction_);
+    const Camera camera = camera_of(*renderer_, now_, film);
+    const auto tiles = make_tiles(film.crop, tile_side);
+    if (!renderer_->preview(camera, film, tiles, {0, 1}, stop).is_complete()) return;
+    const double seconds = wall_seconds() - begin;
+    store_.put(shown_image(film, now_.shown, renderer_->scene().normalisation, now_.settings.spp), now_number_);
+    {
+        const std::lock_guard lock(mutex_);
+        status_.sight = now_number_, status_.reduction = reduction_;
+    }
+    reduction_ /= 2;
+    if (!is_coarsest) return;
+    if (seconds > slow_preview) coarsest_ = std::min(coarsest_ * 2, 16u);
+    if (seconds < fast_preview) coarsest_ = 8;
+}
+
+void Session::add_samples()
+{
+    const std::stop_token stop = begin_step(true);
+    if (!film_) {
+        film_ = std::make_unique<Film>(film_of(now_, 1));
+        store_.enlarge(film_->width, film_->height, now_number_);
+    }
+    const Camera camera = camera_of(*renderer_, now_, *film_);
+    // The plan of the renderer stays until another camera is asked for.
+    if (!has_plan_ && !renderer_->plan(camera, film_->width, film_->height, stop)) return;
+    has_plan_ = true;
+    if (left_.empty()) {
+        range_ = {range_.end, end_of_pass(range_.end, now_.settings)};
+        left_ = make_tiles(film_->crop, tile_side);
+    }
+    const auto tile_done = [&](const Tile& tile) {
+        if (now_.shown == ShownAs::light) store_.put_tile(*film_, tile);
+    };
+    left_ = renderer_->pass(camera, *film_, left_, range_, stop, tile_done).left;
+    if (!left_.empty()) return;
+    samples_ = range_.end;
+    if (now_.shown != ShownAs::light)
+        store_.put(shown_image(*film_, now_.shown, renderer_->scene().normalisation, now_.settings.spp), now_number_);
+    const std::lock_guard lock(mutex_);
+    status_.sight = now_number_, status_.reduction = 1, status_.samples = samples_;
+    status_.is_complete = samples_ >= now_.settings.spp;
+}
+
+}  // namespace lancer

@@ -1,0 +1,135 @@
+// A scene that is rendered again and again while its camera, lights and materials change. It knows no window: whoever
+// shows the picture says what it is to be of, and takes what there is of it. All rendering, and the rebuilding of what
+// a change needs, is done on a thread of its own and those it starts: no member waits for it but the destructor.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/view/picture_store.h"
+#include "app/view/shown.h"
+#include "render/renderer.h"
+
+namespace lancer {
+
+// All that decides the picture.
+struct Sight {
+    CameraDescription camera;
+    std::shared_ptr<const SceneDescription> scene;  // what has changed is another object
+    RenderSettings settings;                        // resolved; spp: the samples that a picture ends with
+    ShownAs shown = ShownAs::light;
+    uint64_t rest = 0;  // equal for scenes that differ in point and directional lights alone
+};
+
+// What a session was made of and runs with.
+struct SessionSetup {
+    std::unique_ptr<Renderer> renderer;  // of the first sight, with its accelerator
+    RasterSource images;                 // of scenes that change; must outlive the session
+    PictureMemory memory;
+    unsigned threads = 1;
+    uint32_t batch = 256;                // as of RenderOptions
+    std::function<void()> on_news = {};  // from any thread: there is something to take
+};
+
+struct SessionStatus {
+    uint64_t sight = 0;      // that the picture is of
+    uint32_t reduction = 0;  // the picture shown has 1/reduction of the width; 0: there is none
+    uint32_t samples = 0;    // that every pixel of the full picture has
+    bool is_complete = false;
+    uint32_t scenes_built = 0, accelerators_built = 0;  // since the begin
+    double still = -1;                                  // part of a still that is rendered; < 0: there is none
+    std::string problem;                                // of the last sight or job; empty: none
+};
+
+class Session {
+public:
+    Session(SessionSetup setup, Sight first);
+    // Ends within milliseconds, but for a scene that is being built.
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    // Shows this from now on: at once in 1/8 of the resolution or less, then in steps up to the full one, where samples
+    // add up. A first reduced picture is finished whatever comes, so that there are new ones while the camera moves;
+    // all else is given up within a tile. Returns the number of this sight.
+    uint64_t show(Sight sight);
+    void pause(bool is_paused);
+
+    bool take(ShownPicture& mine) { return store_.take(mine); }
+    SessionStatus status() const;
+    // The present one: for rays of one's own.
+    std::shared_ptr<const Renderer> renderer() const;
+
+    using Write = std::function<void(const Film&, const Renderer&)>;
+    // Calls `write` on the session's thread with the full picture, as soon as all its pixels have equally many samples;
+    // these have the bits of lancer render. Dropped, with a problem, if another sight comes first.
+    void write_picture(Write write);
+    // Renders a picture of 1/reduction of the width and height with all samples, before anything else goes on.
+    void render_still(Sight sight, uint32_t reduction, Write write);
+    void cancel_still();
+
+    // Waits until the picture is complete or nothing more will come. For tests and for measuring.
+    void wait_until_idle() const;
+
+private:
+    struct Still {
+        Sight sight;
+        uint32_t reduction;
+        Write write;
+    };
+
+    void work();
+    bool wait_for_work();
+    void step();
+    bool adopt_wanted();
+    void adopt(Sight sight);
+    void rebuild(const Sight& sight);
+    void restart();
+    bool run_job();
+    void run_still(const Still& still);
+    void advance();
+    void preview();
+    void add_samples();
+    void publish_whole(const Film& film);
+    bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty(); }
+    std::stop_token begin_step(bool can_be_cut);
+    std::shared_ptr<const Renderer> renderer_for(const Sight& sight, const Renderer& before);
+    void fail(const std::string& problem);
+
+    const RasterSource images_;
+    const PictureMemory memory_;
+    const unsigned threads_;
+    const uint32_t batch_;
+    PictureStore store_;
+
+    // Of the session's thread alone.
+    Sight now_;
+    uint64_t now_number_ = 0;
+    uint32_t coarsest_ = 8, reduction_ = 8;
+    std::unique_ptr<Film> film_;  // of the full picture
+    std::vector<Tile> left_;      // of the pass that was cut
+    SampleRange range_;
+    uint32_t samples_ = 0;
+    bool has_plan_ = false, has_failed_ = false;
+
+    mutable std::mutex mutex_;  // guards what follows
+    mutable std::condition_variable wake_, rest_;
+    std::shared_ptr<const Renderer> renderer_;
+    std::optional<Sight> wanted_;
+    uint64_t wanted_number_ = 1;
+    std::deque<Still> stills_;
+    std::deque<Write> writes_;
+    std::stop_source step_, still_;
+    bool can_be_cut_ = false, is_paused_ = false, is_closing_ = false, is_idle_ = false;
+    SessionStatus status_;
+
+    std::thread thread_;  // the last member: it uses all others
+};
+
+}  // namespace lancer

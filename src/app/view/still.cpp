@@ -1,0 +1,48 @@
+#include "app/view/still.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "app/options/settings.h"
+#include "scene/camera.h"
+
+namespace lancer {
+
+Film film_of(const Sight& sight, uint32_t reduction)
+{
+    const RenderSettings& s = sight.settings;
+    const uint32_t width = std::max(1u, s.size.width / reduction), height = std::max(1u, s.size.height / reduction);
+    Film film(width, height, {0, 0, width, height});
+    film.keep_aovs(layout_of(sight.shown));
+    if (s.stop) film.wanted.resize(film.pixels.size());
+    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+    if (!s.stop) film.keep_blocks_open();
+    return film;
+}
+
+Camera camera_of(const Renderer& renderer, const Sight& sight, const Film& film)
+{
+    return {sight.camera, renderer.scene().normalisation, film.width, film.height, pixel_grid(sight.settings)};
+}
+
+std::unique_ptr<Film> still_of(const Renderer& renderer, const Sight& sight, uint32_t reduction,
+                               const std::stop_token& stop, const std::function<void(double)>& report)
+{
+    auto film = std::make_unique<Film>(film_of(sight, reduction));
+    const Camera camera = camera_of(renderer, sight, *film);
+    if (!renderer.plan(camera, film->width, film->height, stop)) return nullptr;
+    const auto tiles = make_tiles(film->crop, samples_per_block);
+    const uint32_t spp = sight.settings.spp;
+    for (uint32_t begin = 0; begin < spp; begin += samples_per_block) {
+        const uint32_t end = std::min(begin + samples_per_block, spp);
+        std::atomic<size_t> done{0};
+        const auto tile_done = [&](const Tile&) {
+            const double of_pass = static_cast<double>(++done) / static_cast<double>(tiles.size());
+            report((begin + of_pass * (end - begin)) / spp);
+        };
+        if (!renderer.pass(camera, *film, tiles, {begin, end}, stop, tile_done).is_complete()) return nullptr;
+    }
+    return film;
+}
+
+}  // namespace lancer
