@@ -1,5 +1,7 @@
 #include "app/prepare.h"
 
+#include <tuple>
+
 #include "app/console.h"
 #include "app/defaults/complete_scene.h"
 #include "app/load_scene.h"

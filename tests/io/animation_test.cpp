@@ -175,6 +175,9 @@ TEST_F(AnimationFile, MistakesHaveTheirPlace)
         problems("[animation]\nframes = [9, 1]\n"),
         "s.toml:2:10: error: 'frames' in [animation] must be the first and the last frame, from 0 to 1000000, such "
         "as [1, 48]");
+    for (const std::string key : {"camera.fov=30", "camera..fov", "camera fov.", "."})
+        EXPECT_EQ(mistakes(track(key, "[1, 9]", "[1, 2]")),
+                  "s.toml:27:7: error: '" + key + "' is no key such as 'camera.fov' or 'light.0.intensity'");
     EXPECT_EQ(problems("[animation]\nfps = 24\n"), "s.toml:1:1: error: [animation] needs 'frames'");
 }
 

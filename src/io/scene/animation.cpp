@@ -1,6 +1,8 @@
 #include "io/scene/animation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "io/scene/animation_target.h"
 

@@ -95,8 +95,12 @@ std::optional<std::vector<std::string>> find_target(const TomlValue& root, const
 {
     std::vector<std::string> path;
     try {
-        path = parse_definition(key + "=0").path;
+        const Definition read = parse_definition(key + "=0");
+        if (read.value == "0") path = read.path;
     } catch (const Error&) {
+        // Said below, in the words of this table.
+    }
+    if (path.empty()) {
         problems.add(where, in_quotes(key) + " is no key such as 'camera.fov' or 'light.0.intensity'");
         return {};
     }

@@ -2,6 +2,7 @@
 // key.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
