@@ -56,6 +56,8 @@ Session::~Session()
     }
     wake_.notify_all();
     thread_.join();
+    plan_.request_stop();
+    if (planner_.joinable()) planner_.join();
 }
 
 uint64_t Session::show(Sight sight)
@@ -339,6 +341,33 @@ void Session::preview()
     if (seconds < fast_preview) coarsest_ = 8;
 }
 
+// The renderer keeps it until another camera is asked for. False if the step is stopped first.
+bool Session::make_plan(const Camera& camera, const std::stop_token& stop)
+{
+    std::unique_lock lock(mutex_);
+    // One that was left alone ends first: two at once would both be slow.
+    wake_.wait(lock, [&] { return !is_planning_ || stop.stop_requested(); });
+    if (is_planning_) return false;
+    if (planner_.joinable()) planner_.join();
+    plan_ = std::stop_source();
+    is_planning_ = true;
+    planner_ = std::thread([this, camera, size = now_.settings.size, renderer = renderer_, token = plan_.get_token()] {
+        set_flush_denormals();
+        try {
+            with_threads(threads_, [&] { renderer->plan(camera, size.width, size.height, token); });
+        } catch (const std::exception&) {  // the pass will ask for it again, and tell
+        }
+        {
+            const std::lock_guard end(mutex_);
+            is_planning_ = false;
+        }
+        wake_.notify_all();
+    });
+    wake_.wait(lock, [&] { return !is_planning_ || stop.stop_requested(); });
+    if (is_planning_) plan_.request_stop();
+    return !is_planning_;
+}
+
 void Session::add_samples()
 {
     const std::stop_token stop = begin_step(true);
@@ -347,8 +376,7 @@ void Session::add_samples()
         store_.enlarge(film_->width, film_->height, now_number_);
     }
     const Camera camera = camera_of(*renderer_, now_, *film_);
-    // The plan of the renderer stays until another camera is asked for.
-    if (!has_plan_ && !renderer_->plan(camera, film_->width, film_->height, stop)) return;
+    if (!has_plan_ && !make_plan(camera, stop)) return;
     has_plan_ = true;
     if (left_.empty()) {
         range_ = {range_.end, end_of_pass(range_.end, now_.settings)};

@@ -96,6 +96,7 @@ private:
     void advance();
     void preview();
     void add_samples();
+    bool make_plan(const Camera& camera, const std::stop_token& stop);
     void publish_whole(const Film& film);
     bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty(); }
     std::stop_token begin_step(bool can_be_cut);
@@ -128,7 +129,11 @@ private:
     std::stop_source step_, still_;
     bool can_be_cut_ = false, is_paused_ = false, is_closing_ = false, is_idle_ = false;
     SessionStatus status_;
+    bool is_planning_ = false;
 
+    // A plan takes longer than the hand may wait: it is made beside the session's thread, which may leave it alone.
+    std::stop_source plan_;
+    std::thread planner_;
     std::thread thread_;  // the last member: it uses all others
 };
 
