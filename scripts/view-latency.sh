@@ -25,4 +25,4 @@ begin=$(date +%s%N)
 xdotool key ctrl+q
 wait "$view"
 printf 'closed in %d ms\n' $((($(date +%s%N) - begin) / 1000000))
-grep 'from input' "$log"
+grep "from input" "$log"; cp "$log" ${LANCER_LOG-/dev/null}

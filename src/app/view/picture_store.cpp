@@ -3,6 +3,16 @@
 #include <algorithm>
 
 namespace lancer {
+namespace {
+
+// Memory is kept: to get it from the system takes longer than a preview.
+void set_size(Image& image, int32_t width, int32_t height)
+{
+    image.display = image.data = {0, 0, width, height};
+    image.pixels.resize(image.data.area());
+}
+
+}  // namespace
 
 void PictureStore::put(const Image& image, uint64_t sight)
 {
@@ -18,14 +28,18 @@ void PictureStore::put(const Image& image, uint64_t sight)
 void PictureStore::enlarge(uint32_t width, uint32_t height, uint64_t sight)
 {
     const std::lock_guard lock(mutex_);
-    Image large = make_image(static_cast<int32_t>(width), static_cast<int32_t>(height));
-    const int32_t w = image_.data.width(), h = image_.data.height();
-    if (w > 0 && h > 0)
-        for (int32_t y = 0; y < large.data.height(); ++y)
-            for (int32_t x = 0; x < large.data.width(); ++x)
-                large.at(x, y) = image_.at(std::min(w - 1, static_cast<int32_t>(int64_t{x} * w / int64_t{width})),
-                                           std::min(h - 1, static_cast<int32_t>(int64_t{y} * h / int64_t{height})));
-    image_ = std::move(large), sight_ = sight;
+    const Image small = image_;
+    const int32_t w = small.data.width(), h = small.data.height();
+    set_size(image_, static_cast<int32_t>(width), static_cast<int32_t>(height));
+    sight_ = sight;
+    std::vector<int32_t> columns(width);
+    for (uint32_t x = 0; x < width; ++x)
+        columns[x] = static_cast<int32_t>(uint64_t{x} * static_cast<uint32_t>(w) / width);
+    Color* to = image_.pixels.data();
+    for (uint32_t y = 0; w > 0 && h > 0 && y < height; ++y) {
+        const Color* const row = &small.at(0, static_cast<int32_t>(uint64_t{y} * static_cast<uint32_t>(h) / height));
+        for (const int32_t x : columns) *to++ = row[x];
+    }
     changed_.assign(static_cast<size_t>((image_.data.height() + band - 1) / band), ++version_);
 }
 
@@ -62,7 +76,7 @@ bool PictureStore::take(ShownPicture& mine)
     if (mine.version == version_) return false;
     const int32_t rows = image_.data.height();
     const bool is_other = mine.image.data != image_.data;
-    if (is_other) mine.image = make_image(image_.data.width(), rows);
+    if (is_other) set_size(mine.image, image_.data.width(), rows);
     mine.first_row = rows, mine.end_row = 0;
     const auto width = static_cast<std::ptrdiff_t>(image_.data.width());
     for (size_t i = 0; i < changed_.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "app/view/session.h"
 
 #include <algorithm>
+#include <bit>
 #include <exception>
 
 #include "app/system_info.h"
@@ -22,6 +23,12 @@ bool needs_the_same_scene(RenderSettings a, const RenderSettings& b)
     a.spp = b.spp, a.seed = b.seed, a.max_depth = b.max_depth, a.sampler = b.sampler, a.filter = b.filter;
     a.split = b.split, a.roulette = b.roulette, a.learned_nee = b.learned_nee, a.given = b.given;
     return a == b;
+}
+
+bool has_the_same_film(const Sight& a, const Sight& b)
+{
+    return a.settings.size == b.settings.size && a.settings.stop == b.settings.stop &&
+           a.settings.replicates == b.settings.replicates && a.shown == b.shown;
 }
 
 // Passes grow up to a block. Pixels that end by themselves have to see whole blocks.
@@ -56,6 +63,8 @@ Session::~Session()
     }
     wake_.notify_all();
     thread_.join();
+    plan_.request_stop();
+    if (planner_.joinable()) planner_.join();
 }
 
 uint64_t Session::show(Sight sight)
@@ -205,6 +214,7 @@ void Session::adopt(Sight sight)
                              return s == now_.settings;
                          }();
     rebuild(sight);
+    if (!has_the_same_film(sight, now_)) films_ = {};
     now_ = std::move(sight);
     if (!goes_on) return restart();
     store_.keep_for(now_number_);
@@ -249,7 +259,7 @@ std::shared_ptr<const Renderer> Session::renderer_for(const Sight& sight, const 
 
 void Session::restart()
 {
-    film_.reset();
+    film_ = nullptr;
     left_.clear();
     range_ = {}, samples_ = 0, reduction_ = coarsest_;
     has_plan_ = false;
@@ -317,13 +327,26 @@ void Session::advance()
         add_samples();
 }
 
+Film& Session::empty_film(uint32_t reduction)
+{
+    std::unique_ptr<Film>& film = films_[static_cast<size_t>(std::countr_zero(reduction))];
+    if (film) {
+        clear(*film);
+        return *film;
+    }
+    film = std::make_unique<Film>(film_of(now_, reduction));
+    // Its passes may end after any sample.
+    if (reduction == 1 && !now_.settings.stop) film->keep_blocks_open();
+    return *film;
+}
+
 // One sample of each pixel of a smaller picture.
 void Session::preview()
 {
     const bool is_coarsest = reduction_ == coarsest_;
     const std::stop_token stop = begin_step(!is_coarsest);
     const double begin = wall_seconds();
-    Film film = film_of(now_, reduction_);
+    Film& film = empty_film(reduction_);
     const Camera camera = camera_of(*renderer_, now_, film);
     const auto tiles = make_tiles(film.crop, tile_side);
     if (!renderer_->preview(camera, film, tiles, {0, 1}, stop).is_complete()) return;
@@ -339,16 +362,42 @@ void Session::preview()
     if (seconds < fast_preview) coarsest_ = 8;
 }
 
+// The renderer keeps it until another camera is asked for. False if the step is stopped first.
+bool Session::make_plan(const Camera& camera, const std::stop_token& stop)
+{
+    std::unique_lock lock(mutex_);
+    // One that was left alone ends first: two at once would both be slow.
+    wake_.wait(lock, [&] { return !is_planning_ || stop.stop_requested(); });
+    if (is_planning_) return false;
+    if (planner_.joinable()) planner_.join();
+    plan_ = std::stop_source();
+    is_planning_ = true;
+    planner_ = std::thread([this, camera, size = now_.settings.size, renderer = renderer_, token = plan_.get_token()] {
+        set_flush_denormals();
+        try {
+            with_threads(threads_, [&] { renderer->plan(camera, size.width, size.height, token); });
+        } catch (const std::exception&) {  // the pass will ask for it again, and tell
+        }
+        {
+            const std::lock_guard end(mutex_);
+            is_planning_ = false;
+        }
+        wake_.notify_all();
+    });
+    wake_.wait(lock, [&] { return !is_planning_ || stop.stop_requested(); });
+    if (is_planning_) plan_.request_stop();
+    return !is_planning_;
+}
+
 void Session::add_samples()
 {
     const std::stop_token stop = begin_step(true);
     if (!film_) {
-        film_ = std::make_unique<Film>(film_of(now_, 1));
+        film_ = &empty_film(1);
         store_.enlarge(film_->width, film_->height, now_number_);
     }
     const Camera camera = camera_of(*renderer_, now_, *film_);
-    // The plan of the renderer stays until another camera is asked for.
-    if (!has_plan_ && !renderer_->plan(camera, film_->width, film_->height, stop)) return;
+    if (!has_plan_ && !make_plan(camera, stop)) return;
     has_plan_ = true;
     if (left_.empty()) {
         range_ = {range_.end, end_of_pass(range_.end, now_.settings)};

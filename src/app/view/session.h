@@ -3,6 +3,7 @@
 // a change needs, is done on a thread of its own and those it starts: no member waits for it but the destructor.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -96,6 +97,8 @@ private:
     void advance();
     void preview();
     void add_samples();
+    Film& empty_film(uint32_t reduction);
+    bool make_plan(const Camera& camera, const std::stop_token& stop);
     void publish_whole(const Film& film);
     bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty(); }
     std::stop_token begin_step(bool can_be_cut);
@@ -112,8 +115,10 @@ private:
     Sight now_;
     uint64_t now_number_ = 0;
     uint32_t coarsest_ = 8, reduction_ = 8;
-    std::unique_ptr<Film> film_;  // of the full picture
-    std::vector<Tile> left_;      // of the pass that was cut
+    // Of each reduction, as its logarithm. They are used again: memory from the system costs more than a preview.
+    std::array<std::unique_ptr<Film>, 5> films_;
+    Film* film_ = nullptr;    // of the full picture; null: it has no samples yet
+    std::vector<Tile> left_;  // of the pass that was cut
     SampleRange range_;
     uint32_t samples_ = 0;
     bool has_plan_ = false, has_failed_ = false;
@@ -128,7 +133,11 @@ private:
     std::stop_source step_, still_;
     bool can_be_cut_ = false, is_paused_ = false, is_closing_ = false, is_idle_ = false;
     SessionStatus status_;
+    bool is_planning_ = false;
 
+    // A plan takes longer than the hand may wait: it is made beside the session's thread, which may leave it alone.
+    std::stop_source plan_;
+    std::thread planner_;
     std::thread thread_;  // the last member: it uses all others
 };
 

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "app/options/settings.h"
+#include "core/parallel.h"
 #include "scene/camera.h"
 
 namespace lancer {
@@ -16,8 +17,23 @@ Film film_of(const Sight& sight, uint32_t reduction)
     film.keep_aovs(layout_of(sight.shown));
     if (s.stop) film.wanted.resize(film.pixels.size());
     if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
-    if (!s.stop) film.keep_blocks_open();
     return film;
+}
+
+void clear(Film& film)
+{
+    constexpr size_t parts = 64;
+    const size_t pixels = film.pixels.size();
+    parallel_for(parts, [&](size_t part) {
+        const auto clear_part = [&](auto& values) {
+            using Value = typename std::remove_reference_t<decltype(values)>::value_type;
+            const size_t each = values.size() / pixels;  // none, where there is no room for them
+            std::fill(values.begin() + static_cast<std::ptrdiff_t>(pixels * part / parts * each),
+                      values.begin() + static_cast<std::ptrdiff_t>(pixels * (part + 1) / parts * each), Value{});
+        };
+        clear_part(film.pixels), clear_part(film.aovs), clear_part(film.open), clear_part(film.open_aovs);
+        clear_part(film.replicates), clear_part(film.wanted);
+    });
 }
 
 Camera camera_of(const Renderer& renderer, const Sight& sight, const Film& film)

@@ -5,8 +5,10 @@
 
 namespace lancer {
 
-// An empty film of 1/reduction of the width and height, with room for what is shown; passes may end after any sample.
+// An empty film of 1/reduction of the width and height, with room for what is shown.
 Film film_of(const Sight& sight, uint32_t reduction);
+// Takes all samples out of it. Must be called inside with_threads.
+void clear(Film& film);
 Camera camera_of(const Renderer& renderer, const Sight& sight, const Film& film);
 
 // With all samples, and the bits of lancer render at that size. report: the part that is done. Null if it was stopped.
