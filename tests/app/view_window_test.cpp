@@ -165,6 +165,13 @@ TEST_F(WindowTest, ThreeScenes)
     }
 }
 
+TEST_F(AppTest, TheProgramIsLinkedWithNoDisplayLibrary)
+{
+    const std::string program = read_bytes(LANCER_PROGRAM);
+    for (const char* library : {"libglfw.so", "libGL.so", "libX11.so"})
+        EXPECT_EQ(program.find(library), program.npos) << library;
+}
+
 TEST_F(AppTest, ViewWithoutADisplayFailsClearly)
 {
     if (!has_view_module()) GTEST_SKIP() << "lancer_view.so was not built";
