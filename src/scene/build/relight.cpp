@@ -1,6 +1,7 @@
 #include "scene/build/relight.h"
 
 #include <type_traits>
+#include <variant>
 
 #include "scene/alpha_test.h"
 #include "scene/build/light_group.h"
