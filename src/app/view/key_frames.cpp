@@ -1,23 +1,16 @@
 #include "app/view/key_frames.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "app/view/camera_moves.h"
+#include "core/key_curve.h"
 #include "io/toml_file.h"
 #include "io/toml_reader.h"
 
 namespace lancer {
 namespace {
-
-template <class T>
-T spline(const std::array<T, 4>& p, double t)
-{
-    return (p[1] * 2.0 + (p[2] - p[0]) * t + (p[0] * 2.0 - p[1] * 5.0 + p[2] * 4.0 - p[3]) * (t * t) +
-            (p[1] * 3.0 - p[0] - p[2] * 3.0 + p[3]) * (t * t * t)) *
-           0.5;
-}
 
 std::string name_of_frame(uint32_t frame) { return "F" + std::to_string(frame + 1); }
 
@@ -34,27 +27,29 @@ CameraDescription KeyFrames::along(double time) const
     std::vector<CameraDescription> path;
     for (const auto& frame : frames_)
         if (frame) path.push_back(*frame);
-    const auto last = static_cast<double>(path.size() - 1);
-    time = std::clamp(time, 0.0, last);
-    const double whole = std::min(std::floor(time), std::max(0.0, last - 1)), t = time - whole;
-    // A frame has its very bits.
-    if (t == 0 || path.size() == 1) return path[static_cast<size_t>(time)];
-    if (t == 1) return path[static_cast<size_t>(whole) + 1];
-    const auto at = [&](auto member) {
-        using T = std::remove_cvref_t<decltype(path[0].*member)>;
-        std::array<T, 4> p{};
-        for (int i = 0; i < 4; ++i)
-            p[static_cast<size_t>(i)] = path[static_cast<size_t>(std::clamp(whole + i - 1, 0.0, last))].*member;
-        return spline(p, t);
+    std::vector<double> times(path.size());
+    std::iota(times.begin(), times.end(), 0.0);
+    const KeyPlace place = place_among(times, time);
+    CameraDescription camera = path[place.at];
+    if (place.u == 0) return camera;  // a frame has its very bits
+    const auto number = [&](const auto& of) {
+        std::vector<double> values;
+        for (const CameraDescription& frame : path) values.push_back(of(frame));
+        return smooth_at(times, values, place);
     };
-    CameraDescription camera = path[static_cast<size_t>(whole)];
-    const auto& next = path[static_cast<size_t>(whole) + 1];
-    camera.position = at(&CameraDescription::position);
-    camera.target = at(&CameraDescription::target);
-    camera.up = at(&CameraDescription::up);
-    camera.fov_deg = std::clamp(at(&CameraDescription::fov_deg), 0.1, 179.0);
-    camera.aperture = std::max(0.0, at(&CameraDescription::aperture));
-    if (camera.focus && next.focus) camera.focus = *camera.focus + (*next.focus - *camera.focus) * t;
+    const auto vector = [&](Vec3d CameraDescription::*member) {
+        const auto part = [&](double Vec3d::*axis) {
+            return number([&](const CameraDescription& frame) { return frame.*member.*axis; });
+        };
+        return Vec3d{part(&Vec3d::x), part(&Vec3d::y), part(&Vec3d::z)};
+    };
+    camera.position = vector(&CameraDescription::position);
+    camera.target = vector(&CameraDescription::target);
+    camera.up = vector(&CameraDescription::up);
+    camera.fov_deg = std::clamp(number([](const CameraDescription& frame) { return frame.fov_deg; }), 0.1, 179.0);
+    camera.aperture = std::max(0.0, number([](const CameraDescription& frame) { return frame.aperture; }));
+    if (const auto& next = path[place.at + 1].focus; camera.focus && next)
+        *camera.focus += (*next - *camera.focus) * place.u;
     return camera;
 }
 

@@ -18,8 +18,7 @@ public:
     const std::optional<CameraDescription>& at(uint32_t frame) const { return frames_[frame]; }
     uint32_t defined() const;
     // The path at `time`, from 0, the first frame, to defined() - 1, the last one. Position, target, up, field of view
-    // and lens follow Catmull-Rom splines through the frames (Catmull and Rom, "A class of local interpolating
-    // splines", 1974), which go through each of them. There must be a frame.
+    // and aperture follow the curves of core/key_curve.h, which go through each frame. There must be one.
     CameraDescription along(double time) const;
 
     // The cameras F1 to F12 of a scene file: [camera.F1] and so on. Bits are kept.
