@@ -35,8 +35,7 @@ protected:
                              prepared_.settings);
         sight_ = {*prepared_.description.camera, document.scene(), prepared_.settings};
         session_.emplace(SessionSetup{.renderer = std::move(renderer),
-                                      .images = prepared_.images->source(),
-                                      .memory = prepared_.memory,
+                                      .rebuild = {prepared_.images->source(), prepared_.memory},
                                       .threads = threads},
                          sight_);
         ControllerHost host{

@@ -170,10 +170,8 @@ int ViewRun::execute()
     EditedScene document(scene, p.added.text, p.description, options_.picture.render, p.settings);
     const Sight first{*p.description.camera, document.scene(), p.settings};
     Session session({.renderer = std::move(renderer),
-                     .images = p.images->source(),
-                     .memory = p.memory,
+                     .rebuild = {p.images->source(), p.memory, options_.batch},
                      .threads = p.threads,
-                     .batch = options_.batch,
                      .on_news = ViewWindow::wake},
                     first);
     Controller controller(session, std::move(document), first, curve, frames, host(window));

@@ -9,21 +9,12 @@
 #include "app/view/still.h"
 #include "core/lanes/denormals.h"
 #include "core/parallel.h"
-#include "scene/build/relight.h"
 
 namespace lancer {
 namespace {
 
 constexpr uint32_t tile_side = 16;
 constexpr double slow_preview = 0.05, fast_preview = 0.01;  // seconds
-
-// Whether a scene that was built for one serves the other: they differ in what the kernel alone is asked for.
-bool needs_the_same_scene(RenderSettings a, const RenderSettings& b)
-{
-    a.spp = b.spp, a.seed = b.seed, a.max_depth = b.max_depth, a.sampler = b.sampler, a.filter = b.filter;
-    a.split = b.split, a.roulette = b.roulette, a.learned_nee = b.learned_nee, a.given = b.given;
-    return a == b;
-}
 
 bool has_the_same_film(const Sight& a, const Sight& b)
 {
@@ -41,10 +32,8 @@ uint32_t end_of_pass(uint32_t done, const RenderSettings& s)
 }  // namespace
 
 Session::Session(SessionSetup setup, Sight first)
-    : images_(std::move(setup.images)),
-      memory_(std::move(setup.memory)),
+    : rebuild_(std::move(setup.rebuild)),
       threads_(setup.threads),
-      batch_(setup.batch),
       store_(std::move(setup.on_news)),
       now_(std::move(first)),
       now_number_(1),
@@ -227,34 +216,12 @@ void Session::rebuild(const Sight& sight)
 {
     begin_step(false);
     const auto before = renderer();
-    auto made = renderer_for(sight, *before);
+    auto made = renderer_for(sight, now_, *before, rebuild_);
     if (!made) return;
     const std::lock_guard lock(mutex_);
     status_.scenes_built += &made->scene() != &before->scene() ? 1 : 0;
     status_.accelerators_built += made->shares_accelerator_with(*before) ? 0 : 1;
     renderer_ = std::move(made);
-}
-
-// Null: that of before serves. A scene without extent is normalised by its camera.
-std::shared_ptr<const Renderer> Session::renderer_for(const Sight& sight, const Renderer& before)
-{
-    const bool is_empty = !(before.scene().bounds.extent() > 0);
-    const bool same_scene = sight.scene == now_.scene && needs_the_same_scene(sight.settings, now_.settings) &&
-                            !(is_empty && !is_same_view(sight.camera, now_.camera));
-    RenderSettings settings = sight.settings;
-    settings.spp = now_.settings.spp, settings.given = now_.settings.given;
-    if (same_scene && settings == now_.settings) return nullptr;
-    const RendererConfig config = configure(sight.settings, batch_);
-    if (same_scene) return std::make_shared<const Renderer>(before, config);
-    if (sight.rest == now_.rest && !is_empty && needs_the_same_scene(sight.settings, now_.settings)) {
-        Diagnostics none;
-        return std::make_shared<const Renderer>(relit(before.scene(), *sight.scene, none), before, config);
-    }
-    SceneDescription description = *sight.scene;
-    description.camera = sight.camera;
-    Diagnostics diagnostics;
-    SceneBuilder builder(description, sight.settings, diagnostics, images_, memory_);
-    return std::make_shared<const Renderer>(std::move(builder), config, diagnostics, std::function<void()>{}, &before);
 }
 
 void Session::restart()
@@ -306,7 +273,7 @@ void Session::run_still(const Still& still)
     }
     try {
         const auto before = renderer();
-        const auto other = renderer_for(still.sight, *before);
+        const auto other = renderer_for(still.sight, now_, *before, rebuild_);
         const Renderer& r = other ? *other : *before;
         const auto film = still_of(r, still.sight, still.reduction, stop, report);
         if (film) still.write(*film, r);

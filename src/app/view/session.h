@@ -16,27 +16,16 @@
 #include <vector>
 
 #include "app/view/picture_store.h"
-#include "app/view/shown.h"
+#include "app/view/rebuild.h"
 #include "render/renderer.h"
 
 namespace lancer {
 
-// All that decides the picture.
-struct Sight {
-    CameraDescription camera;
-    std::shared_ptr<const SceneDescription> scene;  // what has changed is another object
-    RenderSettings settings;                        // resolved; spp: the samples that a picture ends with
-    ShownAs shown = ShownAs::light;
-    uint64_t rest = 0;  // equal for scenes that differ in point and directional lights alone
-};
-
 // What a session was made of and runs with.
 struct SessionSetup {
     std::unique_ptr<Renderer> renderer;  // of the first sight, with its accelerator
-    RasterSource images;                 // of scenes that change; must outlive the session
-    PictureMemory memory;
+    RebuildSetup rebuild;                // of scenes that change; its images must outlive the session
     unsigned threads = 1;
-    uint32_t batch = 256;                // as of RenderOptions
     std::function<void()> on_news = {};  // from any thread: there is something to take
 };
 
@@ -104,13 +93,10 @@ private:
     void publish_whole(const Film& film);
     bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty(); }
     std::stop_token begin_step(bool can_be_cut);
-    std::shared_ptr<const Renderer> renderer_for(const Sight& sight, const Renderer& before);
     void fail(const std::string& problem);
 
-    const RasterSource images_;
-    const PictureMemory memory_;
+    const RebuildSetup rebuild_;
     const unsigned threads_;
-    const uint32_t batch_;
     PictureStore store_;
 
     // Of the session's thread alone.
