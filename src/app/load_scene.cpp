@@ -8,7 +8,7 @@
 #include "core/names.h"
 #include "io/asset_path.h"
 #include "io/input_file.h"
-#include "io/obj/obj.h"
+#include "io/mesh_file.h"
 #include "io/scene/scene_file.h"
 
 namespace lancer {
@@ -66,7 +66,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
                             FrameCache* film, bool checks_frames)
 {
     const SceneFileOptions options{.asset_root = choice.asset_root,
-                                   .mesh_loader = film ? film->once(load_obj) : load_obj,
+                                   .mesh_loader = film ? film->once(load_mesh) : load_mesh,
                                    .pictures = pictures,
                                    .smoothing = choice.smoothing,
                                    .definitions = choice.definitions,
@@ -79,7 +79,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
         scene = load_scene_file(choice.file, options, diagnostics);
     } else {
         const InputFile exists(choice.file);
-        throw exists.invalid("not a scene: its name must end in .toml or .obj");
+        throw exists.invalid("not a scene: its name must end in .toml, .obj or .ply");
     }
     diagnostics.throw_if_errors();
     if (choice.smoothing) scene.content_hash = hash_bytes(smoothing_text(*choice.smoothing), scene.content_hash);

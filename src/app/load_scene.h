@@ -14,7 +14,7 @@ namespace lancer {
 
 // The choice of a scene on the command line, besides render settings.
 struct SceneChoice {
-    std::string file;                      // .toml or .obj
+    std::string file;                      // .toml, .obj or .ply
     std::string asset_root;                // empty: the folder of the scene
     std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default

@@ -42,7 +42,7 @@ constexpr std::array<Command, 15> commands{{{"render", run_render},
 const char* const help =
     "lancer: a path tracer for CPUs\n\n"
     "Usage:\n"
-    "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj) into .exr and .png files\n"
+    "  lancer render SCENE [-o FILE]...          render a scene (.toml) or a mesh (.obj, .ply) into pictures\n"
     "  lancer film SCENE -o FRAME.####.exr       render the frames of an animation or a turntable\n"
     "  lancer view SCENE                         show a scene in a window and move camera and lights by hand\n"
     "  lancer check SCENE                        print every problem of a scene and its files; nothing is rendered\n"

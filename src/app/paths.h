@@ -1,22 +1,13 @@
 // File names.
 #pragma once
 
-#include <cctype>
-#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "io/file_name.h"
 #include "io/image/picture_format.h"
 
 namespace lancer {
-
-// ".exr" of "a.EXR"; empty if there is none.
-inline std::string extension_of(const std::string& path)
-{
-    std::string extension = std::filesystem::path(path).extension();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
 
 // The format of a picture, by the end of its name; nothing where that says none.
 inline std::optional<PictureFormat> format_of(const std::string& path)
@@ -37,8 +28,6 @@ inline PictureFormat format_of(const std::string& path, std::optional<PictureFor
 // What "-o -" stands for.
 inline constexpr const char* standard_output = "/dev/stdout";
 
-// Whether it is a bare mesh, not a scene file.
-inline bool is_mesh(const std::string& path) { return extension_of(path) == ".obj"; }
 inline bool is_scene(const std::string& path) { return is_mesh(path) || extension_of(path) == ".toml"; }
 
 }  // namespace lancer

@@ -12,6 +12,7 @@
 #include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "core/parallel.h"
+#include "io/file_name.h"
 #include "io/obj/check.h"
 #include "scene/check.h"
 
@@ -42,7 +43,8 @@ private:
         SceneDescription description = load_scene(options_.scene, problems_, {}, nullptr, true);
         const RenderSettings settings = resolve_settings({}, description.render);
         const unsigned threads = options_.threads.value_or(available_threads());
-        for (const std::string& file : mesh_files(description)) check_obj_text(file, notes_);
+        for (const std::string& file : mesh_files(description))
+            if (extension_of(file) != ".ply") check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
         with_threads(threads, [&] {
             PictureMemory memory = memory_for(options_.memory, threads);

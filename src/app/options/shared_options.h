@@ -9,7 +9,7 @@ namespace lancer {
 
 // help: of the argument that names the scene.
 void add_scene_options(OptionParser& p, SceneChoice& o,
-                       const char* help = "Scene file (.toml) or mesh (.obj: camera and light are added)");
+                       const char* help = "Scene file (.toml) or mesh (.obj, .ply: camera and light are added)");
 // One option for each row of render_options(), and the scene, and how it runs.
 void add_picture_options(OptionParser& p, PictureOptions& o);
 

@@ -98,17 +98,10 @@ void ObjMeshBuilder::add_face(std::span<const ObjCorner> corners)
     if (!any) zero_area_.add(face);
 }
 
-// False for a triangle without area: one whose height is below the rounding of its coordinates.
+// False for a triangle without area.
 bool ObjMeshBuilder::add_triangle(const std::array<uint32_t, 3>& corners)
 {
-    const Vec3d p = polygon_[corners[0]], q = polygon_[corners[1]], r = polygon_[corners[2]];
-    const double place = std::max({max_component(abs(p)), max_component(abs(q)), max_component(abs(r))});
-    if (place == 0) return false;
-    const Vec3d a = (q - p) / place, b = (r - p) / place;
-    const double longest = std::max({length(a), length(b), length(b - a)});
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    if (length(cross(a, b)) <= rounding * longest) return false;
-
+    if (!has_area(polygon_[corners[0]], polygon_[corners[1]], polygon_[corners[2]])) return false;
     mesh_.triangles.push_back({face_[corners[0]], face_[corners[1]], face_[corners[2]]});
     const uint32_t slot = material_slot();
     if (mesh_.materials.size() > 1) {

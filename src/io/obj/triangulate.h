@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,17 @@ inline Vec3d newell_normal(std::span<const Vec3d> p)
     Vec3d n;
     for (size_t i = 2; i < p.size(); ++i) n += cross(p[i - 1] - p[0], p[i] - p[0]);
     return n;
+}
+
+// Whether the height of a triangle is above the rounding of its coordinates.
+inline bool has_area(Vec3d p, Vec3d q, Vec3d r)
+{
+    const double place = std::max({max_component(abs(p)), max_component(abs(q)), max_component(abs(r))});
+    if (place == 0) return false;
+    const Vec3d a = (q - p) / place, b = (r - p) / place;
+    const double longest = std::max({length(a), length(b), length(b - a)});
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    return length(cross(a, b)) > rounding * longest;
 }
 
 class Triangulator {

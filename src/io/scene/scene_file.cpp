@@ -1,7 +1,6 @@
 #include "io/scene/scene_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -10,6 +9,7 @@
 
 #include "core/hash.h"
 #include "core/names.h"
+#include "io/file_name.h"
 #include "io/input_text.h"
 #include "io/scene/animation.h"
 #include "io/scene/definition.h"
@@ -159,12 +159,9 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
 TomlValue defined_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
                        TomlProblems& problems)
 {
-    const std::filesystem::path file(path);
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     TomlValue root{.data = TomlValue::Table{}};
-    if (extension == ".obj") {
-        root = tree_of_mesh(file.filename().string());
+    if (is_mesh(path)) {
+        root = tree_of_mesh(std::filesystem::path(path).filename().string());
     } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
         root = std::move(*read);
     }
