@@ -7,6 +7,12 @@
 
 namespace lancer {
 
+// Ends of help texts.
+inline constexpr const char* exit_codes_help =
+    "Exit codes: 0 done; 1 failed at run time; 2 wrong usage; 65 scene or asset invalid; 66 input missing;\n"
+    "71 the pictures need more than --memory; ";
+inline constexpr const char* interrupted_help = "130 interrupted.\n";
+
 // help: of the argument that names the scene.
 void add_scene_options(OptionParser& p, SceneChoice& o,
                        const char* help = "Scene file (.toml) or mesh (.obj, .ply: camera and light are added)");
