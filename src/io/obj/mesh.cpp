@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/mesh_values.h"
 #include "io/obj/smooth.h"
 #include "scene/description/material.h"
 
@@ -11,8 +12,6 @@ namespace lancer {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr Vec2 broken_uv{std::numeric_limits<float>::infinity(), 0};
-bool is_broken(Vec2 uv) { return uv.x == broken_uv.x; }
 
 }  // namespace
 
@@ -45,19 +44,17 @@ void ObjMeshBuilder::add_vertex(Vec3d p)
 void ObjMeshBuilder::add_normal(Vec3d n)
 {
     if (normals_++ < mesh_.normals.size() || !summary_.face_normals) return;
-    const double size = max_component(abs(n));
-    if (size == 0) zero_normals_.add(mesh_.normals.size());
-    mesh_.normals.push_back(size > 0 ? to_float(normalize(n / size)) : Vec3{});
+    if (max_component(abs(n)) == 0) zero_normals_.add(mesh_.normals.size());
+    mesh_.normals.push_back(unit_normal(n));
 }
 
 // Kept until the end likewise; what is not two finite numbers arrives here beyond float.
 void ObjMeshBuilder::add_uv(double u, double v)
 {
     if (uvs_++ < mesh_.uvs.size()) return;
-    constexpr double largest = std::numeric_limits<float>::max();
-    const bool usable = std::abs(u) <= largest && std::abs(v) <= largest;
-    if (!usable) broken_uvs_.add(mesh_.uvs.size());
-    mesh_.uvs.push_back(usable ? Vec2{static_cast<float>(u), static_cast<float>(v)} : broken_uv);
+    const Vec2 uv = uv_of(u, v);
+    if (is_broken(uv)) broken_uvs_.add(mesh_.uvs.size());
+    mesh_.uvs.push_back(uv);
 }
 
 void ObjMeshBuilder::add_face(std::span<const ObjCorner> corners)

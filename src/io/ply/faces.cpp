@@ -2,9 +2,9 @@
 
 #include <atomic>
 #include <cmath>
-#include <limits>
 
 #include "core/parallel.h"
+#include "io/mesh_values.h"
 #include "io/obj/triangulate.h"
 
 namespace lancer {
@@ -159,7 +159,7 @@ private:
             if (has_uvs)
                 for (size_t k = 0; k < 3; ++k) {
                     own[k] = static_cast<uint32_t>(mesh_.uvs.size());
-                    mesh_.uvs.push_back({static_cast<float>(uvs_[2 * t[k]]), static_cast<float>(uvs_[2 * t[k] + 1])});
+                    mesh_.uvs.push_back(uv_at(t[k]));
                 }
             mesh_.uv_triangles.push_back(own);
             return true;
@@ -182,12 +182,12 @@ private:
     }
     bool fit_uvs()
     {
-        constexpr double largest = std::numeric_limits<float>::max();
-        const bool fit = uvs_.size() == 2 * corners_.size() &&
-                         std::all_of(uvs_.begin(), uvs_.end(), [](double x) { return std::abs(x) <= largest; });
+        bool fit = uvs_.size() == 2 * corners_.size();
+        for (size_t k = 0; fit && k < corners_.size(); ++k) fit = !is_broken(uv_at(k));
         unfit_uvs_ += fit ? 0 : 1;
         return fit;
     }
+    Vec2 uv_at(size_t corner) const { return uv_of(uvs_[2 * corner], uvs_[2 * corner + 1]); }
     uint32_t index(size_t corner) const { return static_cast<uint32_t>(corners_[corner]); }
 
     const PlyElement& element_;

@@ -1,9 +1,10 @@
 #include "io/ply/ply.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/names.h"
 #include "io/file_content.h"
+#include "io/mesh_values.h"
 #include "io/obj/smooth.h"
 #include "io/ply/faces.h"
 #include "io/ply/vertices.h"
@@ -29,9 +30,7 @@ bool skip(const PlyElement& element, PlyCursor& cursor)
     for (uint64_t i = 0; i < element.count; ++i)
         for (const PlyProperty& p : element.properties) {
             const std::optional<double> first = cursor.next(p.count.value_or(p.type));
-            if (!first) return false;
-            for (double n = p.count ? *first : 0; n > 0; --n)
-                if (!cursor.next(p.type)) return false;
+            if (!first || (p.count && !cursor.skip_numbers(p.type, *first))) return false;
         }
     return true;
 }
@@ -53,7 +52,6 @@ void use_normals_of_vertices(MeshData& mesh)
 // Likewise, unless faces have texture coordinates of their own.
 void use_uvs(MeshData& mesh)
 {
-    const auto is_broken = [](Vec2 uv) { return !std::isfinite(uv.x); };
     if (mesh.uv_triangles.empty()) {
         mesh.uv_triangles = mesh.triangles;
         for (auto& t : mesh.uv_triangles)

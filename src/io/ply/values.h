@@ -66,6 +66,13 @@ public:
     // How many numbers of a type there can still be, at most.
     size_t room_for(PlyType type) const { return is_text() ? (left() + 1) / 2 : left() / size_of(type); }
 
+    // False where there are not so many.
+    bool skip_numbers(PlyType type, double count)
+    {
+        for (; count > 0; --count)
+            if (!next(type)) return false;
+        return true;
+    }
     // Nothing at the end of the file, or where text has no number.
     std::optional<double> next(PlyType type)
     {

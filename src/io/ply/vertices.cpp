@@ -1,9 +1,7 @@
 #include "io/ply/vertices.h"
 
-#include <cmath>
-#include <limits>
-
 #include "core/parallel.h"
+#include "io/mesh_values.h"
 
 namespace lancer {
 namespace {
@@ -78,8 +76,7 @@ public:
                 if (!value) return i;
                 if (fields_[p]) values[*fields_[p]] = *value;
                 if (!property.count) continue;
-                for (double n = *value; n > 0; --n)
-                    if (!cursor.next(property.type)) return i;
+                if (!cursor.skip_numbers(property.type, *value)) return i;
             }
             store(i, values);
         }
@@ -99,7 +96,7 @@ public:
         warn(static_cast<size_t>(std::count(mesh_.normals.begin(), mesh_.normals.end(), Vec3{})),
              "normal of zero length or not of three finite numbers; faces that use it are flat");
         size_t broken = 0, outside = 0;
-        for (const Vec2 uv : mesh_.uvs) broken += std::isfinite(uv.x) ? 0 : 1;
+        for (const Vec2 uv : mesh_.uvs) broken += is_broken(uv) ? 1 : 0;
         warn(broken, "texture coordinates are not finite numbers; faces that use them get none");
         for (Color& c : mesh_.colors) {
             const auto part = [](float x) { return x > 0 ? std::min(x, 1.0f) : 0; };
@@ -123,19 +120,13 @@ private:
         mesh_.positions[i] = {v[px], v[py], v[pz]};
         if (!mesh_.normals.empty()) {
             const Vec3d n{v[nx], v[ny], v[nz]};
-            const double size = is_finite(n) ? max_component(abs(n)) : 0;
-            mesh_.normals[i] = size > 0 ? to_float(normalize(n / size)) : Vec3{};
+            mesh_.normals[i] = is_finite(n) ? unit_normal(n) : Vec3{};
         }
         if (!mesh_.colors.empty()) {
             const auto part = [&](Field f) { return static_cast<float>(v[f] / full_[f]); };
             mesh_.colors[i] = {part(red), part(green), part(blue)};
         }
-        if (!mesh_.uvs.empty()) {
-            constexpr double largest = std::numeric_limits<float>::max();
-            const bool usable = std::abs(v[tu]) <= largest && std::abs(v[tv]) <= largest;
-            mesh_.uvs[i] = usable ? Vec2{static_cast<float>(v[tu]), static_cast<float>(v[tv])}
-                                  : Vec2{std::numeric_limits<float>::infinity(), 0};
-        }
+        if (!mesh_.uvs.empty()) mesh_.uvs[i] = uv_of(v[tu], v[tv]);
     }
 
     MeshData& mesh_;
