@@ -1,0 +1,39 @@
+# What `cmake --install` copies. The program finds its modules by a path from its own folder, so the tree may be moved
+# as a whole. Components: program (the default), scenes, doc.
+include(GNUInstallDirs)
+set(LANCER_ZSH_COMPLETIONS share/zsh/site-functions CACHE STRING "Where zsh looks for completions; Debian's looks in share/zsh/vendor-completions")
+set(modules_folder ${CMAKE_INSTALL_LIBDIR}/lancer)
+file(RELATIVE_PATH modules_from_program "/${CMAKE_INSTALL_BINDIR}" "/${modules_folder}")
+set_source_files_properties(src/io/module_file.cpp PROPERTIES
+  COMPILE_DEFINITIONS "LANCER_INSTALLED_MODULES=\"${modules_from_program}\"")
+foreach(folder BINDIR LIBDIR DATADIR)
+  if(IS_ABSOLUTE "${CMAKE_INSTALL_${folder}}")
+    message(FATAL_ERROR "CMAKE_INSTALL_${folder} is absolute; what is installed can be moved only if it is below the prefix")
+  endif()
+endforeach()
+
+install(TARGETS lancer RUNTIME COMPONENT program)
+foreach(module lancer_oiio lancer_ocio lancer_view)
+  if(TARGET ${module})
+    install(TARGETS ${module} LIBRARY DESTINATION ${modules_folder} COMPONENT program)
+  endif()
+endforeach()
+
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
+# A desktop shows what opens a window.
+if(TARGET lancer_view)
+  configure_file(share/metainfo/localhost.lancer.lancer.metainfo.xml.in
+    ${CMAKE_BINARY_DIR}/share/localhost.lancer.lancer.metainfo.xml @ONLY)
+  install(FILES share/applications/lancer.desktop
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+  install(FILES share/icons/lancer.svg
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+  install(FILES ${CMAKE_BINARY_DIR}/share/localhost.lancer.lancer.metainfo.xml
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+endif()
+
+# Scenes with their meshes and textures, without the programs that made these.
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/lancer COMPONENT scenes
+  PATTERN "*.cpp" EXCLUDE PATTERN "*.h" EXCLUDE)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT doc)
