@@ -19,6 +19,13 @@ foreach(module lancer_oiio lancer_ocio lancer_view)
   endif()
 endforeach()
 
+# Manual pages and completions are written by the program itself: scripts/option-tables.sh, docs/architecture.md.
+install(DIRECTORY share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES share/completions/lancer.bash RENAME lancer
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(FILES share/completions/_lancer DESTINATION ${LANCER_ZSH_COMPLETIONS} COMPONENT program)
+install(FILES share/completions/lancer.fish
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # A desktop shows what opens a window.

@@ -9,6 +9,7 @@ join_sources(lancer_app)
 target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11::CLI11)
 target_precompile_headers(lancer_app PRIVATE ${standard_headers})
 target_compile_definitions(lancer_app PRIVATE LANCER_VERSION="${PROJECT_VERSION}" LANCER_BUILD_TYPE="${CMAKE_BUILD_TYPE}")
+set_source_files_properties(src/app/version.cpp PROPERTIES COMPILE_DEFINITIONS "LANCER_DATE=\"${LANCER_DATE}\"")
 
 add_library(lancer_cpu_check OBJECT src/app/cpu_check.cpp)
 target_link_libraries(lancer_cpu_check PRIVATE lancer_warnings lancer_flags)

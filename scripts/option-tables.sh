@@ -1,13 +1,20 @@
 #!/usr/bin/env bash
-# Writes the tables of docs/ that `lancer options` prints: what stands between "<!-- lancer options ... -->" and
-# "<!-- end -->".
-# usage: scripts/option-tables.sh [LANCER]
+# Writes what `lancer options` knows: the tables of docs/ between "<!-- lancer options ... -->" and "<!-- end -->", and
+# with --pages manual pages and completions (share/man, share/completions) and docs/cli.md.
 set -euo pipefail
 unset CDPATH
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-lancer=${1-build/release/lancer}
-[[ $# -le 1 ]] || { echo 'usage: scripts/option-tables.sh [LANCER]' >&2; exit 2; }
+usage() { echo 'usage: scripts/option-tables.sh [LANCER] (build/release/lancer)'; }
+lancer=build/release/lancer
+while (($#)); do
+    case $1 in
+        -h | --help) usage; exit 0 ;;
+        -*) echo "option-tables.sh: error: unknown option '$1'" >&2; usage >&2; exit 2 ;;
+        *) lancer=$1 ;;
+    esac
+    shift
+done
 
 # write_table FILE [--biases]
 write_table() {
@@ -24,3 +31,4 @@ write_table() {
 }
 write_table docs/scene-format.md
 write_table docs/architecture.md --biases
+"$lancer" options --pages .

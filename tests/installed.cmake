@@ -70,7 +70,8 @@ endif()
 
 # Every scene with the files that it names; what only made them is no use.
 foreach(file share/doc/lancer/README.md share/doc/lancer/LICENSE share/doc/lancer/CHANGELOG.md
-    share/doc/lancer/docs/scene-format.md share/lancer/scenes/README.md)
+    share/man/man1/lancer.1 share/man/man1/lancer-render.1 share/bash-completion/completions/lancer
+    share/zsh/*/_lancer share/fish/vendor_completions.d/lancer.fish share/doc/lancer/docs/scene-format.md share/lancer/scenes/README.md)
   expect_file(${file})
 endforeach()
 file(GLOB_RECURSE sources "${tree}/*.cpp" "${tree}/*.h")

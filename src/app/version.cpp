@@ -15,6 +15,9 @@ std::string version_text()
            ", " LANCER_BUILD_TYPE ", " + instruction_text();
 }
 
+std::string version_number() { return LANCER_VERSION; }
+std::string version_date() { return LANCER_DATE; }
+
 std::string compiler_text()
 {
 #ifdef __clang__

@@ -1,9 +1,12 @@
-// lancer options: the tables of render settings and of the bias ledger, as docs/ has them.
+// lancer options: the tables of render settings and of the bias ledger, as docs/ has them; manual and completions.
+#include <filesystem>
 #include <string>
 
 #include "app/commands/commands.h"
 #include "app/console.h"
+#include "app/manual/manual.h"
 #include "app/options/options.h"
+#include "io/atomic_file.h"
 #include "render/bias_ledger.h"
 #include "scene/description/render_options.h"
 
@@ -63,13 +66,25 @@ void print_biases()
         print_result("| " + in_code(e.entry) + " | " + e.when + " | " + e.effect + " |");
 }
 
+void write_pages(const std::filesystem::path& folder)
+{
+    for (const ManualFile& file : manual_files()) {
+        const std::filesystem::path path = folder / file.path;
+        std::error_code problem;
+        std::filesystem::create_directories(path.parent_path(), problem);
+        write_text(path, file.text);
+    }
+}
+
 }  // namespace
 
 int run_options(int argc, char** argv)
 {
     const auto options = parse_options(argc, argv);
     if (!options) return exit_done;
-    if (options->biases)
+    if (!options->pages.empty())
+        write_pages(options->pages);
+    else if (options->biases)
         print_biases();
     else
         print_render_options();

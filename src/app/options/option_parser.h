@@ -5,7 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "app/options/option_listing.h"
 
 namespace CLI {
 class App;
@@ -36,8 +39,12 @@ public:
     void flag(const std::string& names, const std::string& help, const std::function<void()>& take);
     // The heading of the options that follow.
     void group(const std::string& name);
+    // For completions, of the option or argument before: the endings of its files (app/options/file_kinds.h), or the
+    // words that its value lists with commas.
+    void takes_files(std::string_view endings);
+    void takes_list(std::vector<std::string> words);
 
-    // False if help or version was asked for and printed. Throws Error (usage).
+    // False if help or version was asked for and printed, or a listing (OptionListener). Throws Error (usage).
     bool parse(int argc, char** argv);
     // The same of words that are no command line of this process.
     bool parse(std::vector<std::string> words);
@@ -50,9 +57,12 @@ private:
     CLI::Option* add(const std::string& names, const std::string& help, const Take& take);
     static bool print_version();
     void check_extras() const;
+    ListedOption& note(const std::string& names, const std::string& type, const std::string& help);
 
     std::unique_ptr<CLI::App> app_;
     bool version_ = false;
+    std::string group_;
+    ListedCommand listing_;
 };
 
 }  // namespace lancer

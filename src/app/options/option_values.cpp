@@ -204,12 +204,18 @@ DisplayAddress to_display_address(const std::string& text)
     return {host, static_cast<uint16_t>(to_count(option, rest.substr(1), 1, 65535))};
 }
 
-void add_aovs(const std::string& text, RenderOptions& options)
+std::vector<std::string_view> aov_words()
 {
-    std::vector<Aov>& aovs = options.aovs;
     std::vector<std::string_view> known(enum_names<Aov>.begin(), enum_names<Aov>.end());
     for (const char* more : {"all", "lights", "parts", "lobes", "cryptomatte", "denoise", "oidn"})
         known.push_back(more);
+    return known;
+}
+
+void add_aovs(const std::string& text, RenderOptions& options)
+{
+    std::vector<Aov>& aovs = options.aovs;
+    const std::vector<std::string_view> known = aov_words();
     for (const std::string& part : split(text, ',')) {
         const size_t place = to_choice("--aov", part, known);
         for (size_t i = 0; i < enum_names<Aov>.size(); ++i)

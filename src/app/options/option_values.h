@@ -73,6 +73,8 @@ MemorySize to_memory_size(const std::string& option, const std::string& text);  
 // output.
 std::string to_output(const std::string& path, std::optional<PictureFormat> format);
 void take_outputs(std::vector<std::string>& paths, std::optional<PictureFormat> format);  // each
+// What --aov lists: AOVs, "all", and what is not among all.
+std::vector<std::string_view> aov_words();
 // "albedo,normal" or "all"; "lights", "parts", "cryptomatte", "denoise" and "oidn", which are not among all.
 void add_aovs(const std::string& text, RenderOptions& options);
 ViewDirection to_view(const std::string& text);                            // "front" or "30,15"

@@ -204,6 +204,7 @@ struct StudyOptions {
 
 struct OptionsOptions {
     bool biases = false;
+    std::string pages;  // a folder
 };
 
 enum class Metric { rmse, relmse, smape, flip };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/console.h"
+#include "app/options/file_kinds.h"
 #include "app/options/option_values.h"
 #include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
@@ -137,11 +138,14 @@ std::optional<ViewOptions> parse_view(int argc, char** argv)
              "What R, Shift+R, Ctrl+R and O write: .exr, .png, .ppm, .jpg or .hdr; may be given several times "
              "(output.png; with --legacy output.ppm)",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    p.takes_files(files::written_pictures);
     p.value("--write-scene", "FILE", "What Ctrl+S writes (NAME.view.toml in this folder)",
             [&](const std::string& t) { o.write_scene = t; });
+    p.takes_files(files::toml);
     p.value("--path", "FILE",
             "Key frames: read at the beginning, if it is there, and written at the end (NAME.path.toml)",
             [&](const std::string& t) { view.path = t; });
+    p.takes_files(files::toml);
     p.value("--tonemap", listed(enum_names<ToneMap>), "As of lancer render, to begin with",
             [&](const std::string& t) { o.tonemap = to_enum<ToneMap>("--tonemap", t); });
     p.value("--exposure", "STOPS|auto", "As of lancer render, to begin with",
@@ -168,8 +172,10 @@ std::optional<DenoiseOptions> parse_denoise(int argc, char** argv)
                    "Example:\n  lancer render scene.toml -s 16 --aov denoise -o noisy.exr\n"
                    "  lancer denoise noisy.exr -o picture.exr -o picture.png\n");
     p.argument("PICTURE", "EXR of lancer render --aov denoise", [&](const std::string& t) { o.picture = t; });
+    p.takes_files(files::exr);
     p.values("-o,--output", "FILE", "Denoised picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    p.takes_files(files::written_pictures);
     add_format(p, o.format);
     add_jpeg_quality(p, o.jpeg_quality);
     p.value("--tonemap", listed(enum_names<ToneMap>), "PNG, PPM and JPEG: as of lancer render (srgb)",
@@ -199,9 +205,11 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
                    "  lancer merge 1.lancer 2.lancer -o picture.exr\n");
     p.arguments("PART", "Files of lancer render --shard, and of earlier merges, in any order",
                 [&](const std::string& t) { o.parts.push_back(t); });
+    p.takes_files(files::checkpoints);
     p.values("-o,--output", "FILE",
              "Picture, .exr, .png, .ppm, .jpg or .hdr, or all parts as one, .lancer; may be given several times",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    p.takes_files(files::merged);
     add_format(p, o.format);
     p.flag("--allow-missing", "Write the picture although parts are missing: black, and marked partial",
            o.allow_missing);

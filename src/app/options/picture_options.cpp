@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/console.h"
+#include "app/options/file_kinds.h"
 #include "app/options/option_values.h"
 #include "app/options/shared_options.h"
 #include "app/paths.h"
@@ -44,6 +45,7 @@ void add_ocio(OptionParser& p, OcioChoice& o)
 {
     p.value("--ocio", "CONFIG", "PNG, PPM and JPEG by a view of this OpenColorIO configuration, not by a tone map",
             [&](const std::string& t) { o.config = t; });
+    p.takes_files(files::ocio);
     p.value("--ocio-display", "NAME", "Its display (the default of the configuration)",
             [&](const std::string& t) { o.display = t; });
     p.value("--ocio-view", "NAME", "Its view (the default of the display)", [&](const std::string& t) { o.view = t; });
@@ -87,6 +89,7 @@ void add_render_options(OptionParser& p, RenderOptions& o, bool is_film)
                    "by ffmpeg; may be given several times (NAME.####.exr in this folder)"
                  : "Picture, .exr, .png, .ppm, .jpg or .hdr; may be given several times (NAME.exr in this folder)",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    p.takes_files(is_film ? files::written_frames : files::written_pictures);
     add_format(p, o.format);
     p.value("--shard", "K/N|auto",
             is_film ? "Only each Nth frame, from the Kth on. auto: as Slurm, Open MPI or PMI say"
@@ -106,6 +109,8 @@ void add_render_options(OptionParser& p, RenderOptions& o, bool is_film)
                  "cryptomatte, which objects and materials a pixel shows, "
                  "denoise, what lancer denoise needs, and oidn, what Open Image Denoise takes",
              [&](const std::string& t) { add_aovs(t, o); });
+    const std::vector<std::string_view> channels = aov_words();
+    p.takes_list({channels.begin(), channels.end()});
     p.value("--background", listed(enum_names<BackgroundChoice>),
             "transparent: an alpha channel in EXR and PNG, and no sky where camera rays reach it, also through smooth "
             "glass; opaque-glass: glass shows the sky (keep)",
@@ -143,10 +148,13 @@ void add_render_options(OptionParser& p, RenderOptions& o, bool is_film)
     p.flag("--dither", "PNG, PPM and JPEG with a fixed dither pattern against banding", o.dither);
     p.value("--reference", "FILE", "Picture that the render is measured against as it goes",
             [&](const std::string& t) { o.reference = t; });
+    p.takes_files(files::exr);
     p.value("--reference2", "FILE", "A second one, independent of the first: their noise then cancels out",
             [&](const std::string& t) { o.reference2 = t; });
+    p.takes_files(files::exr);
     p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
             [&](const std::string& t) { o.error_log = t; });
+    p.takes_files(files::csv);
     p.value("--outliers", "N",
             "Also list the N samples with the largest part of the error, and what paths the error comes from",
             [&](const std::string& t) { o.outliers = to_count("--outliers", t, 1, 1000); });
@@ -156,16 +164,20 @@ void add_render_options(OptionParser& p, RenderOptions& o, bool is_film)
                 if (extension_of(t) != ".toml") fail_usage("--write-scene: " + in_quotes(t) + " must end in .toml");
                 o.write_scene = t;
             });
+    p.takes_files(files::toml);
     p.value("--stats", "FILE", "Figures of the run as JSON", [&](const std::string& t) { o.stats = t; });
+    p.takes_files(files::json);
     p.value(
         "--checkpoint", "FILE[,T]",
         "Every T (60s), first after 10 s, and at the end write what --resume needs; the one before stays as FILE.old",
         [&](const std::string& t) { take_checkpoint(t, o); });
+    p.takes_files(files::checkpoints);
     p.value(
         "--resume", "FILE|auto",
         "Go on from a checkpoint, with the same bits; also with more samples. auto: from the one of --checkpoint, if "
         "it is there",
         [&](const std::string& t) { o.resume = t; });
+    p.takes_files(files::checkpoints);
 }
 
 // With links followed as far as there are files: two names of one file are equal. Absolute first: of a relative path

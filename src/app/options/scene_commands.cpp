@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/console.h"
+#include "app/options/file_kinds.h"
 #include "app/options/option_values.h"
 #include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
@@ -51,8 +52,10 @@ std::optional<VerifyOptions> parse_verify(int argc, char** argv)
                    "how it was made,\nor scene or asset invalid; 66 input missing.\n\n"
                    "Example:\n  lancer verify picture.exr scene.toml\n");
     p.argument("PICTURE", "EXR of lancer render or lancer merge", [&](const std::string& t) { o.picture = t; });
+    p.takes_files(files::exr);
     p.argument(
         "SCENE", "Its scene (the one that the picture names)", [&](const std::string& t) { o.scene = t; }, false);
+    p.takes_files(files::scenes);
     p.value("--pixels", "N|all", "How many, drawn at random (200)",
             [&](const std::string& t) { o.pixels = t == "all" ? 0 : to_count("--pixels", t, 1); });
     p.value("--asset-root", "FOLDER", "Files that the scene names may lie anywhere in here (as the picture says)",
@@ -73,8 +76,10 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
         "Exit codes: 0 done; 2 wrong usage.\n\n"
         "Example:\n  lancer slurm scene.toml --shards 16 -o picture.exr --render='-s 4096' > job.sh\n  sh job.sh\n");
     p.argument("SCENE", "Scene file (.toml) or mesh (.obj, .ply)", [&](const std::string& t) { o.scene = t; });
+    p.takes_files(files::scenes);
     p.value("-o,--output", "FILE", "Picture, .exr, .png, .ppm, .jpg or .hdr (NAME.exr in this folder)",
             [&](const std::string& t) { o.output = to_output(t, {}); });
+    p.takes_files(files::written_pictures);
     p.value("--shards", "N", "Parts of each picture (1)",
             [&](const std::string& t) { o.shards = to_count("--shards", t, 1, 1u << 20); });
     p.value("--frames", "A-B",
@@ -113,7 +118,8 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
                    "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing; "
                    "71 the\npictures need more than --memory.\n\n"
                    "Examples:\n  lancer info scene.toml\n  lancer info scene.toml --plan\n  lancer info picture.exr\n");
-    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj, .ply) or picture (.exr, .png, ...)");
+    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj, .ply) or picture (.exr, .png, ...)",
+                      files::scenes_and_pictures);
     add_threads(p, o.threads);
     add_memory(p, o.memory);
     p.flag("--plan", "Also what a pilot learns of the scene: splitting, where and which light is sampled", o.plan);
@@ -123,6 +129,7 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
                 if (extension_of(t) != ".png") fail_usage("--plan-map: " + in_quotes(t) + " must end in .png");
                 o.plan = true, o.plan_map = t;
             });
+    p.takes_files(files::png);
     if (!p.parse(argc, argv)) return {};
     // What a picture says takes one thread and little memory, whatever a script allows.
     if (!is_scene(o.scene.file))
@@ -199,6 +206,7 @@ std::optional<StudyOptions> parse_study(int argc, char** argv)
                    "130 interrupted.\n\nExample:\n  lancer study study.toml -o study\n");
     p.argument("STUDY", "Study file (.toml); docs/measuring.md tells its keys",
                [&](const std::string& t) { o.study = t; });
+    p.takes_files(files::toml);
     p.flag("--allow-peers", "Let the study start the other programs that it names", o.allow_peers);
     p.value("-o,--output", "FOLDER", "Where pictures, figures and index.html go (named as the study)",
             [&](const std::string& t) { o.folder = t; });
@@ -215,6 +223,9 @@ std::optional<OptionsOptions> parse_options(int argc, char** argv)
     OptionParser p("lancer options", "Print the render settings as a table in Markdown: the keys of [render].",
                    "Exit codes: 0 done; 2 wrong usage.\n\nExample:\n  lancer options --biases\n");
     p.flag("--biases", "The bias ledger instead: the entries of lancer:bias in picture headers", o.biases);
+    p.value("--pages", "FOLDER",
+            "Instead write manual pages, completions of shells and docs/cli.md into FOLDER, for packages of lancer",
+            [&](const std::string& t) { o.pages = t; });
     if (!p.parse(argc, argv)) return {};
     return o;
 }
@@ -231,10 +242,14 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
         "different --seed.\n\nExamples:\n  lancer compare picture.exr reference.exr --fail-above 0.01\n"
         "  lancer compare picture.exr reference.exr -o where.png\n");
     p.argument("PICTURE", "Picture: EXR, PNG, HDR, JPEG, TIFF, ...", [&](const std::string& t) { o.picture = t; });
+    p.takes_files(files::read_pictures);
     p.argument("REFERENCE", "What it should be", [&](const std::string& t) { o.reference = t; });
+    p.takes_files(files::read_pictures);
     const auto second = [&](const std::string& t) { o.reference2 = t; };
     p.argument("REFERENCE2", "The same as --reference2", second, false);
+    p.takes_files(files::read_pictures);
     p.value("--reference2", "FILE", "A second, independent reference: noise of the references cancels out", second);
+    p.takes_files(files::read_pictures);
     p.value("--metric", listed(enum_names<Metric>),
             "What the limit is for (relmse; with two references its unbiased form)",
             [&](const std::string& t) { o.metric = to_enum<Metric>("--metric", t); });
@@ -246,6 +261,7 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
     p.values("-o,--output", "FILE",
              "Map of the errors: .png, .ppm or .jpg in colours, .exr or .hdr as numbers; may be given several times",
              [&](const std::string& t) { o.outputs.push_back(t); });
+    p.takes_files(files::written_pictures);
     add_format(p, o.format);
     p.value("--map", listed(enum_names<ErrorMap>),
             "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "

@@ -71,11 +71,14 @@ void read_switches(const std::string& text, RenderSettings& settings)
 void add_switches(OptionParser& p, RenderSettings& settings)
 {
     std::string help = "Switches, here with their defaults:";
+    std::vector<std::string> words;
     for (const RenderOption& row : render_options()) {
         if (!row.is_switch()) continue;
         help += "\n" + std::string(row.name) + "=" + value_text({}, row) + ": " + std::string(row.help);
+        for (const char* value : {"=true", "=false"}) words.push_back(std::string(row.name) + value);
     }
     p.values("--set", "NAME=true|false,...", help, [&](const std::string& t) { read_switches(t, settings); });
+    p.takes_list(std::move(words));
 }
 
 void add_render_settings(OptionParser& p, RenderSettings& settings)
@@ -101,9 +104,10 @@ void read_setting(const RenderOption& row, const std::string& text, RenderSettin
     read(row, std::string(row.name), text, settings);
 }
 
-void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
+void add_scene_options(OptionParser& p, SceneChoice& o, const char* help, std::string_view endings)
 {
     p.argument("SCENE", help, [&](const std::string& t) { o.file = t; });
+    p.takes_files(endings);
     p.group("The scene");
     p.value("--camera", "NAME", "Its [camera.NAME] ([camera])", [&](const std::string& t) { o.camera = t; });
     p.value("--frame", "N", "Frame of its [animation], or of --turntable (the first)",
@@ -112,6 +116,7 @@ void add_scene_options(OptionParser& p, SceneChoice& o, const char* help)
             [&](const std::string& t) { o.turntable = to_count("--turntable", t, 1, 1000000); });
     p.value("--env", "FILE", "Of a mesh: picture all around it, in place of the sky and the key light",
             [&](const std::string& t) { o.env = t; });
+    p.takes_files(files::read_pictures);
     p.flag("--no-ground", "Of a mesh: no ground below it", [&] { o.ground = false; });
     p.value("--up", listed(enum_names<UpChoice>),
             "What is up, over camera.up; auto looks for what the mesh stands on (auto for a mesh, else y)",

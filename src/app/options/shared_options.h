@@ -1,6 +1,9 @@
 // The options that several commands share: of the scene, of how it is rendered, of threads.
 #pragma once
 
+#include <string_view>
+
+#include "app/options/file_kinds.h"
 #include "app/options/option_parser.h"
 #include "app/options/options.h"
 #include "scene/description/render_options.h"
@@ -13,9 +16,10 @@ inline constexpr const char* exit_codes_help =
     "71 the pictures need more than --memory; ";
 inline constexpr const char* interrupted_help = "130 interrupted.\n";
 
-// help: of the argument that names the scene.
+// help: of the argument that names the scene; endings: of the files that it may be.
 void add_scene_options(OptionParser& p, SceneChoice& o,
-                       const char* help = "Scene file (.toml) or mesh (.obj, .ply: camera and light are added)");
+                       const char* help = "Scene file (.toml) or mesh (.obj, .ply: camera and light are added)",
+                       std::string_view endings = files::scenes);
 // One option for each row of render_options(), and the scene, and how it runs.
 void add_picture_options(OptionParser& p, PictureOptions& o);
 
