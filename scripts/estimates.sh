@@ -15,12 +15,13 @@ END
 }
 
 unset CDPATH
+started_in=$PWD
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 parts=() folder=build/estimates
 while (($#)); do
     case $1 in
         halves | replicates | stop) parts+=("$1") ;;
-        -o) folder=${2:?-o needs a folder}; shift ;;
+        -o) folder=$(cd -- "$started_in" && realpath -m -- "${2:?-o needs a folder}"); shift ;;
         -h | --help) usage; exit 0 ;;
         *) echo "estimates.sh: error: unknown part '$1'" >&2; usage >&2; exit 2 ;;
     esac

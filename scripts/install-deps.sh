@@ -1,9 +1,16 @@
 #!/usr/bin/env bash
 # Installs, with apt, the packages that building and testing lancer needs and that are missing.
 # Known to be right for Debian 12, Debian 13 and Ubuntu 24.04. Touches nothing, the network included, if all are there.
-# --fuzz: also what scripts/fuzz.sh needs.
-# LANCER_SKIP_DEPS=1: take it as read that everything is installed.
 set -euo pipefail
+
+usage() {
+    cat <<'END'
+usage: scripts/install-deps.sh [--list | --fuzz]
+  --list  print the packages and install nothing
+  --fuzz  also what scripts/fuzz.sh needs
+LANCER_SKIP_DEPS=1 takes it as read that everything is installed.
+END
+}
 
 packages=(
     g++ cmake ninja-build pkg-config                        # the build
@@ -28,7 +35,8 @@ case ${1-} in
     '') ;;
     --fuzz) packages+=(clang libclang-rt-dev zlib1g-dev) ;;
     --list) printf '%s\n' "${packages[@]}"; exit 0 ;;
-    *) printf 'usage: %s [--list | --fuzz]\n' "$0" >&2; exit 2 ;;
+    -h | --help) usage; exit 0 ;;
+    *) printf "install-deps: error: unknown option '%s'\n" "$1" >&2; usage >&2; exit 2 ;;
 esac
 [[ ${LANCER_SKIP_DEPS-} != 1 ]] || exit 0
 

@@ -1,17 +1,25 @@
 #!/usr/bin/env bash
 # Style and suspicious code: clang-format over src, tests and bench, clang-tidy over src. Not part of the tests, since
 # both tools change their mind from version to version. Formatting is judged by version 14.
-# usage: scripts/lint.sh [--format-only | --fix-format]
 set -uo pipefail
 unset CDPATH
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 1
 # shellcheck source=scripts/common.sh
 source scripts/common.sh
 
+usage() {
+    cat <<'END'
+usage: scripts/lint.sh [--format-only | --fix-format]
+  --format-only  clang-format alone
+  --fix-format   let clang-format write what it would have
+END
+}
+
 mode=${1-}
 case $mode in
     '' | --format-only | --fix-format) ;;
-    *) echo 'usage: scripts/lint.sh [--format-only | --fix-format]' >&2; exit 2 ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "lint.sh: error: unknown option '$mode'" >&2; usage >&2; exit 2 ;;
 esac
 
 # tool NAME VERSION...: the first of these versions that is there, else whatever has the name.

@@ -2,19 +2,19 @@
 # Writes what `lancer options` knows: the tables of docs/ between "<!-- lancer options ... -->" and "<!-- end -->", and
 # with --pages manual pages and completions (share/man, share/completions) and docs/cli.md.
 set -euo pipefail
-unset CDPATH
-cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-
 usage() { echo 'usage: scripts/option-tables.sh [LANCER] (build/release/lancer)'; }
-lancer=build/release/lancer
+lancer=''
 while (($#)); do
     case $1 in
         -h | --help) usage; exit 0 ;;
         -*) echo "option-tables.sh: error: unknown option '$1'" >&2; usage >&2; exit 2 ;;
-        *) lancer=$1 ;;
+        *) lancer=$(realpath -- "$1") ;;
     esac
     shift
 done
+unset CDPATH
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+lancer=${lancer:-build/release/lancer}
 
 # write_table FILE [--biases]
 write_table() {

@@ -13,11 +13,16 @@ The last line is "N passed, N failed"; the exit code is 0 only if all passed.
 END
 }
 
-folder=(-o build/stability)
+folder=(-o build/stability) value=''
 for argument in "$@"; do
+    if [[ -n $value ]]; then value=''; continue; fi
     case $argument in
         -h | --help) usage; exit 0 ;;
-        -o* | --output*) folder=() ;;
+        -o | --output) folder=() value=$argument ;;
+        --tier | --only | --accel) value=$argument ;;
+        -o* | --output=*) folder=() ;;
+        --tier=* | --only=* | --accel=*) ;;
+        *) echo "stability.sh: error: unknown argument '$argument'" >&2; usage >&2; exit 2 ;;
     esac
 done
 

@@ -18,6 +18,7 @@ END2
 }
 
 unset CDPATH
+started_in=$PWD
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 runs=9 meshes=()
 while (($#)); do
@@ -25,7 +26,7 @@ while (($#)); do
         -n) runs=${2:?-n needs a number}; shift ;;
         -h | --help) usage; exit 0 ;;
         -*) echo "startup.sh: error: unknown option '$1'" >&2; usage >&2; exit 2 ;;
-        *) meshes+=("$1") ;;
+        *) meshes+=("$(cd -- "$started_in" && realpath -m -- "$1")") ;;
     esac
     shift
 done

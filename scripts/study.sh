@@ -1,11 +1,29 @@
 #!/usr/bin/env bash
 # Error against run time as pages.
-#   scripts/study.sh                        the ladder, the anchors and Whitted, each into build/study/NAME: half an hour
-#   scripts/study.sh STUDY.toml [FOLDER]    one study (build/study/NAME)
-# The anchors and the rooms need scenes from outside this repository (scripts/anchors.sh and scripts/rooms.sh say where)
-# and other renderers that are installed (bench/peers/README.md); what is missing is left out and said.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+
+usage() {
+    cat <<'END'
+usage: scripts/study.sh [STUDY.toml [FOLDER]]
+  (nothing)   the ladder, the anchors and Whitted, each into build/study/NAME: half an hour
+  STUDY.toml  this one alone, into FOLDER (build/study/NAME)
+The anchors and the rooms need scenes from outside this repository (scripts/anchors.sh and scripts/rooms.sh say where)
+and other renderers that are installed (bench/peers/README.md); what is missing is left out and said.
+END
+}
+
+files=()
+for argument in "$@"; do
+    case $argument in
+        -h | --help) usage; exit 0 ;;
+        -*) echo "study.sh: error: unknown option '$argument'" >&2; usage >&2; exit 2 ;;
+        *) files+=("$(realpath -m -- "$argument")") ;;
+    esac
+done
+((${#files[@]} <= 2)) || { usage >&2; exit 2; }
+
+unset CDPATH
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/common.sh
 source scripts/common.sh
 scripts/install-deps.sh
@@ -23,12 +41,12 @@ anchor_scenes() {
     [[ -f build/anchors/cornell.toml && -f build/anchors/statues.toml ]] || scripts/anchors.sh --scenes-only
 }
 
-if (($#)); then
-    case $1 in
+if ((${#files[@]})); then
+    case ${files[0]} in
         *anchors.toml) anchor_scenes ;;
         *rooms.toml) scripts/rooms.sh ;;
     esac
-    study "$@"
+    study "${files[@]}"
     exit
 fi
 study bench/studies/ladder.toml

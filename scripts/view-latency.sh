@@ -1,9 +1,22 @@
 #!/usr/bin/env bash
 # How long the hand waits in lancer view: starts it on a display without a screen, orbits with a real mouse, and prints
 # the median and the longest time from an input to the first image of what it asked for. Needs xvfb and xdotool.
-#   scripts/view-latency.sh SCENE [options of lancer view]
 set -euo pipefail
-lancer=${LANCER-build/release/lancer}
+
+usage() {
+    cat <<'END'
+usage: scripts/view-latency.sh SCENE [options of lancer view]
+Environment: LANCER, the program (build/release/lancer); LANCER_VIEW_LOADS, seconds that loading may take (5); LANCER_LOG,
+a file for all that the program says.
+END
+}
+
+case ${1-} in
+    -h | --help) usage; exit 0 ;;
+    -*) echo "view-latency.sh: error: unknown option '$1'" >&2; usage >&2; exit 2 ;;
+    '') usage >&2; exit 2 ;;
+esac
+lancer=${LANCER-$(dirname -- "${BASH_SOURCE[0]}")/../build/release/lancer}
 exec {display}< <(exec Xvfb -displayfd 1 -screen 0 1700x800x24 -nolisten tcp 2>/dev/null)
 server=$!
 trap 'kill "$server" 2>/dev/null || true' EXIT
@@ -25,4 +38,4 @@ begin=$(date +%s%N)
 xdotool key ctrl+q
 wait "$view"
 printf 'closed in %d ms\n' $((($(date +%s%N) - begin) / 1000000))
-grep "from input" "$log"; cp "$log" ${LANCER_LOG-/dev/null}
+grep "from input" "$log"; cp "$log" "${LANCER_LOG-/dev/null}"
