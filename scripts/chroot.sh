@@ -75,6 +75,9 @@ open_chroot() {
     mount -t proc proc "$1/proc"
     mkdir -p "$1/dev/shm"
     mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm"
+    mkdir -p "$1/dev/pts"
+    mount -t devpts -o ptmxmode=666 devpts "$1/dev/pts"  # terminals of its own
+    ln -sf pts/ptmx "$1/dev/ptmx"
 }
 
 # inside ROOT COMMAND...: runs it in there.

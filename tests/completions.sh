@@ -67,7 +67,7 @@ expect bash 'lancer pixel a.toml ' ''
 expect bash 'lancer render --size 9x9 -- --integ' ''
 
 # zsh completes in a terminal alone: it offers one word here, which it writes behind the line.
-if command -v zsh >/dev/null; then
+if command -v zsh >/dev/null && [[ -c /dev/pts/ptmx ]]; then
     # shellcheck disable=SC2016  # zsh's own variables
     zsh=$(TERM=vt100 timeout 20 zsh -f -c '
         zmodload zsh/zpty
