@@ -34,23 +34,31 @@ size_t differing_pixels(const std::vector<float>& a, const std::vector<float>& b
 
 }  // namespace
 
-void print_differing_channels(const std::string& path, const std::string& reference)
+DifferingChannels differing_channels(const std::string& path, const std::string& reference)
 {
-    if (extension_of(path) != ".exr" || extension_of(reference) != ".exr") return;
+    DifferingChannels result;
+    if (extension_of(path) != ".exr" || extension_of(reference) != ".exr") return result;
     const std::set<std::string> ours = further_channels(path), theirs = further_channels(reference);
     std::set<std::string> all = ours;
     all.insert(theirs.begin(), theirs.end());
-    if (all.empty()) return;
-    size_t count = 0;
-    std::string list;
+    result.count = all.size();
     for (const std::string& name : all) {
         const bool in_both = ours.contains(name) && theirs.contains(name);
         const std::vector<float> values = read_exr_channel(ours.contains(name) ? path : reference, name);
         const size_t pixels = in_both ? differing_pixels(values, read_exr_channel(reference, name)) : values.size();
-        if (pixels == 0) continue;
-        list += (count++ == 0 ? ": " : ", ") + name + format_text(" %zu", pixels);
+        if (pixels > 0) result.differing.emplace_back(name, pixels);
     }
-    print_result(format_text("%-20s %zu of %zu", "differing_channels", count, all.size()) + list);
+    return result;
+}
+
+void print_differing_channels(const DifferingChannels& channels)
+{
+    if (channels.count == 0) return;
+    std::string list;
+    for (const auto& [name, pixels] : channels.differing)
+        list += (list.empty() ? ": " : ", ") + name + format_text(" %zu", pixels);
+    print_result(format_text("%-20s %zu of %zu", "differing_channels", channels.differing.size(), channels.count) +
+                 list);
 }
 
 }  // namespace lancer

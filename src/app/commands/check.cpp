@@ -7,13 +7,16 @@
 #include "app/commands/commands.h"
 #include "app/console.h"
 #include "app/defaults/complete_scene.h"
+#include "app/diagnostics_json.h"
 #include "app/load_scene.h"
+#include "app/options/option_values.h"
 #include "app/options/options.h"
 #include "app/picture_memory.h"
 #include "app/prepare.h"
 #include "core/parallel.h"
 #include "io/file_name.h"
 #include "io/obj/check.h"
+#include "report/json_object.h"
 #include "scene/check.h"
 
 namespace lancer {
@@ -29,12 +32,14 @@ public:
             run();
         } catch (const Error& e) {
             if (e.kind() != ErrorKind::invalid_input && e.kind() != ErrorKind::missing_input) throw;
-            print_result(e.what());
+            error_lines_ = split(e.what(), '\n');
             code_ = e.kind() == ErrorKind::missing_input ? exit_missing : exit_invalid;
-            const std::string lines = e.what();
-            errors_ = 1 + static_cast<size_t>(std::count(lines.begin(), lines.end(), '\n'));
         }
-        return print_rest();
+        if (options_.json)
+            print_json();
+        else
+            print_lines();
+        return code_ == exit_done && options_.strict && !problems_.warnings().empty() ? exit_invalid : code_;
     }
 
 private:
@@ -69,22 +74,32 @@ private:
                 files.push_back(mesh.data->file);
         return files;
     }
-    int print_rest()
+    void print_lines() const
     {
+        for (const std::string& line : error_lines_) print_result(line);
         for (const auto& warning : problems_.warnings()) print_result(to_string(warning));
         for (const auto& note : notes_.warnings()) print_result(to_string(note, "note"));
         const auto counted = [](size_t n, const char* what) {
             return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
         };
-        const size_t warnings = problems_.warnings().size();
-        print_result(counted(errors_, "error") + ", " + counted(warnings, "warning") + ", " +
-                     counted(notes_.warnings().size(), "note"));
-        return code_ == exit_done && options_.strict && warnings ? exit_invalid : code_;
+        print_result(counted(error_lines_.size(), "error") + ", " + counted(problems_.warnings().size(), "warning") +
+                     ", " + counted(notes_.warnings().size(), "note"));
+    }
+    void print_json() const
+    {
+        JsonObject all("lancer.check/1");
+        all.text("scene", options_.scene.file);
+        std::vector<JsonObject> errors;
+        for (const std::string& line : error_lines_) errors.push_back(error_object(line));
+        all.objects("errors", errors);
+        all.objects("warnings", warning_objects(problems_));
+        all.objects("notes", warning_objects(notes_));
+        print_result(all.to_text());
     }
 
     const CheckOptions& options_;
     Diagnostics problems_, notes_;
-    size_t errors_ = 0;  // lines of them
+    std::vector<std::string> error_lines_;
     int code_ = exit_done;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/commands/commands.h"
+#include "app/compare_json.h"
 #include "app/compare_verdict.h"
 #include "app/compared_channels.h"
 #include "app/compared_picture.h"
@@ -24,6 +25,7 @@
 #include "report/metrics/error_map.h"
 #include "report/metrics/flip.h"
 #include "report/metrics/metrics.h"
+#include "report/metrics/noise_test.h"
 
 namespace lancer {
 namespace {
@@ -61,11 +63,11 @@ void print_flip(const Flip& flip)
 }
 
 // Says where two pictures are made of the same random numbers.
-void print_shared(const ComparedPicture& a, const ComparedPicture& b)
+void note_shared(const ComparedPicture& a, const ComparedPicture& b, std::vector<std::string>& shared)
 {
     if (const auto seed = shared_seed(a, b))
-        print_result("shared_samples       seed " + *seed + " of " + in_quotes(a.path) + " and " + in_quotes(b.path) +
-                     ": not independent, their noise is in part the same and errors come out too small");
+        shared.push_back("seed " + *seed + " of " + in_quotes(a.path) + " and " + in_quotes(b.path) +
+                         ": not independent, their noise is in part the same and errors come out too small");
 }
 
 // Before anything is computed.
@@ -130,36 +132,47 @@ Image measured(const CompareOptions& options, const ComparedPicture& picture)
     return image;
 }
 
-// The error that the limit is for, and its name.
-struct Judged {
-    const char* name;
-    double error;
-};
-
-// x, r: what is measured of the picture and of the reference.
-Judged print_errors(const CompareOptions& options, const ComparedPicture& picture, const Image& x,
-                    const ComparedPicture& reference, const Image& r, const Metrics& metrics, const Flip& flip)
+// What is measured of a picture, x, and a reference, r.
+ComparedErrors errors_of(const CompareOptions& options, const ComparedPicture& picture,
+                         const ComparedPicture& reference)
 {
-    print_metrics(metrics, x.pixels.size());
-    if (options.steps) print_result(format_text("%-20s %zu", "beyond_one_step", pixels_beyond(1.5, x, r)));
-    print_flip(flip);
-    const std::array<Judged, 4> errors{
-        {{"rmse", metrics.rmse}, {"relmse", metrics.relmse}, {"smape", metrics.smape}, {"flip", flip.mean}}};
-    Judged judged = errors[static_cast<size_t>(options.metric)];
+    const Image x = measured(options, picture), r = measured(options, reference);
+    ComparedErrors e{.pixels = x.pixels.size(), .metrics = compare(x, r)};
+    const bool is_hdr = picture.is_float && reference.is_float;
+    e.flip = is_hdr ? flip_hdr(picture.image, reference.image) : flip_ldr(picture.image, reference.image);
+    if (options.steps) e.beyond_one_step = pixels_beyond(1.5, x, r);
+    const Metrics& metrics = e.metrics;
+    const std::array<double, 4> errors{metrics.rmse, metrics.relmse, metrics.smape, e.flip.mean};
+    e.judged_by = name_of(options.metric);
+    e.judged = errors[static_cast<size_t>(options.metric)];
     if (metrics.non_finite_pixels || metrics.reference_non_finite)
-        judged.error = std::numeric_limits<double>::infinity();  // beyond every limit
-    print_shared(picture, reference);
-    if (options.reference2.empty()) return judged;
+        e.judged = std::numeric_limits<double>::infinity();  // beyond every limit
+    note_shared(picture, reference, e.shared);
+    if (options.reference2.empty()) return e;
     const ComparedPicture second = read_compared(options.reference2);
     const Image r2 = measured(options, second);
-    const double unbiased = unbiased_squared_error(x, r, r2);
-    print_value("relmse_unbiased", unbiased);
+    e.unbiased = unbiased_squared_error(x, r, r2);
     // Half of the difference's square is the variance of either.
-    print_value("reference_noise", compare(r, r2).relmse / 2);
-    print_shared(picture, second);
-    print_shared(reference, second);
-    if (options.metric == Metric::relmse) judged = {"relmse_unbiased", unbiased};
-    return judged;
+    e.reference_noise = compare(r, r2).relmse / 2;
+    note_shared(picture, second, e.shared_with_second);
+    note_shared(reference, second, e.shared_with_second);
+    if (options.metric == Metric::relmse) e.judged_by = "relmse_unbiased", e.judged = *e.unbiased;
+    return e;
+}
+
+void print_errors(const ComparedErrors& e)
+{
+    const auto print_shared = [](const std::vector<std::string>& lines) {
+        for (const std::string& line : lines) print_result("shared_samples       " + line);
+    };
+    print_metrics(e.metrics, e.pixels);
+    if (e.beyond_one_step) print_result(format_text("%-20s %zu", "beyond_one_step", *e.beyond_one_step));
+    print_flip(e.flip);
+    print_shared(e.shared);
+    if (!e.unbiased) return;
+    print_value("relmse_unbiased", *e.unbiased);
+    print_value("reference_noise", *e.reference_noise);
+    print_shared(e.shared_with_second);
 }
 
 }  // namespace
@@ -172,20 +185,22 @@ int run_compare(int argc, char** argv)
     require_same_windows(picture.image, reference.image);
     check_outputs(*options);
 
-    const Image x = measured(*options, picture), r = measured(*options, reference);
-    const Metrics metrics = compare(x, r);
-    const bool is_hdr = picture.is_float && reference.is_float;
-    const Flip flip = is_hdr ? flip_hdr(picture.image, reference.image) : flip_ldr(picture.image, reference.image);
-    const Judged judged = print_errors(*options, picture, x, reference, r, metrics, flip);
-    print_differing_channels(options->picture, options->reference);
+    const ComparedErrors errors = errors_of(*options, picture, reference);
+    const DifferingChannels channels = differing_channels(options->picture, options->reference);
     const auto noise = test_noise(picture, reference);
-    if (noise && metrics.differing_pixels) print_noise(*noise, picture, reference);
-    if (!options->outputs.empty()) write_map(*options, picture.image, reference.image, flip);
-    print_result("verdict: " + verdict(picture, reference, metrics, noise));
+    if (!options->json) {
+        print_errors(errors);
+        print_differing_channels(channels);
+        if (noise && errors.metrics.differing_pixels) print_noise(*noise, picture, reference);
+    }
+    if (!options->outputs.empty()) write_map(*options, picture.image, reference.image, errors.flip);
+    const std::string judgement = verdict(picture, reference, errors.metrics, noise);
+    print_result(options->json ? compare_json(*options, errors, channels, noise, judgement) : "verdict: " + judgement);
 
     // So that an error that is not a number is beyond every limit.
-    if (!options->fail_above || judged.error <= *options->fail_above) return exit_done;
-    print_problem(format_text("error: %s %.9g is above %.9g", judged.name, judged.error, *options->fail_above));
+    if (!options->fail_above || errors.judged <= *options->fail_above) return exit_done;
+    print_problem(format_text("error: %s %.9g is above %.9g", std::string(errors.judged_by).c_str(), errors.judged,
+                              *options->fail_above));
     return exit_failed;
 }
 

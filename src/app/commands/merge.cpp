@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "render/denoise/film_halves.h"
+#include "report/json_object.h"
 
 namespace lancer {
 namespace {
@@ -31,11 +32,15 @@ public:
     bool has_any() const { return sum_.has_value(); }
     bool is_complete() const { return sum_ && missing() == 0; }
     std::string text_of_missing();
+    // "lancer.merge/1" but for the files that are written: docs/json/merge.schema.json.
+    JsonObject json(const MergeOptions& options);
     Checkpoint finish(const std::string& command_line);
 
 private:
     // How many pixels are; no two parts have the same.
     uint64_t missing() const { return sum_->film.pixels.size() - pixels_of(sum_->state.held); }
+    // The numbers of the shards that lack pixels.
+    std::vector<uint32_t> missing_shards();
     // Whether a pixel is there.
     std::vector<bool>::reference has(uint32_t x, uint32_t y) { return has_[sum_->film.index(x, y)]; }
 
@@ -82,16 +87,38 @@ void Merge::add(const std::string& path)
     sum.wall_s += s.wall_s, sum.cpu_s += s.cpu_s;
 }
 
-std::string Merge::text_of_missing()
+std::vector<uint32_t> Merge::missing_shards()
 {
-    if (!sum_) return "all parts";
-    std::string text;
+    std::vector<uint32_t> numbers;
     for (uint32_t k = 1; k <= count_; ++k) {
         bool is_there = true;
         for_pixels_of(tiles_of({k, count_}, sum_->film.crop),
                       [&](uint32_t x, uint32_t y) { is_there = is_there && has(x, y); });
-        if (!is_there) text += (text.empty() ? "shard " : ", ") + std::to_string(k);
+        if (!is_there) numbers.push_back(k);
     }
+    return numbers;
+}
+
+JsonObject Merge::json(const MergeOptions& options)
+{
+    JsonObject all("lancer.merge/1");
+    all.texts("parts", options.parts);
+    all.flag("complete", is_complete());
+    if (sum_) {
+        all.count("pixels", static_cast<int64_t>(sum_->film.pixels.size()));
+        all.count("missing_pixels", static_cast<int64_t>(missing()));
+        all.count("shards", count_);
+        const std::vector<uint32_t> numbers = missing_shards();
+        all.counts("missing_shards", std::vector<int64_t>(numbers.begin(), numbers.end()));
+    }
+    return all;
+}
+
+std::string Merge::text_of_missing()
+{
+    if (!sum_) return "all parts";
+    std::string text;
+    for (const uint32_t k : missing_shards()) text += (text.empty() ? "shard " : ", ") + std::to_string(k);
     return text.empty() ? format_text("%zu pixels", size_t{missing()}) : text + format_text(" of %u", count_);
 }
 
@@ -117,18 +144,20 @@ Checkpoint Merge::finish(const std::string& command_line)
     return all;
 }
 
-void write(Checkpoint all, const MergeOptions& options, bool with_pictures)
+// Returns the names of the files.
+std::vector<std::string> write(Checkpoint all, const MergeOptions& options, bool with_pictures)
 {
-    std::vector<std::string> pictures;
+    std::vector<std::string> pictures, written;
     for (const std::string& path : options.outputs) {
         if (extension_of(path) != ".lancer") {
             pictures.push_back(path);
             continue;
         }
         write_checkpoint(path, all.identity, all.recipe, all.state, all.film);
-        print_path(path);
+        written.push_back(path);
+        if (!options.json) print_path(path);
     }
-    if (!with_pictures || pictures.empty()) return;
+    if (!with_pictures || pictures.empty()) return written;
     Denoised denoised;
     if (all.recipe.options.denoise && !all.recipe.stats.partial) {
         denoised = denoise_film(all.film);
@@ -136,7 +165,9 @@ void write(Checkpoint all, const MergeOptions& options, bool with_pictures)
     }
     all.recipe.options.format = options.format;
     write_outputs(pictures, content_of(all.film, denoised, all.recipe));
-    print_written(pictures);
+    if (!options.json) print_written(pictures);
+    written.insert(written.end(), pictures.begin(), pictures.end());
+    return written;
 }
 
 int merge(const MergeOptions& options)
@@ -146,9 +177,15 @@ int merge(const MergeOptions& options)
     for (const std::string& path : options.parts) merge.add(path);
     const bool is_complete = merge.is_complete();
     if (!is_complete) print_problem("warning: missing: " + merge.text_of_missing());
-    if (!merge.has_any()) return exit_unfinished;
-    write(merge.finish(format_text("lancer merge (%zu parts)", options.parts.size())), options,
-          is_complete || options.allow_missing);
+    JsonObject json = merge.json(options);  // before the pixels are given away
+    const bool has_any = merge.has_any();
+    std::vector<std::string> written;
+    if (has_any)
+        written = write(merge.finish(format_text("lancer merge (%zu parts)", options.parts.size())), options,
+                        is_complete || options.allow_missing);
+    json.texts("written", written);
+    if (options.json) print_result(json.to_text());
+    if (!has_any) return exit_unfinished;
     return is_complete || options.allow_missing ? exit_done : exit_unfinished;
 }
 

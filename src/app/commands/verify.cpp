@@ -15,6 +15,7 @@
 #include "core/parallel.h"
 #include "io/image/exr.h"
 #include "render/aov.h"
+#include "report/json_object.h"
 #include "report/stats_json.h"
 
 namespace lancer {
@@ -184,20 +185,58 @@ std::vector<Difference> compare(const Renderer& renderer, const Prepared& prepar
     return differences;
 }
 
+// What verify() found.
+struct Finding {
+    const Claim& claim;
+    std::string scene, scene_hash;  // of the scene that was traced
+    size_t traced = 0;
+    const std::vector<Difference>& differences;
+    bool is_same_scene() const { return scene_hash == claim.scene_hash; }
+};
+
+// "lancer.verify/1": docs/json/verify.schema.json.
+std::string json_of(const std::string& picture, const Finding& f)
+{
+    JsonObject all("lancer.verify/1");
+    all.text("picture", picture);
+    all.text("scene", f.scene);
+    all.text("scene_hash", f.scene_hash);
+    all.text("scene_hash_of_picture", f.claim.scene_hash);
+    all.flag("same_scene", f.is_same_scene());
+    all.count("pixels", static_cast<int64_t>(f.claim.channels[0].size()));
+    all.count("traced", static_cast<int64_t>(f.traced));
+    all.count("differing", static_cast<int64_t>(f.differences.size()));
+    std::vector<JsonObject> shown;
+    for (size_t i = 0; i < std::min(f.differences.size(), most_shown); ++i) {
+        const Difference& d = f.differences[i];
+        JsonObject& object = shown.emplace_back();
+        object.count("x", d.pixel.x0);
+        object.count("y", d.pixel.y0);
+        object.numbers("in_picture", std::vector<double>(d.there.begin(), d.there.end()));
+        object.numbers("traced", std::vector<double>(d.traced.begin(), d.traced.end()));
+    }
+    all.objects("first_differences", shown);
+    all.flag("half", f.claim.is_half);
+    all.flag("noisy_layer", f.claim.is_denoised);
+    all.flag("verified", f.differences.empty() && f.is_same_scene());
+    return all.to_text();
+}
+
 int verify(const VerifyOptions& options)
 {
     const Claim claim = read_claim(options.picture);
     const PictureOptions picture = options_of(claim, options);
     Diagnostics diagnostics;
     Prepared prepared = load_prepared(picture, diagnostics, true);
-    const bool is_same_scene = to_hex(prepared.description.content_hash) == claim.scene_hash;
+    const std::string hash = to_hex(prepared.description.content_hash);
+    const bool is_same_scene = hash == claim.scene_hash;
     const PictureSize& size = prepared.settings.size;
     if (Window{0, 0, static_cast<int32_t>(size.width), static_cast<int32_t>(size.height)} != claim.display ||
         claim.data.x0 < 0 || claim.data.y0 < 0 || claim.data.x1 > claim.display.x1 || claim.data.y1 > claim.display.y1)
         fail(options.picture, "its size is not the one that its header says");
-    if (!is_same_scene)
-        print_result("the scene is another one: hash " + claim.scene_hash + " in the picture, " +
-                     to_hex(prepared.description.content_hash) + " of " + in_quotes(picture.scene.file));
+    if (!is_same_scene && !options.json)
+        print_result("the scene is another one: hash " + claim.scene_hash + " in the picture, " + hash + " of " +
+                     in_quotes(picture.scene.file));
     const std::vector<size_t> pixels = choose_pixels(claim.channels[0].size(), options.pixels);
     std::vector<Difference> differences;
     with_threads(prepared.threads, [&] {
@@ -205,6 +244,10 @@ int verify(const VerifyOptions& options)
         const auto renderer = make_renderer(prepared, picture, 256, diagnostics);
         differences = compare(*renderer, prepared, claim, pixels);
     });
+    if (options.json) {
+        print_result(json_of(options.picture, {claim, picture.scene.file, hash, pixels.size(), differences}));
+        return differences.empty() && is_same_scene ? exit_done : exit_failed;
+    }
     print_differences(differences);
     const std::string counted =
         format_text("%zu of %zu pixels traced again: ", pixels.size(), claim.channels[0].size());

@@ -140,6 +140,7 @@ struct MergeOptions {
     std::vector<std::string> parts, outputs;  // neither is empty; outputs are as of RenderOptions, or end in .lancer
     std::optional<PictureFormat> format;
     bool allow_missing = false;
+    bool json = false;
     std::optional<uint32_t> threads;
 };
 
@@ -155,6 +156,7 @@ struct VerifyOptions {
     std::string scene;       // empty: the one that the picture names
     std::string asset_root;  // empty: as the picture says
     uint32_t pixels = 200;   // 0: all
+    bool json = false;
     std::optional<uint32_t> threads;
     MemorySize memory;
 };
@@ -164,6 +166,7 @@ struct CheckOptions {
     std::optional<uint32_t> threads;
     MemorySize memory;
     bool strict = false;
+    bool json = false;
 };
 
 struct InfoOptions {
@@ -172,6 +175,7 @@ struct InfoOptions {
     MemorySize memory;
     bool plan = false;
     std::string plan_map;  // a file; empty: none
+    bool json = false;
 };
 
 struct PixelOptions {
@@ -223,6 +227,7 @@ struct CompareOptions {
     std::vector<std::string> outputs;     // of the map; as of RenderOptions
     std::optional<PictureFormat> format;  // likewise
     ErrorMap map = ErrorMap::flip;
+    bool json = false;
 };
 
 // argv[0] is the name of the command, or of the program where it was left out. Nothing if help or version was asked

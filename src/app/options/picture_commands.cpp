@@ -214,10 +214,13 @@ std::optional<MergeOptions> parse_merge(int argc, char** argv)
     p.flag("--allow-missing", "Write the picture although parts are missing: black, and marked partial",
            o.allow_missing);
     add_threads(p, o.threads);
+    add_json(p, o.json);
     if (!p.parse(argc, argv)) return {};
     if (o.outputs.empty()) fail_usage("--output: is missing; add -o NAME.exr");
     for (std::string& path : o.outputs)
         if (extension_of(path) != ".lancer") path = to_output(path, o.format);
+    if (o.json && std::find(o.outputs.begin(), o.outputs.end(), standard_output) != o.outputs.end())
+        fail_usage("--output: with --json the standard output holds the result; name a file");
     refuse_doubles(o.outputs);
     for (const std::string& part : o.parts)
         for (const std::string& output : o.outputs)

@@ -62,6 +62,7 @@ std::optional<VerifyOptions> parse_verify(int argc, char** argv)
             [&](const std::string& t) { o.asset_root = t; });
     add_threads(p, o.threads);
     add_memory(p, o.memory);
+    add_json(p, o.json);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
     return o;
@@ -106,6 +107,7 @@ std::optional<CheckOptions> parse_check(int argc, char** argv)
     add_threads(p, o.threads);
     add_memory(p, o.memory);
     p.flag("--strict", "Exit with 65 if there is a warning", o.strict);
+    add_json(p, o.json);
     if (!p.parse(argc, argv)) return {};
     take_environment(o.threads);
     return o;
@@ -130,11 +132,13 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
                 o.plan = true, o.plan_map = t;
             });
     p.takes_files(files::png);
+    add_json(p, o.json);
     if (!p.parse(argc, argv)) return {};
+    if (o.json && o.plan) fail_usage("--plan: is a text and does not go with --json");
     // What a picture says takes one thread and little memory, whatever a script allows.
     if (!is_scene(o.scene.file))
         for (const std::string& name : p.given())
-            if (name != "--threads" && name != "--memory")
+            if (name != "--threads" && name != "--memory" && name != "--json")
                 fail_usage(name + ": is for scenes, and " + in_quotes(o.scene.file) +
                            " does not end in .toml, .obj or .ply");
     take_environment(o.threads);
@@ -267,6 +271,7 @@ std::optional<CompareOptions> parse_compare(int argc, char** argv)
             "What the map shows: FLIP from 0 to 1, or the relative squared error in powers of ten from 1e-5 to 10 "
             "(flip)",
             [&](const std::string& t) { o.map = to_enum<ErrorMap>("--map", t); });
+    add_json(p, o.json);
     if (!p.parse(argc, argv)) return {};
     take_outputs(o.outputs, o.format);
     refuse_doubles(o.outputs);

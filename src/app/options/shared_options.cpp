@@ -159,6 +159,8 @@ void add_memory(OptionParser& p, MemorySize& memory)
             [&](const std::string& t) { memory = to_memory_size("--memory", t); });
 }
 
+void add_json(OptionParser& p, bool& json) { p.flag("--json", "The result as JSON: docs/json tells its keys", json); }
+
 void add_threads(OptionParser& p, std::optional<uint32_t>& threads)
 {
     p.value("-t,--threads", "N", "Threads; pictures do not depend on it (LANCER_THREADS, else all CPUs allowed)",

@@ -27,6 +27,8 @@ void add_picture_options(OptionParser& p, PictureOptions& o);
 void read_setting(const RenderOption& row, const std::string& text, RenderSettings& settings);
 
 void add_memory(OptionParser& p, MemorySize& memory);
+// --json: the result as one object of JSON.
+void add_json(OptionParser& p, bool& json);
 void add_threads(OptionParser& p, std::optional<uint32_t>& threads);
 // $LANCER_THREADS, where --threads is not given. After parsing, so that a wrong value in the environment does not
 // stand in the way of a right one. Throws Error (usage).
