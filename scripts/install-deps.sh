@@ -5,9 +5,10 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/install-deps.sh [--list | --fuzz]
-  --list  print the packages and install nothing
-  --fuzz  also what scripts/fuzz.sh needs
+usage: scripts/install-deps.sh [--list | --fuzz | --package]
+  --list     print the packages and install nothing
+  --fuzz     also what scripts/fuzz.sh needs
+  --package  also what scripts/release.sh needs
 LANCER_SKIP_DEPS=1 takes it as read that everything is installed.
 END
 }
@@ -34,6 +35,7 @@ fail() {
 case ${1-} in
     '') ;;
     --fuzz) packages+=(clang libclang-rt-dev zlib1g-dev) ;;
+    --package) packages+=(git dpkg-dev) ;;
     --list) printf '%s\n' "${packages[@]}"; exit 0 ;;
     -h | --help) usage; exit 0 ;;
     *) printf "install-deps: error: unknown option '%s'\n" "$1" >&2; usage >&2; exit 2 ;;

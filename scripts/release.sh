@@ -38,7 +38,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
 for tool in git cmake cpack dpkg-shlibdeps gzip sha256sum; do
-    command -v "$tool" >/dev/null || fail "$tool is missing (packages git, cmake, dpkg-dev)"
+    command -v "$tool" >/dev/null || fail "$tool is missing: scripts/install-deps.sh --package"
 done
 [[ -z $(git status --porcelain) ]] || fail 'the work tree has changes; commit or remove them: git status'
 
