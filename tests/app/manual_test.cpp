@@ -47,13 +47,18 @@ std::set<std::string> options_of(const std::string& help)
     return names;
 }
 
-// The lines of a text that begin so, joined.
-std::string lines_with(const std::string& text, const std::string& begin)
+// The lines of the completion of fish that are for a command.
+std::string fish_lines_of(const std::string& command, const std::string& text)
 {
+    const std::string begin = "complete -c lancer -n '__lancer_is ";
     std::string found;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with(begin)) found += line + "\n";
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(begin)) continue;
+        const size_t end = line.find('\'', begin.size());
+        const std::vector<std::string> commands = split(line.substr(begin.size(), end - begin.size()), ' ');
+        if (std::find(commands.begin(), commands.end(), command) != commands.end()) found += line + "\n";
+    }
     return found;
 }
 
@@ -100,7 +105,7 @@ TEST_F(Manual, KnowsEveryOptionOfEveryHelp)
         std::string bash_words = between(between(bash, "_lancer_options()", "esac"), " " + command + ")", "\n");
         std::replace(bash_words.begin(), bash_words.end(), '\'', ' ');
         const std::string zsh_case = between(zsh, "        " + command + ")\n", ";;");
-        const std::string fish_lines = lines_with(fish, "complete -c lancer -n '__lancer_is " + command + "'");
+        const std::string fish_lines = fish_lines_of(command, fish);
         const std::string section = between(reference, "## lancer " + command + "\n", "\n## ");
         const std::set<std::string> options = options_of(help);
         EXPECT_GE(options.size(), 3u) << command;

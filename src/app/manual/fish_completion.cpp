@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "app/commands/command_table.h"
 #include "app/manual/listed_values.h"
 #include "app/manual/manual.h"
@@ -19,7 +23,8 @@ function __lancer_command
     end
 end
 function __lancer_is
-    contains -- (__lancer_command) $argv
+    set -l command (__lancer_command)
+    test -n "$command"; and contains -- $command $argv
 end
 function __lancer_has_none
     test -z (__lancer_command)
@@ -63,10 +68,11 @@ std::string fish_value(const ListedOption& option)
     return " -x" + (words.empty() ? "" : " -a '" + words + "'");
 }
 
-std::string fish_line(const std::string& command, const ListedOption& option)
+// What follows the condition.
+std::string fish_offer(const ListedOption& option)
 {
-    std::string text = "complete -c lancer -n '__lancer_is " + command + "'";
-    if (option.is_argument) return text + " -k" + fish_value(option).substr(3) + "\n";
+    std::string text;
+    if (option.is_argument) return " -k" + fish_value(option).substr(3) + "\n";
     for (const std::string& name : option.names)
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     return text + (option.type.empty() ? "" : fish_value(option)) + " -d " + fish_quoted(first_line(option.help)) +
@@ -77,7 +83,8 @@ std::string fish_line(const std::string& command, const ListedOption& option)
 
 std::string fish_completion(std::span<const ListedCommand> commands)
 {
-    std::string names, first, lines;
+    std::string names, first;
+    std::vector<std::pair<std::string, std::string>> offers;  // each once, and the commands that have it
     for (const ListedCommand& command : commands) {
         const std::string name = command_name(command);
         names += " " + name;
@@ -86,8 +93,19 @@ std::string fish_completion(std::span<const ListedCommand> commands)
                 first += "complete -c lancer -n __lancer_has_none -a " + name + " -d " +
                          fish_quoted(std::string(known.summary)) + "\n";
         for (const ListedOption& option : command.options)
-            if (!option.is_argument || !option.endings.empty()) lines += fish_line(name, option);
+            if (!option.is_argument || !option.endings.empty()) {
+                const std::string offer = fish_offer(option);
+                const auto same =
+                    std::find_if(offers.begin(), offers.end(), [&](const auto& o) { return o.first == offer; });
+                if (same == offers.end())
+                    offers.emplace_back(offer, name);
+                else if (!same->second.ends_with(name))  // two arguments may take the same
+                    same->second += " " + name;
+            }
     }
+    std::string lines;
+    for (const auto& [offer, commands_with_it] : offers)
+        lines += "complete -c lancer -n '__lancer_is " + commands_with_it + "'" + offer;
     std::string scenes;
     for (const ListedOption& option : commands[0].options)
         if (option.is_argument) scenes = joined(option.endings, " ");
