@@ -57,7 +57,7 @@ copy_source() {
     local scratch=$1
     mkdir -p "$scratch/source"
     git ls-files -z --cached --others --exclude-standard -- \
-        CMakeLists.txt CMakePresets.json cmake src tests scenes bench/harness bench/report |
+        CMakeLists.txt CMakePresets.json LICENSE cmake src share tests scenes bench/harness bench/report |
         while IFS= read -r -d '' file; do
             if cmp -s "$file" "$scratch/source/$file"; then continue; fi
             mkdir -p "$scratch/source/$(dirname "$file")"

@@ -15,8 +15,9 @@ void* open_module(const std::string& name, int32_t version, const std::string& m
         if (!std::filesystem::exists(path, unknown)) continue;
         void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (!library)
-            throw Error(ErrorKind::failed, {path}, "cannot be opened: " + std::string(dlerror()) +
-                                                       "; a library that only this module needs may not be installed");
+            throw Error(ErrorKind::failed, {path},
+                        "cannot be opened: " + std::string(dlerror()) +
+                            "; a library that only this module needs may not be installed");
         int32_t (*version_of)() = nullptr;
         find_symbol(library, (name + "_version").c_str(), version_of);
         if (version_of() != version)

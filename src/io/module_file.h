@@ -11,8 +11,8 @@
 
 namespace lancer {
 
-// Opens NAME.so beside the program (a build folder), one up (test programs) or in LANCER_INSTALLED_MODULES (installed: a
-// path from the program's folder, so that the installed tree may lie anywhere); its function NAME_version must give
+// Opens NAME.so beside the program (a build folder), one up (test programs) or in LANCER_INSTALLED_MODULES (installed:
+// a path from the program's folder, so that the installed tree may lie anywhere); its function NAME_version must give
 // `version`. It is never closed: the libraries behind it do not survive that. Throws Error (failed); missing: what a
 // message says of a module that is not there.
 void* open_module(const std::string& name, int32_t version, const std::string& missing);

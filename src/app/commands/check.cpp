@@ -1,6 +1,5 @@
 // lancer check: every problem of a scene and its files, one line each, without a picture.
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
