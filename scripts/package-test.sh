@@ -66,9 +66,9 @@ build_packages() {
     local root=$base/builder
     make_chroot "$suite" "$root" git ca-certificates
     clone_into "$root"
-    inside "$root" /srv/lancer/scripts/install-deps.sh
-    apt_in "$root" install -y --no-install-recommends dpkg-dev ${cache:+ccache}
+    inside "$root" /srv/lancer/scripts/install-deps.sh --package
     if [[ -n $cache ]]; then
+        apt_in "$root" install -y --no-install-recommends ccache
         mkdir -p "$cache" "$root/root/.cache/ccache"
         mount --bind "$cache" "$root/root/.cache/ccache"
     fi
