@@ -148,10 +148,10 @@ def translucent(nodes, m, normal):
                      nodes.add("BsdfTranslucent", {"Color": through, "Normal": normal}).outputs[0])
 
 
-def glossy(nodes, color, roughness, normal):
+def glossy(nodes, color, roughness, normal, distribution="GGX"):
     is_smooth = roughness == 0 and not IS_4
     return nodes.add("BsdfGlossy", {"Color": color, "Roughness": roughness, "Normal": normal},
-                     distribution="SHARP" if is_smooth else "GGX").outputs[0]
+                     distribution="SHARP" if is_smooth else distribution).outputs[0]
 
 
 def mirror(nodes, m, normal):
@@ -164,14 +164,14 @@ def metal(nodes, m, normal):
     if not HAS_METALLIC:
         f0 = nodes.vector("MULTIPLY", color, tuple(normal_reflectance(m))) if "eta" in m else color
         return nodes.add("BsdfPrincipled", {"Base Color": f0, "Metallic": 1, "Roughness": roughness, "Normal": normal},
-                         distribution="GGX").outputs[0]
+                         distribution="MULTI_GGX").outputs[0]
     inputs = {"Roughness": roughness, "Normal": normal}
     if "eta" not in m:
         # An edge of reflectance 1 makes Schlick's curve of it.
-        return nodes.add("BsdfMetallic", {"Base Color": color, "Edge Tint": (1, 1, 1), **inputs}, distribution="GGX",
-                         fresnel_type="F82").outputs[0]
+        return nodes.add("BsdfMetallic", {"Base Color": color, "Edge Tint": (1, 1, 1), **inputs},
+                         distribution="MULTI_GGX", fresnel_type="F82").outputs[0]
     made = nodes.add("BsdfMetallic", {"IOR": tuple(m["eta"]), "Extinction": tuple(m["k"]), **inputs},
-                     distribution="GGX", fresnel_type="PHYSICAL_CONDUCTOR").outputs[0]
+                     distribution="MULTI_GGX", fresnel_type="PHYSICAL_CONDUCTOR").outputs[0]
     return made if m["base_color"] == [1, 1, 1] else nodes.mixed(m["base_color"][0], None, made)
 
 
@@ -186,7 +186,7 @@ def glass(nodes, m, normal):
     is_smooth = roughness == 0 and not IS_4
     return nodes.add("BsdfGlass", {"Color": nodes.color(m, "base_color", "texture"), "Roughness": roughness,
                                    "IOR": m["ior"], "Normal": normal},
-                     distribution="SHARP" if is_smooth else "GGX").outputs[0]
+                     distribution="SHARP" if is_smooth else "MULTI_GGX").outputs[0]
 
 
 def forward(nodes, m, color, normal):
@@ -219,7 +219,7 @@ def sheet(nodes, m, normal):
     reflected = nodes.vector("MULTIPLY", again, nodes.vector("ADD", (1, 1, 1), transmitted))
     if "sheet" in m:
         reflected = nodes.vector("MULTIPLY", reflected, nodes.by_cosine(m["sheet"], normal, row=0.25))
-    return nodes.sum(forward(nodes, m, transmitted, normal), glossy(nodes, reflected, roughness, normal))
+    return nodes.sum(forward(nodes, m, transmitted, normal), glossy(nodes, reflected, roughness, normal, "MULTI_GGX"))
 
 
 def plastic(nodes, m, normal):

@@ -55,14 +55,13 @@ inline T pdf_cosine_hemisphere(T cos_theta)
     return larger(T{}, cos_theta) * (1 / pi);
 }
 
-// Hemisphere around z, uniform.
-inline Vec3 square_to_hemisphere(Vec2 u)
+// By the cosine to z and a part of the azimuth, both in [0, 1].
+inline Vec3 direction_at(float cos, float turn)
 {
-    const float r = std::sqrt(u.x * (2 - u.x));
-    const SinCos sc = sin_cos_2pi(u.y);
-    return {r * sc.cos, r * sc.sin, 1 - u.x};
+    const float r = std::sqrt((1 - cos) * (1 + cos));
+    const SinCos sc = sin_cos_2pi(turn);
+    return {r * sc.cos, r * sc.sin, cos};
 }
-inline constexpr float pdf_hemisphere = 1 / (2 * pi);
 
 // Barycentric weights of the second and third corner, uniform over the triangle: the low-distortion map of Heitz,
 // "A Low-Distortion Map Between Triangle and Square", 2019. Density 1 / area.

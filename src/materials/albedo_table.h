@@ -1,17 +1,23 @@
 // Table of the light that single scattering from GGX facets loses by shadowing and masking, by cosine and alpha, for
-// perfect reflectors and for each index of a dielectric. Metal compensates for it (Kulla and Conty, "Revisiting
-// Physically Based Shading at Imageworks", SIGGRAPH 2017 courses); plastic uses it to scale its base. Computed by a
-// fixed quadrature, so that the bits are always the same.
+// perfect reflectors and for each index of a dielectric. Metal and glass compensate for it (Kulla and Conty,
+// "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 courses); plastic uses it to scale its base.
+// Computed by a fixed quadrature, so that the bits are always the same.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "core/lanes/lanes.h"
 
 namespace lancer {
+
+// What the facets are of. reflector: reflectance 1. coat: a dielectric of which only the reflection counts. boundary: a
+// dielectric, with what it lets through. sheet: a rough thin sheet of glass, see thin_sheet.h.
+enum class FacetKind { reflector, coat, boundary, sheet };
 
 class AlbedoTable {
     // Nodes have few leading bits, four per power of two, as losses vary with cos / alpha near grazing and with cos
@@ -21,24 +27,23 @@ class AlbedoTable {
     static constexpr uint32_t cosines = 49, rows = 57;
 
 public:
-    // For a perfect reflector; built on first use and shared.
-    static const AlbedoTable& white();
-    // For a dielectric; eta: index beyond the surface over index before it, finite, > 0. Nothing may be asked of it
-    // before need() or need_all().
-    explicit AlbedoTable(float eta) : eta_(eta) {}
+    // eta: index beyond the surface over index before it, finite, > 0; of a sheet that of its glass; of a reflector it
+    // does not count. Nothing may be asked of a table before need() or need_all().
+    explicit AlbedoTable(FacetKind kind, double eta = 1) : eta_(eta), kind_(kind) {}
     // From now on row() and mean_missing() answer for this alpha in (0, 1]. The bits do not depend on what else was
-    // needed. About half a millisecond.
+    // needed. About half a millisecond; a boundary or sheet takes twice as long.
     void need(float alpha);
     // The same for every alpha: 28 times as long.
     void need_all();
 
+    class EvenLobe;
     // The row of one alpha; default-constructed: no loss. The table must outlive it.
     class Row {
     public:
         Row() = default;
         explicit operator bool() const { return losses_ != none.data(); }
-        // L, where F(cos) (1 - L) is the directional albedo and F the reflectance of the smooth surface; in [0, 1] for
-        // a perfect reflector, and then 1 - albedo. cos in (0, 1]. 0 of a row that is none.
+        // L, where F(cos) (1 - L) is the directional albedo and F that of the smooth surface: the reflectance of a
+        // coat, else 1, and then L is in [0, 1]. cos in (0, 1]. 0 of a row that is none.
         float loss(float cos) const
         {
             const Cell c = cell(cos, least_cos, cosines);
@@ -74,6 +79,8 @@ public:
         const float* losses_ = none.data();  // of two alphas, one behind the other
         float part_ = 0;                     // interpolation weight of the second
     };
+    // alpha: in (0, 1]. Not of a coat.
+    EvenLobe even_lobe(float alpha) const;
     // alpha: in (0, 1].
     Row row(float alpha) const
     {
@@ -109,12 +116,70 @@ private:
     }
 
     std::array<float, rows * cosines> loss_{};  // row by row
+    // Likewise: integral of 2 x L(x) from 0 to each node, the first one standing for 0.
+    std::array<float, rows * cosines> cumulative_{};
     std::array<float, rows> mean_missing_{};
-    float eta_;  // infinite: a perfect reflector
+    double eta_;
+    FacetKind kind_;
     std::array<bool, rows> is_filled_{};
 };
 
-// 1 - the hemispherical albedo of a smooth dielectric. eta as above.
+// The directions in which light that was lost comes back: by L(cos) cos / (pi M), with the mean M of L under even
+// light. Default-constructed: none. The table must outlive it.
+class AlbedoTable::EvenLobe {
+public:
+    EvenLobe() = default;
+    explicit operator bool() const { return static_cast<bool>(row_); }
+    float loss(float cos) const { return row_.loss(cos); }
+    float mean() const { return mean_; }  // M
+    // The density of sample_cos() with an even azimuth, per solid angle. Between two nodes it has the mean of L there.
+    // cos in [0, 1].
+    float pdf(float cos) const
+    {
+        const uint32_t i = cell(cos, least_cos, cosines).index;
+        const float low = lower_end(i), high = node(least_cos, i + 1);
+        const float mean_here = (up_to(i + 1) - up_to(i)) / ((high - low) * (high + low));
+        return mean_here * cos * (std::numbers::inv_pi_v<float> / up_to(cosines - 1));
+    }
+    // u: in [0, 1).
+    float sample_cos(float u) const
+    {
+        const float at = u * up_to(cosines - 1);
+        uint32_t first = 0, count = cosines - 1;  // the last node whose integral is at most `at`
+        while (count > 1) {
+            const uint32_t half = count / 2;
+            if (up_to(first + half) <= at) first += half;
+            count -= half;
+        }
+        const float from = up_to(first), mass = up_to(first + 1) - from;
+        const float part = mass > 0 ? std::clamp((at - from) / mass, 0.0f, 1.0f) : 0;
+        const float low = lower_end(first), high = node(least_cos, first + 1);
+        return std::sqrt(low * low + part * ((high - low) * (high + low)));
+    }
+
+private:
+    friend AlbedoTable;
+    static float lower_end(uint32_t i) { return i == 0 ? 0 : node(least_cos, i); }
+    float up_to(uint32_t i) const { return cumulative_[i] + part_ * (cumulative_[cosines + i] - cumulative_[i]); }
+
+    Row row_;
+    const float* cumulative_ = nullptr;  // of two alphas, one behind the other
+    float part_ = 0, mean_ = 0;
+};
+inline AlbedoTable::EvenLobe AlbedoTable::even_lobe(float alpha) const
+{
+    const Cell a = cell(alpha, least_row, rows);
+    EvenLobe lobe;
+    lobe.row_ = row(alpha), lobe.cumulative_ = &cumulative_[a.index * cosines];
+    lobe.part_ = a.part, lobe.mean_ = mean_missing(alpha);
+    return lobe.mean_ > 0 ? lobe : EvenLobe{};
+}
+
+// The light of multiple scattering over that lost by single scattering, of facets that each send on the part x of what
+// they get and lose `missing` under even light: all orders but the first. Both in [0, 1], not both 1.
+inline float all_further_orders(float x, float missing) { return x * x * (1 - missing) / (1 - x * missing); }
+
+// 1 - the hemispherical albedo of a smooth dielectric. eta as above, in float for the bits of plastic.
 float mean_transmittance(float eta);
 
 // Integral over [a, b] by five-point Gauss-Legendre quadrature.

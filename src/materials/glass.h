@@ -1,10 +1,13 @@
 // Dielectric boundary: reflection and refraction by the exact Fresnel equations, with total internal reflection.
 // Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets, Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost. Thin: a sheet without an
-// inside, see thin_sheet.h.
+// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost, or comes back by the lobes
+// of glass_losses.h. Thin: a sheet without an inside, see thin_sheet.h.
 #pragma once
 
+#include <memory>
+
 #include "materials/fresnel.h"
+#include "materials/glass_losses.h"
 #include "materials/material_type.h"
 #include "materials/microfacet.h"
 #include "materials/parameter.h"
@@ -19,9 +22,10 @@ struct GlassBsdf {
     // Index beyond the surface over index on wo's side. In double: rounded to float it would not be the inverse of the
     // index from the other side, and near the critical angle light differs by the square root of that error.
     double eta;
-    float alpha = 0;      // 0: smooth
-    bool fresnel = true;  // false: a smooth boundary only refracts
-    bool thin = false;    // a sheet: what goes through is not turned
+    float alpha = 0;        // 0: smooth
+    bool fresnel = true;    // false: a smooth boundary only refracts
+    bool thin = false;      // a sheet: what goes through is not turned
+    GlassLobes multiple{};  // of multiple scattering between facets, if any
 
     bool only_delta() const { return alpha == 0; }
     bool transmits() const { return alpha != 0; }
@@ -37,14 +41,19 @@ struct GlassBsdf {
     BsdfValue eval(Vec3 wo, Vec3 wi) const
     {
         if (only_delta() || wo.z <= 0 || wi.z == 0) return {};
-        return thin ? eval_rough_sheet(unit_in_double(wo), wi) : eval_rough(unit_in_double(wo), wi);
+        return eval_lobes(unit_in_double(wo), wi);
     }
     static Color eval_diffuse(Vec3, Vec3) { return {}; }
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const
     {
         if (wo.z <= 0) return {};
-        if (thin) return only_delta() ? sample_sheet(wo, u) : sample_rough_sheet(wo, u, v);
-        return only_delta() ? sample_smooth(wo, u) : sample_rough(wo, u, v);
+        if (only_delta()) return thin ? sample_sheet(wo, u) : sample_smooth(wo, u);
+        if (multiple) {
+            const float p = probability_of_multiple(wo.z);
+            if (u < p) return sample_multiple(wo, u / p, v);
+            u = std::min((u - p) / (1 - p), 1 - 0x1p-24f);
+        }
+        return thin ? sample_rough_sheet(wo, u, v) : sample_rough(wo, u, v);
     }
 
     // Part of the light from -wo that a smooth sheet lets through; of a smooth boundary the part that goes on, as if
@@ -77,6 +86,45 @@ private:
     {
         return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta);
     }
+    // Light of single scattering and of all further orders.
+    BsdfValue eval_lobes(Vec3d wo, Vec3 wi) const
+    {
+        BsdfValue f = thin ? eval_rough_sheet(wo, wi) : eval_rough(wo, wi);
+        if (!multiple) return f;
+        const auto cos_o = static_cast<float>(wo.z);
+        const float lost = multiple.here.loss(cos_o), p = probability_of_multiple(cos_o);
+        const auto cos_i = static_cast<float>(std::abs(unit_in_double(wi).z));
+        const bool through = wi.z < 0;
+        const float lobe = through ? multiple.transmitted * (lost * multiple.beyond.loss(cos_i))
+                                   : multiple.reflected * (lost * multiple.here.loss(cos_i));
+        f.f_cos += multiple.color * (lobe * cos_i * (1 / pi));
+        const float pdf = through ? multiple.part_through * multiple.beyond.pdf(cos_i)
+                                  : (1 - multiple.part_through) * multiple.here.pdf(cos_i);
+        f.pdf += p * (pdf - f.pdf);
+        return f;
+    }
+    float probability_of_multiple(float cos) const
+    {
+        const float lost = multiple.here.loss(cos), more = lost * max_component(multiple.color);
+        return more > 0 ? more / (more + (1 - lost) * max_component(tint)) : 0;
+    }
+    std::optional<BsdfSample> sample_multiple(Vec3 wo, float u, Vec2 v) const
+    {
+        const bool through = u < multiple.part_through;
+        Vec3 wi = direction_at((through ? multiple.beyond : multiple.here).sample_cos(v.x), v.y);
+        if (through) wi.z = -wi.z;
+        if (wi.z == 0) return {};
+        return sampled(unit_in_double(wo), wi);
+    }
+    // As a sample of all lobes.
+    std::optional<BsdfSample> sampled(Vec3d wo, Vec3 wi) const
+    {
+        const BsdfValue f = eval_lobes(wo, wi);
+        if (!(f.pdf > 0)) return {};
+        return BsdfSample{
+            .wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = wi.z < 0 && !thin ? static_cast<float>(eta) : 1};
+    }
+
     BsdfValue value(double f_cos, double pdf) const
     {
         return {tint * static_cast<float>(f_cos), static_cast<float>(pdf)};
@@ -110,13 +158,9 @@ private:
         const double cos_o = std::min(1.0, dot(wo, h)), n = eta;
         const auto [reflectance, cos_t] = facet_fresnel(cos_o);
         const bool through = !(u < static_cast<float>(reflectance));
-        const Vec3d turned = through ? h * (cos_o / n - cos_t) - wo / n : mirrored(wo, h);
-        const Vec3 wi = to_float(turned);
+        const Vec3 wi = to_float(through ? refracted(wo, h, cos_o, cos_t, n) : mirrored(wo, h));
         if (wi.z == 0 || (wi.z < 0) != through) return {};
-        const BsdfValue f = eval_rough(wo, wi);
-        if (!(f.pdf > 0)) return {};
-        return BsdfSample{
-            .wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = through ? static_cast<float>(eta) : 1};
+        return sampled(wo, wi);
     }
 
     // Reflectance of one face of a sheet. w: unit, z > 0.
@@ -157,25 +201,20 @@ private:
         std::optional<Vec3> wi = sample_facets(sheet_facets(through), wo, v);
         if (!wi) return {};
         if (through) wi->z = -wi->z;
-        const BsdfValue f = eval_rough_sheet(wo, *wi);
-        if (!(f.pdf > 0)) return {};
-        return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf};
+        return sampled(wo, *wi);
     }
-    Ggx sheet_facets(bool through) const { return {static_cast<double>(alpha) * (through ? spread_of_sheet(eta) : 1)}; }
-    static double part_of_sheet(double r, bool through)
-    {
-        return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r);
-    }
+    Ggx sheet_facets(bool through) const { return {alpha_of_sheet(static_cast<double>(alpha), eta, through)}; }
 };
 static_assert(Bsdf<GlassBsdf>);
 
 struct Glass {
     static constexpr MaterialType type = MaterialType::glass;
     ColorParam tint;
-    float ior;                 // inside (behind the geometric normal) over outside
-    FloatParam roughness = 0;  // perceptual
-    bool fresnel = true;       // false: it only refracts where it is smooth
-    bool thin = false;         // a sheet without an inside; the same from both sides
+    float ior;                                    // inside (behind the geometric normal) over outside
+    FloatParam roughness = 0;                     // perceptual
+    bool fresnel = true;                          // false: it only refracts where it is smooth
+    bool thin = false;                            // a sheet without an inside; the same from both sides
+    std::shared_ptr<const GlassLosses> losses{};  // of ior and roughness: with multiple scattering
     // What absorbs and has a priority is the medium inside. Whether it is thin may be left to the shape.
     static constexpr auto parameters = std::tuple{parameter("base_color", &Glass::tint, Color{1, 1, 1}),
                                                   parameter("roughness", &Glass::roughness),
@@ -191,11 +230,11 @@ struct Glass {
         const float alpha = alpha_of_roughness(p.eval(roughness));
         if (thin) {
             const bool spreads = double{alpha} * spread_of_sheet(double{ior}) >= double{least_alpha};
-            return {p.base(tint), double{ior}, spreads ? alpha : 0, fresnel, true};
+            return made(p.base(tint), double{ior}, spreads ? alpha : 0, p.front);
         }
         const float n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
-        return {p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, fresnel};
+        return made(p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, p.front);
     }
     static constexpr bool mirrors() { return true; }
     // Of the medium inside, where there is one; over that around it, or with a priority by itself.
@@ -215,6 +254,12 @@ struct Glass {
     }
 
 private:
+    GlassBsdf made(Color color, double eta, float alpha, bool front) const
+    {
+        GlassBsdf bsdf{color, eta, alpha, fresnel, thin};
+        if (losses && alpha > 0) bsdf.multiple = losses->lobes(eta, front, alpha, color);
+        return bsdf;
+    }
     Phong phong_of_sheet(const ShadingPoint& p) const
     {
         const double r = fresnel_dielectric_double(1.0, 0, double{ior}).reflectance;

@@ -4,6 +4,8 @@
 // Imageworks", SIGGRAPH 2017 courses.
 #pragma once
 
+#include <memory>
+
 #include "materials/albedo_table.h"
 #include "materials/fresnel.h"
 #include "materials/material_type.h"
@@ -43,17 +45,16 @@ inline Conductor make_conductor(Color eta, Color k)
 
 class MetalBsdf {
 public:
-    // color: F0, or the tint of the conductor if there is one. alpha: 0 for a mirror. compensation: a row of
-    // AlbedoTable::white(), or none.
+    // color: F0, or the tint of the conductor if there is one. alpha: 0 for a mirror. compensation: a table of
+    // reflectors, or none.
     MetalBsdf(Color color, const Conductor* conductor, float alpha, const AlbedoTable* compensation)
         : color_(color), alpha_(alpha), conductor_(conductor)
     {
         if (!compensation || alpha == 0) return;
-        compensation_ = compensation->row(alpha);
-        mean_missing_ = compensation->mean_missing(alpha);
+        compensation_ = compensation->even_lobe(alpha);
         // The light of multiple scattering relative to that lost by single scattering.
         const Color f = conductor ? color * conductor->mean : mean_schlick(color);
-        const auto series = [this](float x) { return x * x * (1 - mean_missing_) / (1 - x * mean_missing_); };
+        const auto series = [this](float x) { return all_further_orders(x, compensation_.mean()); };
         multiple_ = {series(f.r), series(f.g), series(f.b)};
         mean_ = max_component(f);
     }
@@ -76,9 +77,12 @@ public:
                 .wi = {-wo.x, -wo.y, wo.z}, .weight = fresnel(static_cast<double>(wo.z)), .pdf = 1, .delta = true};
         const Vec3d o = unit_in_double(wo);
         const float missing_o = missing(wo.z);
-        std::optional<Vec3> wi = square_to_hemisphere(v);
-        if (u >= probability_of_multiple(missing_o)) wi = sample_facets({alpha_}, o, v);
-        if (!wi) return {};
+        std::optional<Vec3> wi;
+        if (u < probability_of_multiple(missing_o))
+            wi = direction_at(compensation_.sample_cos(v.x), v.y);
+        else
+            wi = sample_facets({alpha_}, o, v);
+        if (!wi || !(wi->z > 0)) return {};
         const BsdfValue f = eval_lobes(o, *wi, missing_o);
         if (!(f.pdf > 0)) return {};
         return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf};
@@ -89,7 +93,7 @@ private:
     {
         return conductor_ ? color_ * conductor_->reflectance(cos) : fresnel_schlick(color_, cos);
     }
-    float missing(float cos) const { return compensation_ ? compensation_.loss(cos) : 0; }
+    float missing(float cos) const { return compensation_.loss(cos); }
     float probability_of_multiple(float missing_o) const
     {
         const float multiple = missing_o * max_component(multiple_);
@@ -100,18 +104,17 @@ private:
         const FacetReflection facets = eval_facets({alpha_}, o, unit_in_double(wi));
         BsdfValue f{fresnel(facets.cos_h) * static_cast<float>(facets.f_cos), static_cast<float>(facets.pdf)};
         if (!compensation_) return f;
-        // Sampled uniformly instead of by the cosine: the loss grows towards grazing angles.
         const float p = probability_of_multiple(missing_o);
-        f.f_cos += multiple_ * (missing_o * missing(wi.z) / mean_missing_ * wi.z * (1 / pi));
-        f.pdf += p * (pdf_hemisphere - f.pdf);
+        f.f_cos += multiple_ * (missing_o * missing(wi.z) / compensation_.mean() * wi.z * (1 / pi));
+        f.pdf += p * (compensation_.pdf(wi.z) - f.pdf);
         return f;
     }
 
     Color color_;
     float alpha_;
     const Conductor* conductor_;
-    AlbedoTable::Row compensation_;  // if any
-    float mean_missing_ = 1, mean_ = 0;
+    AlbedoTable::EvenLobe compensation_;  // if any
+    float mean_ = 0;
     Color multiple_{};
 };
 static_assert(Bsdf<MetalBsdf>);
@@ -121,7 +124,7 @@ struct Metal {
     ColorParam color;      // F0, by Schlick's approximation; with a conductor its tint
     FloatParam roughness;  // perceptual
     std::optional<Conductor> conductor{};
-    const AlbedoTable* compensation = nullptr;  // AlbedoTable::white(): with multiple scattering
+    std::shared_ptr<const AlbedoTable> compensation{};  // of reflectors: with multiple scattering
     // eta and k make the conductor; what is not metallic is a plastic, in a mix with this.
     static constexpr auto parameters =
         std::tuple{parameter("base_color", &Metal::color), parameter("roughness", &Metal::roughness), parameter("eta"),
@@ -129,7 +132,8 @@ struct Metal {
 
     MetalBsdf at(const ShadingPoint& p) const
     {
-        return {p.base(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)), compensation};
+        return {p.base(color), conductor ? &*conductor : nullptr, alpha_of_roughness(p.eval(roughness)),
+                compensation.get()};
     }
     static constexpr bool mirrors() { return true; }
     // Rough metal has a highlight instead of a mirror.

@@ -12,6 +12,9 @@ namespace lancer {
 // both sides.
 inline double reflectance_of_sheet(double r) { return 2 * r / (1 + r); }
 
+// Part of the light that it reflects, or lets through.
+inline double part_of_sheet(double r, bool through) { return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r); }
+
 // What a tint changes: the light of both directions over that of a clear sheet. tint: the factor of each reflection and
 // each refraction, as of a solid body; in [0, 1]. Without one both are 1.
 struct SheetColors {
@@ -39,5 +42,11 @@ inline SheetColors colors_of_sheet(double r, Color tint)
 // faces are independent; slopes of GGX have no variance, but the median of the length of the sum of two is 1.67 times
 // that of one.
 inline double spread_of_sheet(double index) { return std::min(1.0, 0.83 * std::abs(index - 1)); }
+
+// Alpha of the lobe of reflected or of transmitted light.
+inline double alpha_of_sheet(double alpha, double index, bool through)
+{
+    return through ? alpha * spread_of_sheet(index) : alpha;
+}
 
 }  // namespace lancer

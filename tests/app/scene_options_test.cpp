@@ -101,12 +101,12 @@ TEST_F(SceneOptions, SwitchesStandInTheLedger)
 {
     EXPECT_EQ(render_as("scene.toml", "a.exr").code, 0);
     EXPECT_EQ(metadata("a.exr", "bias"), "none");
-    EXPECT_EQ(render_as("scene.toml", "b.exr", {"--set", "multiscatter=true,terminator=true"}).code, 0);
-    EXPECT_EQ(metadata("b.exr", "bias"), "multiscatter, terminator");
-    write("on.toml", std::string(small_scene) + "[render]\nmultiscatter = true\n");
+    EXPECT_EQ(render_as("scene.toml", "b.exr", {"--set", "multiscatter=false,terminator=true"}).code, 0);
+    EXPECT_EQ(metadata("b.exr", "bias"), "no_multiscatter, terminator");
+    write("on.toml", std::string(small_scene) + "[render]\nmultiscatter = false\n");
     EXPECT_EQ(render_as("on.toml", "c.exr").code, 0);
-    EXPECT_EQ(metadata("c.exr", "bias"), "multiscatter");
-    EXPECT_EQ(render_as("on.toml", "d.exr", {"--set", "multiscatter=false"}).code, 0);
+    EXPECT_EQ(metadata("c.exr", "bias"), "no_multiscatter");
+    EXPECT_EQ(render_as("on.toml", "d.exr", {"--set", "multiscatter=true"}).code, 0);
     EXPECT_EQ(metadata("d.exr", "bias"), "none");
 }
 

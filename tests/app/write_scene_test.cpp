@@ -52,7 +52,7 @@ TEST_F(WriteScene, BareMeshes)
     expect_words(read_bytes(file("written.toml")), "exposure = \"auto\"");
     expect_same("block.obj", small({"--view", "-40,25", "--up", "z", "--no-ground"}));
     expect_same("block.obj", small({"--exposure", "0.7", "--tonemap", "agx", "--seed", "5", "--max-depth", "3"}));
-    expect_same("block.obj", small({"--set", "multiscatter=true", "--filter", "box"}));
+    expect_same("block.obj", small({"--set", "multiscatter=false", "--filter", "box"}));
     expect_same("block.obj", small({"--smooth", "100"}));
     expect_words(read_bytes(file("written.toml")), "smooth = 100");
     expect_same("block.obj", small({"--smooth", "off"}));

@@ -26,7 +26,7 @@ spp = 2147483647
 max_depth = 2147483647
 seed = 9223372036854775807
 stop_error = 0.25
-multiscatter = true
+multiscatter = false
 mis = false
 terminator = false
 size = [65536, 4096])")
@@ -42,7 +42,7 @@ size = [65536, 4096])")
     EXPECT_EQ(r.seed, 9223372036854775807u);
     EXPECT_EQ(r.stop_error, 0.25);
     EXPECT_EQ(r.size, (PictureSize{65536, 4096}));
-    EXPECT_TRUE(r.multiscatter);
+    EXPECT_FALSE(r.multiscatter);
     EXPECT_FALSE(r.mis);
     EXPECT_TRUE(r.is_given(&RenderSettings::terminator));
     EXPECT_FALSE(r.is_given(&RenderSettings::nee));

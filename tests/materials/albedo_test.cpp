@@ -50,11 +50,11 @@ void for_each_angle(const F& f)
 TEST(Albedo, OfWhiteMetal)
 {
     for_each_angle([](const std::string& name, float alpha, float cos) {
-        const Metal single{{1, 1, 1}, std::sqrt(alpha)}, all{{1, 1, 1}, std::sqrt(alpha), {}, &AlbedoTable::white()};
+        const Metal single{{1, 1, 1}, std::sqrt(alpha)}, all{{1, 1, 1}, std::sqrt(alpha), {}, table_of_reflectors()};
         const float once = directional_albedo(single.at({}), cos, 8).g;
         EXPECT_LE(once, 1 + 1e-3f) << name;
         // What the table says is missing, is.
-        EXPECT_NEAR(once, 1 - AlbedoTable::white().loss(cos, alpha), 0.005) << name;
+        EXPECT_NEAR(once, 1 - table_of_reflectors()->loss(cos, alpha), 0.005) << name;
         const float albedo = directional_albedo(all.at({}), cos).g;
         EXPECT_GE(albedo, 0.99f) << name;
         EXPECT_LE(albedo, 1.01f) << name;
@@ -69,7 +69,7 @@ TEST(Albedo, OfRoughMetalIsFarFromOneWithoutCompensation)
 
 TEST(Albedo, OfColouredMetalGrowsWithCompensationAndDeepensItsColour)
 {
-    const Metal copper{{0.95f, 0.64f, 0.54f}, 1}, all{{0.95f, 0.64f, 0.54f}, 1, {}, &AlbedoTable::white()};
+    const Metal copper{{0.95f, 0.64f, 0.54f}, 1}, all{{0.95f, 0.64f, 0.54f}, 1, {}, table_of_reflectors()};
     for (const float cos : table_cosines) {
         const Color once = directional_albedo(copper.at({}), cos), more = directional_albedo(all.at({}), cos);
         for (const auto channel : {&Color::r, &Color::g, &Color::b}) {
@@ -92,6 +92,70 @@ TEST(Albedo, OfGlassIsAtMostOne)
             }
         }
     });
+}
+
+// Whatever the index, the roughness and the side: a table that is right at its nodes alone would fail between them.
+TEST(Albedo, OfWhiteGlassIsOne)
+{
+    for (const float ior : {1.02f, 1.1f, 1.5f, 2.5f})
+        for (const bool thin : {false, true}) {
+            for_each_angle([&](const std::string& name, float alpha, float cos) {
+                const Glass glass = make_glass({1, 1, 1}, ior, std::sqrt(alpha), thin);
+                for (const bool front : {true, false})
+                    EXPECT_NEAR(directional_albedo(glass.at({.front = front}), cos).g, 1, 0.01)
+                        << name << ' ' << ior << (thin ? " thin" : "") << (front ? "" : ", from the inside");
+            });
+        }
+}
+
+// What the tables say is missing of single scattering, is.
+TEST(Albedo, TablesOfGlassSayWhatIsMissing)
+{
+    for (const double eta : {1.5, 1 / 1.5, 2.42})
+        for_each_angle([&](const std::string& name, float alpha, float cos) {
+            const bool enters = eta > 1;
+            AlbedoTable boundary(FacetKind::boundary, eta);
+            boundary.need(alpha);
+            const Glass single{{1, 1, 1}, static_cast<float>(enters ? eta : 1 / eta), std::sqrt(alpha)};
+            EXPECT_NEAR(directional_albedo(single.at({.front = enters}), cos).g, 1 - boundary.loss(cos, alpha), 0.005)
+                << name << ' ' << eta;
+        });
+}
+
+// In nested dielectrics the index changes with what is outside: the tables are those of the two media that touch.
+TEST(Albedo, OfWhiteGlassInAMediumThatItTouchesIsOne)
+{
+    GlassLosses losses(1.5f, false);
+    losses.need(0.64f);
+    losses.touch(2.0f);
+    for (const bool front : {true, false})
+        for (const double inner : {1.5, 0.75})
+            for (const float cos : table_cosines) {
+                const double eta = front ? inner : 1 / inner;
+                const GlassBsdf bsdf{.tint = {1, 1, 1},
+                                     .eta = eta,
+                                     .alpha = 0.64f,
+                                     .multiple = losses.lobes(eta, front, 0.64f, {1, 1, 1})};
+                EXPECT_NEAR(directional_albedo(bsdf, cos).g, 1, 0.01) << front << ' ' << inner << ' ' << cos;
+            }
+}
+
+// What comes back has met facets more than once: it is deeper in colour, and less than what a white glass gets.
+TEST(Albedo, OfColouredGlassGrowsWithMultipleScatteringAndDeepensItsColour)
+{
+    const Color green{0.5f, 0.9f, 0.7f};
+    for (const bool thin : {false, true}) {
+        const Glass all = make_glass(green, 1.5f, 1, thin);
+        Glass once = all;
+        once.losses.reset();
+        for (const float cos : table_cosines) {
+            const Color single = directional_albedo(once.at({}), cos), more = directional_albedo(all.at({}), cos);
+            const Color added = more - single;
+            EXPECT_GT(added.r, 0) << cos;
+            EXPECT_LT(more.g, 1) << cos;
+            EXPECT_LT(added.r / added.g, single.r / single.g) << cos;
+        }
+    }
 }
 
 TEST(Albedo, OfWhitePlasticIsOne)
@@ -154,13 +218,13 @@ TEST(Albedo, OfPlasticUnderEvenLight)
 // too.
 TEST(Albedo, TablesDoNotDependOnWhatElseWasNeeded)
 {
-    AlbedoTable whole(1.5f);
+    AlbedoTable whole(FacetKind::coat, 1.5);
     whole.need_all();
     Random random(1);
     std::vector<float> some{0x1p-149f, 0x1p-14f, 0x1p-13f, 0.25f, 0.25f + 0x1p-26f, 0.875f, 1 - 0x1p-24f, 1};
     for (int i = 0; i < 20; ++i) some.push_back(std::exp2(static_cast<float>(random.uniform(-15, 0))));
     for (const float alpha : some) {
-        AlbedoTable alone(1.5f);
+        AlbedoTable alone(FacetKind::coat, 1.5);
         alone.need(alpha);
         EXPECT_NE(alone.loss(0.5f, alpha), 0) << alpha;
         EXPECT_EQ(alone.mean_missing(alpha), whole.mean_missing(alpha)) << alpha;
@@ -171,9 +235,11 @@ TEST(Albedo, TablesDoNotDependOnWhatElseWasNeeded)
 
 TEST(Albedo, TablesAreWithinTheirBounds)
 {
-    AlbedoTable coat(1.5f);
-    coat.need_all();
-    for (const AlbedoTable* t : std::array<const AlbedoTable*, 2>{&AlbedoTable::white(), &coat}) {
+    AlbedoTable coat(FacetKind::coat, 1.5), entered(FacetKind::boundary, 1.5), left(FacetKind::boundary, 1 / 1.5),
+        sheet(FacetKind::sheet, 1.5);
+    for (AlbedoTable* t : {&coat, &entered, &left, &sheet}) t->need_all();
+    for (const AlbedoTable* t :
+         std::array<const AlbedoTable*, 5>{table_of_reflectors().get(), &coat, &entered, &left, &sheet}) {
         for_each_angle([&](const std::string& name, float alpha, float cos) {
             EXPECT_LE(t->loss(cos, alpha), 1) << name;
             EXPECT_GT(t->mean_missing(alpha), 0) << name;

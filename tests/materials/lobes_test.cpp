@@ -40,7 +40,7 @@ TEST(Lobes, OfCompensatedMetal)
 {
     stats::Family family;
     for_each_lobe([&](float alpha, float cos, const std::string& name) {
-        const Metal metal{{0.9f, 0.6f, 0.3f}, std::sqrt(alpha), {}, &AlbedoTable::white()};
+        const Metal metal{{0.9f, 0.6f, 0.3f}, std::sqrt(alpha), {}, table_of_reflectors()};
         expect_sampled(metal.at({}), alpha, cos, name, family);
     });
 }

@@ -101,7 +101,7 @@ TEST(Ggx, IsContinuousTowardsSmooth)
     const float r = std::sqrt(1e-3f);
     expect_continuous<Metal>("metal", {{1, 0.6f, 0.2f}, r}, {{1, 0.6f, 0.2f}, 0});
     expect_continuous<Metal>("gold", {{1, 1, 1}, r, gold()}, {{1, 1, 1}, 0, gold()});
-    expect_continuous<Metal>("compensated", {{1, 1, 1}, r, gold(), &AlbedoTable::white()}, {{1, 1, 1}, 0, gold()});
+    expect_continuous<Metal>("compensated", {{1, 1, 1}, r, gold(), table_of_reflectors()}, {{1, 1, 1}, 0, gold()});
     expect_continuous<Glass>("glass", {{1, 1, 1}, 1.5f, r}, {{1, 1, 1}, 1.5f});
     expect_continuous<Glass>("bubble", {{1, 1, 1}, 0.75f, r}, {{1, 1, 1}, 0.75f});
     expect_continuous<Plastic>("plastic", make_plastic({0.8f, 0.4f, 0.4f}, r, 1.5f),

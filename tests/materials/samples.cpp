@@ -6,10 +6,27 @@ Plastic make_plastic(Color base, float roughness, float ior, Color specular)
 {
     std::shared_ptr<AlbedoTable> coat;
     if (roughness > 0) {
-        coat = std::make_shared<AlbedoTable>(ior);
+        coat = std::make_shared<AlbedoTable>(FacetKind::coat, static_cast<double>(ior));
         coat->need_all();
     }
     return {base, roughness, ior, specular, mean_transmittance(ior), coat};
+}
+
+Glass make_glass(Color tint, float ior, float roughness, bool thin)
+{
+    MaterialDescription m = default_description(MaterialType::glass);
+    m.base_color = tint, m.ior = ior, m.roughness = roughness, m.thin = thin;
+    return std::get<Glass>(MaterialBuilder({}).make(m, [](const TextureUse&) { return no_texture; }));
+}
+
+std::shared_ptr<const AlbedoTable> table_of_reflectors()
+{
+    static const std::shared_ptr<const AlbedoTable> all = [] {
+        auto t = std::make_shared<AlbedoTable>(FacetKind::reflector);
+        t->need_all();
+        return t;
+    }();
+    return all;
 }
 
 std::vector<Place> places()

@@ -75,6 +75,11 @@ inline std::vector<Sample<Mirror>> samples<Mirror>()
 {
     return {{"white", {{1, 1, 1}}, true}, {"gold", {{0.9f, 0.7f, 0.2f}}}};
 }
+// What the tables of albedos promise.
+inline constexpr double table_error = 0.005;
+
+// Rough glass whose facets lose nothing.
+Glass make_glass(Color tint, float ior, float roughness, bool thin = false);
 template <>
 inline std::vector<Sample<Glass>> samples<Glass>()
 {
@@ -86,7 +91,12 @@ inline std::vector<Sample<Glass>> samples<Glass>()
             {"diamond", {white, 2.42f}, true, true},
             {"germanium", {white, 4}, true, true},
             {"green", {{0.2f, 0.9f, 0.4f}, 1.6f}, false, true},
-            {"frosted", {white, 1.5f, 0.8f}, false, true},
+            {"frosted", make_glass(white, 1.5f, 0.8f), true, true, table_error},
+            {"ground white", make_glass(white, 1.1f, 1), true, true, table_error},
+            {"ground diamond", make_glass(white, 2.5f, 1), true, true, table_error},
+            {"frosted coloured", make_glass({0.2f, 0.9f, 0.4f}, 1.8f, 1), false, true, table_error},
+            {"white frosted bubble", make_glass(white, 1 / 1.33f, 0.7f), true, true, table_error},
+            {"frosted, single scattering", {white, 1.5f, 0.8f}, false, true},
             {"ground", {{0.2f, 0.9f, 0.4f}, 1.8f, 1}, false, true},
             {"frosted bubble", {white, 1 / 1.33f, 0.7f}, false, true},
             {"frosted nothing", {white, 1, 0.7f}, true, true},
@@ -96,7 +106,10 @@ inline std::vector<Sample<Glass>> samples<Glass>()
             {"pane of air", {white, 1 / 1.33f, 0, true, true}, true, true},
             {"pane of nothing", {white, 1, 0, true, true}, true, true},
             {"green pane", {{0.2f, 0.9f, 0.4f}, 1.6f, 0, true, true}, false, true},
-            {"frosted pane", {white, 1.5f, 0.8f, true, true}, false, true},
+            {"white frosted pane", make_glass(white, 1.5f, 0.8f, true), true, true, table_error},
+            {"white ground pane", make_glass(white, 2.42f, 1, true), true, true, table_error},
+            {"frosted coloured pane", make_glass({0.2f, 0.9f, 0.4f}, 1.5f, 0.8f, true), false, true, table_error},
+            {"frosted pane, single scattering", {white, 1.5f, 0.8f, true, true}, false, true},
             {"ground green pane", {{0.2f, 0.9f, 0.4f}, 1.8f, 1, true, true}, false, true},
             {"pane of ground diamond", {white, 2.42f, 1, true, true}, false, true},
             {"hardly frosted pane", {white, 1.5f, 0.05f, true, true}, false, true, 0, true}};
@@ -104,14 +117,14 @@ inline std::vector<Sample<Glass>> samples<Glass>()
 
 // Measured, of gold.
 inline Conductor gold() { return make_conductor({0.143f, 0.375f, 1.442f}, {3.983f, 2.386f, 1.603f}); }
-// What the tables of albedos promise.
-inline constexpr double table_error = 0.005;
 
+// Answers for every roughness of a metal.
+std::shared_ptr<const AlbedoTable> table_of_reflectors();
 template <>
 inline std::vector<Sample<Metal>> samples<Metal>()
 {
     const Color white{1, 1, 1}, copper{0.95f, 0.64f, 0.54f};
-    const AlbedoTable* table = &AlbedoTable::white();
+    const auto table = table_of_reflectors();
     return {{"white mirror", {white, 0}, true},
             {"white", {white, 1}},
             {"white compensated", {white, 1, {}, table}, true, false, table_error},

@@ -58,9 +58,17 @@ size_t MaterialList::add(const MaterialDescription& m)
         material.base = texture(m.base_color_map);
         material.transmittance = texture(m.transmittance_map);
         material.roughness = texture(m.roughness_map);
+        if (material.roughness && d_.render.multiscatter)
+            throw std::invalid_argument("the reference knows no textured roughness with multiscatter");
         const bool is_diffuse = m.type == MaterialType::lambert || m.type == MaterialType::translucent;
         material.mirrors =
             m.type == MaterialType::interface ? m.phong.reflexion > 0 || m.phong.refraction > 0 : !is_diffuse;
+        if (is_metal && m.eta && m.k) {
+            Bsdf smooth;
+            smooth.kind = Bsdf::Kind::metal, smooth.color = grey(1);
+            smooth.conductor = {rgb(*m.eta), rgb(*m.k)};
+            material.mean_of_conductor = under_even_light([&](double cos) { return smooth.facet_reflectance(cos); });
+        }
         if (is_plastic) {
             if (material.roughness) throw std::invalid_argument("the reference knows no textured roughness of plastic");
             const auto roughness = double{m.roughness};

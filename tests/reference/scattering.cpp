@@ -121,6 +121,10 @@ Rgb Bsdf::facet_reflectance(double cos) const
 Rgb Bsdf::eval(Vec wo, Vec wi) const
 {
     if (wo.z <= 0) return {};
+    return eval_once(wo, wi) + even.eval(wo, wi);
+}
+Rgb Bsdf::eval_once(Vec wo, Vec wi) const
+{
     if (kind == Kind::glass) return alpha > 0 ? eval_glass(wo, wi) : Rgb{};
     if (kind == Kind::sheet) return alpha > 0 ? eval_sheet(wo, wi) : Rgb{};
     if (kind == Kind::translucent) return (wi.z > 0 ? diffuse : through) * (std::abs(wi.z) / pi);
@@ -167,6 +171,26 @@ Rgb Bsdf::eval_glass(Vec wo, Vec wi) const
 std::optional<Scattered> Bsdf::sample(Vec wo, Random& random) const
 {
     if (wo.z <= 0) return {};
+    if (!even.here) return sample_once(wo, random);
+    const bool is_even = random.next() < 0.5;
+    std::optional<Scattered> s = is_even ? sample_even(wo, random) : sample_once(wo, random);
+    if (s) s->weight = s->weight * 2;
+    return s;
+}
+
+std::optional<Scattered> Bsdf::sample_even(Vec wo, Random& random) const
+{
+    Vec wi = cosine_direction(random);
+    const double cos = wi.z;
+    if (!(cos > 0)) return {};
+    const bool both = kind != Kind::metal, passes = both && random.next() < 0.5;
+    if (passes) wi.z = -cos;
+    return Scattered{wi, even.eval(wo, wi) * ((both ? 2 : 1) * pi / cos), false,
+                     passes && kind == Kind::glass ? index : 1};
+}
+
+std::optional<Scattered> Bsdf::sample_once(Vec wo, Random& random) const
+{
     switch (kind) {
         case Kind::lambert:
             return Scattered{cosine_direction(random), color};

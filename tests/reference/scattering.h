@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "reference/multiple.h"
 #include "reference/random.h"
 #include "reference/vector.h"
 
@@ -57,13 +58,17 @@ struct Bsdf {
     Rgb diffuse{}, gloss{}, mirror{}, through{};    // interface; translucent: diffuse and through
     double shininess = 0;
     bool refracts = false;
+    EvenLobes even{};  // metal, glass, sheet: of multiple scattering
 
     bool only_delta() const;
     Rgb eval(Vec wo, Vec wi) const;  // f |cos(wi)|, without what is sharp
     std::optional<Scattered> sample(Vec wo, Random& random) const;
+    Rgb facet_reflectance(double cos) const;  // of what reflects by facets, at a facet
 
 private:
-    Rgb facet_reflectance(double cos) const;
+    Rgb eval_once(Vec wo, Vec wi) const;
+    std::optional<Scattered> sample_once(Vec wo, Random& random) const;
+    std::optional<Scattered> sample_even(Vec wo, Random& random) const;
     Rgb eval_glass(Vec wo, Vec wi) const;
     std::optional<Scattered> sample_facets(Vec wo, Random& random) const;
     std::optional<Scattered> sample_glass(Vec wo, Random& random) const;

@@ -164,14 +164,20 @@ Bsdf bsdf_at(const World& world, const Surface& s, double index, Random& random)
         case lancer::MaterialType::metal:
             b.kind = Bsdf::Kind::metal;
             if (what.eta && what.k) b.conductor = {rgb(*what.eta), rgb(*what.k)};
+            if (b.alpha > 0 && world.multiscatter) {
+                const Rgb mean = b.conductor ? b.color * m->mean_of_conductor : b.color * (20.0 / 21) + grey(1.0 / 21);
+                b.even = even_lobes(FacetsOf::metal, 1, b.alpha, mean);
+            }
             break;
         case lancer::MaterialType::glass:
             b.kind = what.thin.value_or(false) ? Bsdf::Kind::sheet : Bsdf::Kind::glass;
             if (b.kind == Bsdf::Kind::sheet) {
                 b.index = double{what.ior};
+                if (b.alpha > 0 && world.multiscatter) b.even = even_lobes(FacetsOf::sheet, b.index, b.alpha, b.color);
                 break;
             }
             b.index = index > 0 ? index : s.front ? double{what.ior} : 1 / double{what.ior};
+            if (b.alpha > 0 && world.multiscatter) b.even = even_lobes(FacetsOf::glass, b.index, b.alpha, b.color);
             break;
         case lancer::MaterialType::plastic:
             b.kind = Bsdf::Kind::plastic;

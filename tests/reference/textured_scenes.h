@@ -42,6 +42,7 @@ inline TextureUse small_texture(const char* name, Encoding encoding, Channel cha
 inline SceneDescription panels_scene()
 {
     SceneDescription d;
+    d.render.multiscatter = false;  // the reference would need a table for each roughness
     const auto panel = [&](double x, double y, const MaterialDescription& m) {
         d.meshes.push_back(make_mesh(
             make_mapped_quad({x, y, 0}, {x + 1, y, 0.1}, {x + 1, y + 0.75, 0.2}, {x, y + 0.75, 0.1}, {1, 1}, m)));

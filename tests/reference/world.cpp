@@ -142,8 +142,7 @@ void refuse_unknown(const lancer::SceneDescription& d)
         throw std::invalid_argument(std::string("the reference knows no ") + what);
     };
     const lancer::RenderSettings& s = d.render;
-    if (s.multiscatter || s.terminator || s.straight_shadows || s.legacy)
-        refuse("multiscatter, terminator, straight_shadows or legacy");
+    if (s.terminator || s.straight_shadows || s.legacy) refuse("terminator, straight_shadows or legacy");
     if (!s.fresnel || !s.soft_shadows || !s.direct || !s.emitters) refuse("switch of [render] that takes light away");
     if (!d.background) return;
     if (d.background->sky == lancer::SkyType::picture || d.background->ground == lancer::GroundType::picture)
@@ -155,6 +154,7 @@ void refuse_unknown(const lancer::SceneDescription& d)
 World::World(const lancer::SceneDescription& d, const lancer::RasterSource& images)
 {
     refuse_unknown(d);
+    multiscatter = d.render.multiscatter;
     MaterialList list(*this, d, images);
     for (const auto& s : d.spheres)
         spheres.push_back({vec(s.center), s.radius,

@@ -22,6 +22,7 @@ struct Material {
     size_t first = 0, second = 0;              // mix
     bool mirrors = false;                      // it, or a part of it, has a lobe about the mirror direction
     std::shared_ptr<const CoatAlbedo> coat{};  // plastic
+    Rgb mean_of_conductor{};                   // metal by its indices: its mean reflectance
     bool has_holes() const { return opacity || what.opacity < 1; }
     bool is_mix() const { return what.type == lancer::MaterialType::mix; }
     // What a body of it is filled with.
@@ -72,10 +73,11 @@ struct World {
     Linear sky_rotation;
     std::optional<lancer::BackgroundDescription> background;
     bool glow = false;
+    bool multiscatter = true;
     std::optional<size_t> camera_medium;  // a material
 
     // Throws std::invalid_argument for what the reference does not know: switches of [render] that change the picture,
-    // textured roughness of plastic, pictures as background.
+    // textured roughness of plastic and of what has multiple scattering, pictures as background.
     World(const lancer::SceneDescription& description, const lancer::RasterSource& images);
 
     Rgb sky(Vec direction, bool is_seen, Vec from) const;

@@ -18,8 +18,8 @@ TEST(BiasLedger, IsNoneWhereTheMeanIsThatOfTheScene)
 TEST(BiasLedger, ListsIntegratorThenOptionsThenEvents)
 {
     EXPECT_EQ(
-        bias_ledger({.max_depth = 3, .direct = false, .multiscatter = true}, {.stopped_by = "time", .dropped = 2}),
-        "max_depth=3, no_direct, multiscatter, stopped_by_time, dropped=2");
+        bias_ledger({.max_depth = 3, .direct = false, .multiscatter = false}, {.stopped_by = "time", .dropped = 2}),
+        "max_depth=3, no_direct, no_multiscatter, stopped_by_time, dropped=2");
     if (knows_legacy()) {
         EXPECT_EQ(
             bias_ledger({.integrator = IntegratorKind::whitted, .max_depth = 7, .stop = true, .legacy = true}, {}),

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "materials/fresnel.h"
+#include "materials/thin_sheet.h"
 #include "scene/environment/environment.h"
 #include "scene/shading_normal.h"
 
@@ -70,27 +72,26 @@ ExportedPicture coat_of(const std::string& name, const Plastic& plastic)
     return {name, cosines, rows, false, texel};
 }
 
-// What the facets of a clear rough sheet leave of the light that a smooth one lets through or reflects: the mean weight
-// of their samples. Of reflection over that of facets which reflect all, as these lose light by themselves.
+// What a clear rough sheet lets through or reflects over what a smooth one does, all scattering between its facets
+// included.
 double part_left(const Glass& glass, float cos, bool through)
 {
-    constexpr uint32_t side = 32;  // samples are stratified
+    constexpr uint32_t side = 16;  // samples are stratified
     Glass clear = glass;
     clear.tint = Color{1, 1, 1};
     const GlassBsdf bsdf = clear.at({});
-    const Ggx facets{static_cast<double>(alpha_of_roughness(glass.roughness.value))};
     const Vec3 wo{std::sqrt((1 - cos) * (1 + cos)), 0, cos};
-    double sum = 0, all = 0;
-    for (uint32_t i = 0; i < side * side; ++i) {
-        const Vec2 v{(static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side};
-        const auto s = bsdf.sample(wo, through ? 0x1.fffffep-1f : 0, v);
-        if (!s) continue;
-        sum += static_cast<double>(s->weight.g);
-        if (through) continue;
-        const FacetReflection f = eval_facets(facets, unit_in_double(wo), unit_in_double(s->wi));
-        all += f.f_cos / f.pdf;
-    }
-    return through ? sum / (side * side) : all > 0 ? sum / all : 1;
+    const double smooth = part_of_sheet(
+        fresnel_dielectric_double(static_cast<double>(cos), (1.0 - cos) * (1.0 + cos), double{glass.ior}).reflectance,
+        through);
+    const auto at = [](uint32_t i) { return (static_cast<float>(i) + 0.5f) / side; };
+    double sum = 0;
+    for (uint32_t u = 0; u < side; ++u)
+        for (uint32_t i = 0; i < side * side; ++i) {
+            const auto s = bsdf.sample(wo, at(u), {at(i % side), at(i / side)});
+            if (s && (s->wi.z < 0) == through) sum += static_cast<double>(s->weight.g);
+        }
+    return smooth > 0 ? sum / (side * side * side) / smooth : 1;
 }
 
 // Columns as of a coat. The upper row is what is let through, the lower one what is reflected.

@@ -1,9 +1,11 @@
 // From what is said of a material to what is rendered: its parameters, and what is computed from them once.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 
 #include "materials/material.h"
 #include "scene/description/description.h"
@@ -12,8 +14,8 @@ namespace lancer {
 
 // Options of the whole picture.
 struct MaterialOptions {
-    bool multiscatter = false;  // energy compensation for multiple scattering
-    bool fresnel = true;        // false: smooth glass only refracts
+    bool multiscatter = true;  // energy compensation for multiple scattering
+    bool fresnel = true;       // false: smooth glass only refracts
 };
 
 class MaterialBuilder {
@@ -22,6 +24,9 @@ public:
 
     // The BSDF of a description that is neither a mix nor partly metallic. id_of: the id of a texture.
     Material make(const MaterialDescription& description, const std::function<uint32_t(const TextureUse&)>& id_of);
+    // Bodies of glass that have a priority may touch each of these media: to be called when all materials are made, and
+    // all media are known.
+    void touch(std::span<const Medium> media);
 
 private:
     // What a material has besides its parameters; one that has nothing needs no function here.
@@ -34,8 +39,17 @@ private:
     void finish(Plastic& plastic, const MaterialDescription& description);
     void finish(Interface& interface, const MaterialDescription& description);
 
+    struct GlassKind {
+        float ior;
+        bool thin, has_priority;
+        friend auto operator<=>(const GlassKind&, const GlassKind&) = default;
+    };
+
     MaterialOptions options_;
-    std::map<float, std::shared_ptr<AlbedoTable>> coats_;  // per index of refraction, shared by rough plastics
+    // Tables that rough materials share.
+    std::map<float, std::shared_ptr<AlbedoTable>> coats_;  // per index of refraction
+    std::shared_ptr<AlbedoTable> reflectors_;              // of metals, if there is one
+    std::map<GlassKind, std::shared_ptr<GlassLosses>> glasses_;
 };
 
 }  // namespace lancer

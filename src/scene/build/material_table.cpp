@@ -62,7 +62,7 @@ MaterialTable::MaterialTable(const SceneDescription& description, const RenderSe
       pending_(pending),
       diagnostics_(diagnostics),
       images_(images),
-      builder_({.multiscatter = settings.multiscatter, .fresnel = settings.fresnel}),
+      builder_({.multiscatter = settings.multiscatter && !settings.legacy, .fresnel = settings.fresnel}),
       ids_(description.materials.size(), Scene::none),
       used_(description.materials.size()),
       in_progress_(description.materials.size()),
@@ -262,6 +262,7 @@ void MaterialTable::finish()
 {
     if (d_.camera && !d_.camera->inside.empty()) put_camera_into(d_.camera->inside, d_.camera->where);
     finish_media(scene_);
+    builder_.touch(scene_.media);
     for (size_t i = 0; i < d_.materials.size(); ++i)
         if (!used_[i]) {
             scene_.unused_features.add("unused materials", 1);

@@ -132,9 +132,9 @@ constexpr std::array rows{
                           .applies = [](const S& s) { return s.stop && s.legacy && is_classic(s.integrator); }}},
     RenderOption{.name = "multiscatter",
                  .field = SwitchField{&S::multiscatter},
-                 .help = "rough metal gets the light back that single scattering between facets loses",
-                 .bias = {.effect = "rough metal gets back, smoothly spread, the light that single scattering between "
-                                    "facets loses"}},
+                 .help = "rough metal and glass get the light back that single scattering between facets loses",
+                 .bias = {.effect = "rough metal and glass lose the light that scatters several times between facets, "
+                                    "more with roughness"}},
     RenderOption{.name = "terminator",
                  .field = SwitchField{&S::terminator},
                  .help = "softens the edge of shadow on smoothed coarse meshes",

@@ -69,7 +69,7 @@ struct RenderSettings {
     bool split = true;
     bool roulette = true;
     bool stop = false;
-    bool multiscatter = false;
+    bool multiscatter = true;
     bool terminator = false;
     bool legacy = false;
     double stop_error = 0.01;

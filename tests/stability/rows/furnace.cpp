@@ -26,7 +26,9 @@ struct Range {
 Range albedo_of_metal(float roughness, bool compensated, int n)
 {
     Range range;
-    const Metal metal{{1, 1, 1}, roughness, {}, compensated ? &AlbedoTable::white() : nullptr};
+    const auto table = std::make_shared<AlbedoTable>(FacetKind::reflector);
+    table->need(alpha_of_roughness(roughness));
+    const Metal metal{{1, 1, 1}, roughness, {}, compensated ? table : nullptr};
     const auto bsdf = metal.at({});
     for (const double cos : {1.0, 0.9, 0.7, 0.5, 0.3, 0.1, 0.03, 0.01}) {
         const Vec3 wo = to_float(Vec3d{std::sqrt((1 - cos) * (1 + cos)), 0, cos});
