@@ -32,6 +32,13 @@ if(OCIO_FOUND AND NOT "${LANCER_WITH_OCIO}" STREQUAL "OFF")
   set_target_properties(lancer_ocio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(lancer lancer_ocio)
 endif()
+# And what unpacks compressed files.
+if(DECOMPRESS_FOUND AND NOT "${LANCER_WITH_DECOMPRESS}" STREQUAL "OFF")
+  add_library(lancer_decompress MODULE src/io/decompress_module.cpp)
+  target_link_libraries(lancer_decompress PRIVATE lancer_flags lancer_arch lancer_warnings PkgConfig::DECOMPRESS)
+  set_target_properties(lancer_decompress PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_dependencies(lancer lancer_decompress)
+endif()
 # And so does the window: no other command needs a display library.
 if(VIEW_FOUND AND NOT "${LANCER_WITH_VIEW}" STREQUAL "OFF" AND NOT LANCER_FUZZ)
   add_library(lancer_view MODULE src/app/view/window_module.cpp)

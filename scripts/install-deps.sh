@@ -19,6 +19,7 @@ packages=(
     libtinyobjloader-dev libtomlplusplus-dev                # scenes
     libopenimageio-dev libopenexr-dev libimath-dev libpng-dev libjpeg-dev # pictures
     libopencolorio-dev                                      # their colours
+    zlib1g-dev liblzma-dev libzstd-dev                      # compressed meshes
     libcli11-dev nlohmann-json3-dev                         # command line, reports
     libglfw3-dev libimgui-dev libgl-dev                     # the window
     libgtest-dev libgmock-dev                               # tests

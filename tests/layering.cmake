@@ -19,7 +19,8 @@ set(io_sees ${scene_sees} scene)
 set(app_sees core geometry materials scene integrators render report io)
 
 # Library: what its includes look like, and the files that may contain them.
-set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json GLFW ImGui OpenGL)
+set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json GLFW ImGui
+    OpenGL zlib liblzma libzstd)
 set(embree_include "^(embree[0-9]*/|rtcore)")
 set(embree_owner "^geometry/embree/[a-z_]+\\.(h|cpp)$")
 set(tbb_include "^(oneapi/)?tbb(/|\\.h)")
@@ -49,6 +50,12 @@ set(ImGui_include "imgui")
 set(ImGui_owner "^app/view/window_module\\.cpp$")
 set(OpenGL_include "^(GL|GLES[0-9]|EGL)/|imgui_impl_opengl")
 set(OpenGL_owner "^app/view/window_module\\.cpp$")
+set(zlib_include "^zlib\\.h")
+set(zlib_owner "^io/decompress_module\\.cpp$")
+set(liblzma_include "^lzma(/|\\.h)")
+set(liblzma_owner "^io/decompress_module\\.cpp$")
+set(libzstd_include "^zstd")
+set(libzstd_owner "^io/decompress_module\\.cpp$")
 
 set(virtual_owner "^geometry/(accel|embree/embree|list/list)\\.h$")
 set(before "(^|[^A-Za-z0-9_])")

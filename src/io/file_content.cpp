@@ -36,7 +36,7 @@ bool read_at(int descriptor, char* bytes, size_t count, size_t position)
 
 }  // namespace
 
-FileContent::FileContent(const std::string& path)
+FileContent::FileContent(const std::string& path, Unpack unpack)
 {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
@@ -57,6 +57,24 @@ FileContent::FileContent(const std::string& path)
     else
         read(descriptor, size);
     if (descriptor >= 0) close(descriptor);
+    if (unpack == Unpack::yes) unpack_bytes();
+    if (problem_.empty() && !is_text_)
+        if (std::optional<std::string> text = text_of_utf16(bytes())) {
+            converted_ = std::move(*text);
+            is_text_ = converted_.find('\0') == std::string::npos;
+        }
+}
+
+void FileContent::unpack_bytes()
+{
+    const std::optional<Compression> compression = compression_of(file_bytes());
+    if (!compression) return;
+    UnpackedBytes unpacked = unpack(file_bytes(), *compression);
+    bytes_ = {};
+    problem_ = unpacked.problem;
+    size_ = unpacked.size;
+    unpacked_ = std::move(unpacked.bytes);
+    is_text_ = !std::memchr(unpacked_ ? unpacked_.get() : "", '\0', size_);
 }
 
 void FileContent::read(int descriptor, size_t size)
@@ -81,11 +99,6 @@ void FileContent::read(int descriptor, size_t size)
     }
     size_ = size;
     is_text_ = is_text;
-    if (!is_text_)
-        if (std::optional<std::string> text = text_of_utf16(bytes())) {
-            converted_ = std::move(*text);
-            is_text_ = converted_.find('\0') == std::string::npos;
-        }
     hash_ = hashes.size() == 1
                 ? hashes[0]
                 : hash_bytes({reinterpret_cast<const char*>(hashes.data()), sizeof(uint64_t) * hashes.size()});

@@ -15,11 +15,26 @@ inline std::string extension_of(const std::string& path)
     return extension;
 }
 
+// ".ply" of "a.ply" and "a.ply.gz"; of other names as extension_of().
+inline std::string mesh_extension_of(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    if (extension != ".gz" && extension != ".xz" && extension != ".zst") return extension;
+    return extension_of(std::filesystem::path(path).stem());
+}
+
 // Whether it is a bare mesh, not a scene file.
 inline bool is_mesh(const std::string& path)
 {
-    const std::string extension = extension_of(path);
+    const std::string extension = mesh_extension_of(path);
     return extension == ".obj" || extension == ".ply";
+}
+
+// "a" of "b/a.toml" and of "b/a.ply.gz": what is made of a scene is named so.
+inline std::string scene_name_of(const std::string& path)
+{
+    const std::filesystem::path stem = std::filesystem::path(path).stem();
+    return is_mesh(path) && mesh_extension_of(path) != extension_of(path) ? stem.stem().string() : stem.string();
 }
 
 }  // namespace lancer

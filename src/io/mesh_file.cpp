@@ -8,7 +8,8 @@ namespace lancer {
 
 std::shared_ptr<const MeshData> load_mesh(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
-    return extension_of(path) == ".ply" ? load_ply(path, diagnostics, options) : load_obj(path, diagnostics, options);
+    return mesh_extension_of(path) == ".ply" ? load_ply(path, diagnostics, options)
+                                             : load_obj(path, diagnostics, options);
 }
 
 }  // namespace lancer

@@ -48,9 +48,8 @@ void take_part(const std::vector<std::string>& given, RenderOptions& o)
                        (name == std::string("--checkpoint") ? " has no use: the part is the checkpoint"
                                                             : " needs the whole picture"));
     if (o.outputs.size() > 1) fail_usage("--shard: a shard has one output");
-    const std::string name = o.outputs.empty()
-                                 ? std::filesystem::path(o.picture.scene.file).stem().string() + ".%k-of-%n.lancer"
-                                 : o.outputs[0];
+    const std::string name =
+        o.outputs.empty() ? scene_name_of(o.picture.scene.file) + ".%k-of-%n.lancer" : o.outputs[0];
     if (extension_of(name) != ".lancer")
         fail_usage("--output: with --shard " + in_quotes(name) + " must end in .lancer");
     o.checkpoint = with_numbers(name, o.shard);
@@ -81,7 +80,7 @@ std::optional<RenderOptions> parse_render(int argc, char** argv)
     if (!o.shard.is_whole())
         take_part(p.given(), o);
     else if (o.outputs.empty())
-        o.outputs.push_back(std::filesystem::path(o.picture.scene.file).stem().string() + ".exr");
+        o.outputs.push_back(scene_name_of(o.picture.scene.file) + ".exr");
     complete_picture_options(p.given(), o);
     if (o.frames) require_numbers(o, true);
     o.command_line = command_line_of("lancer render", argc, argv);
@@ -114,8 +113,7 @@ std::optional<FilmOptions> parse_film(int argc, char** argv)
         }
     std::erase(r.outputs, o.movie);
     if (!o.movie.empty() && !o.shard.is_whole()) fail_usage("--shard: a movie needs all frames; give it pictures");
-    if (r.outputs.empty() && o.movie.empty())
-        r.outputs.push_back(std::filesystem::path(r.picture.scene.file).stem().string() + ".####.exr");
+    if (r.outputs.empty() && o.movie.empty()) r.outputs.push_back(scene_name_of(r.picture.scene.file) + ".####.exr");
     complete_picture_options(p.given(), r);
     require_numbers(r, false);
     r.command_line = command_line_of("lancer film", argc, argv);
@@ -152,7 +150,7 @@ std::optional<ViewOptions> parse_view(int argc, char** argv)
             [&](const std::string& t) { o.exposure = to_exposure("--exposure", t); });
     if (!p.parse(argc, argv)) return {};
     take_environment(o.picture.threads);
-    const std::string name = std::filesystem::path(o.picture.scene.file).stem().string();
+    const std::string name = scene_name_of(o.picture.scene.file);
     if (o.outputs.empty()) o.outputs.push_back(o.picture.render.legacy ? "output.ppm" : "output.png");
     take_outputs(o.outputs, {});
     if (o.write_scene.empty()) o.write_scene = name + ".view.toml";

@@ -89,7 +89,7 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
     p.values("--render", "OPTIONS", "More options of lancer render: --render='-s 4096 --aov albedo'",
              [&](const std::string& t) { o.render.push_back(t); });
     if (!p.parse(argc, argv)) return {};
-    if (o.output.empty()) o.output = std::filesystem::path(o.scene).stem().string() + ".exr";
+    if (o.output.empty()) o.output = scene_name_of(o.scene) + ".exr";
     if (o.frames && o.output.find('#') == std::string::npos)
         fail_usage("--frames: " + in_quotes(o.output) + " has no #### for the number");
     return o;

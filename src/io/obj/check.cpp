@@ -20,7 +20,7 @@ size_t count_words(std::string_view text)
 
 void check_obj_text(const std::string& path, Diagnostics& notes)
 {
-    const FileContent content(path);
+    const FileContent content(path, Unpack::yes);
     if (!content.problem().empty() || !content.is_text()) return;
     std::set<std::string, std::less<>> libraries;
     uint32_t first_polygon = 0;

@@ -73,7 +73,7 @@ UsedMaterials read_materials(const std::string& path, const ObjSummary& summary,
     MaterialFiles files = find_material_files(path, summary.libraries, options.assets, diagnostics);
     MaterialLibrary library;
     for (const std::string& file : files.found) {
-        const FileContent content(file);
+        const FileContent content(file, Unpack::yes);
         if (!content.problem().empty() || !content.is_text()) {
             MaterialFiles::Missing& missing = files.missing.emplace_back();
             missing.where.file = file;
@@ -137,7 +137,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
 
 std::shared_ptr<const MeshData> load_obj(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
-    std::optional<FileContent> content(std::in_place, path);
+    std::optional<FileContent> content(std::in_place, path, Unpack::yes);
     const auto fail = [&](const std::string& message, ErrorKind kind) {
         diagnostics.error({path, 0, 0}, message, kind);
         return nullptr;

@@ -99,7 +99,7 @@ bool read_elements(const PlyHeader& header, std::string_view bytes, bool keeps_u
 
 std::shared_ptr<const MeshData> load_ply(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
 {
-    const FileContent content(path);
+    const FileContent content(path, Unpack::yes);
     const auto fail = [&](const std::string& message, ErrorKind kind) {
         diagnostics.error({path, 0, 0}, message, kind);
         return nullptr;
