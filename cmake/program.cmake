@@ -1,6 +1,6 @@
 # The program. cpu_check.cpp alone is compiled for any x86-64, so that an older CPU gets a message instead of SIGILL.
 file(GLOB_RECURSE app_sources CONFIGURE_DEPENDS src/app/*.cpp)
-list(FILTER app_sources EXCLUDE REGEX "/(cpu_check|main|window_module)\\.cpp$")
+list(FILTER app_sources EXCLUDE REGEX "/(api|cpu_check|main|window_module)\\.cpp$")
 if(LANCER_FUZZ)
   list(FILTER app_sources INCLUDE REGEX "/app/(options/[a-z_]+|render/(checkpoint_file|recipe|render_memory|shard)|console|picture_memory|system_info|version)\\.cpp$")
 endif()
@@ -10,6 +10,16 @@ target_link_libraries(lancer_app PUBLIC lancer_lib PRIVATE lancer_warnings CLI11
 target_precompile_headers(lancer_app PRIVATE ${standard_headers})
 target_compile_definitions(lancer_app PRIVATE LANCER_VERSION="${PROJECT_VERSION}" LANCER_BUILD_TYPE="${CMAKE_BUILD_TYPE}")
 set_source_files_properties(src/app/version.cpp PROPERTIES COMPILE_DEFINITIONS "LANCER_DATE=\"${LANCER_DATE}\"")
+
+# The library for C and Python: app/api/lancer.h. Of all that is linked into it those functions alone are seen.
+set_target_properties(lancer_app PROPERTIES POSITION_INDEPENDENT_CODE ON)
+if(NOT LANCER_FUZZ)
+  add_library(lancer_shared SHARED src/app/api/api.cpp)
+  target_link_libraries(lancer_shared PRIVATE lancer_app lancer_warnings)
+  set_target_properties(lancer_shared PROPERTIES OUTPUT_NAME lancer VERSION ${PROJECT_VERSION} SOVERSION 1
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  target_link_options(lancer_shared PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/src/app/api/exported.map)
+endif()
 
 add_library(lancer_cpu_check OBJECT src/app/cpu_check.cpp)
 target_link_libraries(lancer_cpu_check PRIVATE lancer_warnings lancer_flags)

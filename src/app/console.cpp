@@ -19,6 +19,8 @@
 namespace lancer {
 namespace {
 
+thread_local int silent_consoles = 0;
+
 bool is_coloured()
 {
     const char* const no_color = std::getenv("NO_COLOR");
@@ -131,6 +133,12 @@ bool stderr_is_terminal()
     return isatty(STDERR_FILENO) && terminal && std::strcmp(terminal, "dumb") != 0;
 }
 
-void print_raw(const std::string& text) { std::fputs(text.c_str(), stderr); }
+void print_raw(const std::string& text)
+{
+    if (silent_consoles == 0) std::fputs(text.c_str(), stderr);
+}
+
+SilentConsole::SilentConsole() { ++silent_consoles; }
+SilentConsole::~SilentConsole() { --silent_consoles; }
 
 }  // namespace lancer

@@ -33,6 +33,14 @@ std::string message_of(const Error& failure);
 void print_as_warning(const Error& failure, const std::string& consequence);
 void print_note(const std::string& line);
 
+// While one exists nothing of its thread is printed on stderr: a library is silent.
+class SilentConsole {
+public:
+    SilentConsole();
+    ~SilentConsole();
+    SilentConsole(const SilentConsole&) = delete;
+};
+
 // Whether stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
 // Prints raw text on stderr immediately.

@@ -10,9 +10,8 @@
 #include "core/error.h"
 
 namespace lancer {
-namespace {
 
-int exit_code(ErrorKind kind)
+int exit_code_of(ErrorKind kind)
 {
     switch (kind) {
         case ErrorKind::failed:
@@ -29,8 +28,6 @@ int exit_code(ErrorKind kind)
     return exit_failed;
 }
 
-}  // namespace
-
 int guarded(const std::function<int()>& body)
 {
     try {
@@ -39,7 +36,7 @@ int guarded(const std::function<int()>& body)
         return code;
     } catch (const Error& e) {
         print_problem(e.what());
-        return exit_code(e.kind());
+        return exit_code_of(e.kind());
     } catch (const std::bad_alloc&) {
         print_problem("error: out of memory");
     } catch (const std::exception& e) {

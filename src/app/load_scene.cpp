@@ -73,7 +73,9 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
                                    .frame = choice.turntable ? std::nullopt : std::optional<double>(choice.frame),
                                    .checks_frames = checks_frames};
     SceneDescription scene;
-    if (is_mesh(choice.file)) {
+    if (choice.text) {
+        scene = parse_scene(*choice.text, choice.file, options, diagnostics);
+    } else if (is_mesh(choice.file)) {
         scene = wrap_mesh(choice.file, options, diagnostics);
     } else if (extension_of(choice.file) == ".toml") {
         scene = load_scene_file(choice.file, options, diagnostics);
@@ -82,6 +84,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
         throw exists.invalid("not a scene: its name must end in .toml, .obj or .ply");
     }
     diagnostics.throw_if_errors();
+    scene.meshes.insert(scene.meshes.end(), choice.meshes.begin(), choice.meshes.end());
     if (choice.smoothing) scene.content_hash = hash_bytes(smoothing_text(*choice.smoothing), scene.content_hash);
     add_environment(scene, choice);
     choose_camera(scene, choice.camera);

@@ -15,6 +15,8 @@ namespace lancer {
 // The choice of a scene on the command line, besides render settings.
 struct SceneChoice {
     std::string file;                      // .toml, .obj or .ply
+    std::optional<std::string> text{};     // what a .toml file would hold: the file itself need not be there
+    std::vector<MeshDescription> meshes{};  // in memory, besides those of the file
     std::string asset_root;                // empty: the folder of the scene
     std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
     std::string camera;                    // the name of one of its cameras; empty: its default

@@ -1,9 +1,9 @@
 #include "app/view/still.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "app/options/settings.h"
+#include "app/whole_film.h"
 #include "core/parallel.h"
 #include "scene/camera.h"
 
@@ -46,18 +46,7 @@ std::unique_ptr<Film> still_of(const Renderer& renderer, const Sight& sight, uin
 {
     auto film = std::make_unique<Film>(film_of(sight, reduction));
     const Camera camera = camera_of(renderer, sight, *film);
-    if (!renderer.plan(camera, film->width, film->height, stop)) return nullptr;
-    const auto tiles = make_tiles(film->crop, samples_per_block);
-    const uint32_t spp = sight.settings.spp;
-    for (uint32_t begin = 0; begin < spp; begin += samples_per_block) {
-        const uint32_t end = std::min(begin + samples_per_block, spp);
-        std::atomic<size_t> done{0};
-        const auto tile_done = [&](const Tile&) {
-            const double of_pass = static_cast<double>(++done) / static_cast<double>(tiles.size());
-            report((begin + of_pass * (end - begin)) / spp);
-        };
-        if (!renderer.pass(camera, *film, tiles, {begin, end}, stop, tile_done).is_complete()) return nullptr;
-    }
+    if (!fill_film(renderer, camera, *film, sight.settings.spp, stop, report)) return nullptr;
     return film;
 }
 
