@@ -13,11 +13,28 @@ foreach(folder BINDIR LIBDIR DATADIR)
 endforeach()
 
 install(TARGETS lancer RUNTIME COMPONENT program)
-foreach(module lancer_oiio lancer_ocio lancer_view)
+foreach(module ${LANCER_MODULES})
   if(TARGET ${module})
     install(TARGETS ${module} LIBRARY DESTINATION ${modules_folder} COMPONENT program)
   endif()
 endforeach()
+
+# The library: for C by pkg-config or find_package(lancer), which gives the target lancer::lancer; for Python.
+if(TARGET lancer_shared)
+  include(CMakePackageConfigHelpers)
+  target_include_directories(lancer_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  install(TARGETS lancer_shared EXPORT lancer LIBRARY COMPONENT library NAMELINK_COMPONENT library)
+  install(EXPORT lancer FILE lancerConfig.cmake NAMESPACE lancer:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lancer
+    COMPONENT library)
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/lancerConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+  file(RELATIVE_PATH prefix_from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  configure_file(cmake/lancer.pc.in ${CMAKE_BINARY_DIR}/lancer.pc @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/lancer.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+  install(FILES ${CMAKE_BINARY_DIR}/lancerConfigVersion.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lancer
+    COMPONENT library)
+  install(FILES src/app/api/lancer.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+  install(FILES python/lancer.py DESTINATION lib/python3/dist-packages COMPONENT library)
+endif()
 
 # Manual pages and completions are written by the program itself: scripts/option-tables.sh, docs/architecture.md.
 install(DIRECTORY share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)

@@ -9,7 +9,7 @@ set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL program scenes doc)
+set(CPACK_COMPONENTS_ALL program library scenes doc)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package_files.cmake)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/package_libraries.cmake)
 
@@ -29,6 +29,14 @@ A plain render needs no recommended library: those are for the window
 (lancer view), for TIFF, WebP and other formats of OpenImageIO, and for views
 of OpenColorIO.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "lancer-scenes, lancer-doc, ffmpeg")
+# What the library is linked with is what the program is linked with.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME lancer-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "lancer (= ${PROJECT_VERSION}-1)")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "python3-numpy")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "library of the path tracer lancer
+Renders scenes, or arrays of triangles, for C programs and for Python, with
+the bits of the program.")
 set(CPACK_DEBIAN_SCENES_PACKAGE_NAME lancer-scenes)
 set(CPACK_DEBIAN_SCENES_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_SCENES_PACKAGE_ENHANCES lancer)
@@ -44,9 +52,7 @@ Scene files, options, methods and measurements, with a gallery.")
 # For package_libraries.cmake, which cpack runs.
 set(CPACK_LANCER_PROGRAM ${CMAKE_BINARY_DIR}/lancer)
 set(CPACK_LANCER_MODULES)
-foreach(module lancer_oiio lancer_ocio lancer_view)
-  if(TARGET ${module})
-    list(APPEND CPACK_LANCER_MODULES ${CMAKE_BINARY_DIR}/${module}.so)
-  endif()
+foreach(module ${LANCER_MODULES})
+  list(APPEND CPACK_LANCER_MODULES ${CMAKE_BINARY_DIR}/${module}.so)
 endforeach()
 include(CPack)

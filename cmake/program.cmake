@@ -17,7 +17,7 @@ if(NOT LANCER_FUZZ)
   add_library(lancer_shared SHARED src/app/api/api.cpp)
   target_link_libraries(lancer_shared PRIVATE lancer_app lancer_warnings)
   set_target_properties(lancer_shared PROPERTIES OUTPUT_NAME lancer VERSION ${PROJECT_VERSION} SOVERSION 1
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} EXPORT_NAME lancer)
   target_link_options(lancer_shared PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/src/app/api/exported.map)
 endif()
 
@@ -56,3 +56,11 @@ if(VIEW_FOUND AND NOT "${LANCER_WITH_VIEW}" STREQUAL "OFF" AND NOT LANCER_FUZZ)
   set_target_properties(lancer_view PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(lancer lancer_view)
 endif()
+
+# Those that are built.
+set(LANCER_MODULES)
+foreach(module lancer_oiio lancer_ocio lancer_decompress lancer_gltf lancer_view)
+  if(TARGET ${module})
+    list(APPEND LANCER_MODULES ${module})
+  endif()
+endforeach()

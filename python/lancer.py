@@ -52,8 +52,8 @@ _PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_double)
 
 def _load():
     here = pathlib.Path(__file__).resolve().parent
-    places = [os.environ.get("LANCER_LIBRARY"), here / "liblancer.so.1",
-              here.parent / "build/release/liblancer.so.1", "liblancer.so.1"]
+    places = [os.environ.get("LANCER_LIBRARY"), here / "liblancer.so.1", here.parent / "build/release/liblancer.so.1",
+              *here.parents[1].glob("liblancer.so.1"), *here.parents[1].glob("*/liblancer.so.1"), "liblancer.so.1"]
     tried = []
     for place in places:
         if not place or (isinstance(place, pathlib.Path) and not place.exists()):

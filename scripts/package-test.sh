@@ -171,7 +171,16 @@ check 'lancer view under Xvfb' shell '
     wait $view
     [[ $(head -c 4 view.png | tail -c 3) == PNG ]]'
 
-check 'purge' apt_in "$root" purge -y lancer lancer-scenes lancer-doc
+apt_in "$root" install -y --no-install-recommends gcc libc6-dev pkg-config python3-numpy
+check 'the library' apt_in "$root" install -y --no-install-recommends "$(deb lancer-dev)"
+check 'a C program' shell '
+    printf "%s\n" "#include <lancer.h>" "#include <stdio.h>" "int main(void) { return puts(lancer_version()) < 0; }" >use.c
+    gcc use.c -o use $(pkg-config --cflags --libs lancer)
+    [[ $(./use) == $(lancer --version | sed -n "1s/lancer //p") ]]'
+check 'Python' shell '
+    python3 -c "import lancer; assert lancer.render(\"/usr/share/lancer/scenes/still_life_textured.toml\", spp=1, size=(16, 9))[\"color\"].shape == (9, 16, 3)"'
+
+check 'purge' apt_in "$root" purge -y lancer lancer-dev lancer-scenes lancer-doc
 check 'nothing is left' shell '
     # man itself keeps pages that were read.
     left=$(find / -xdev -iname "*lancer*" -not -path "/srv/*" -not -path "/tmp/*" -not -path "/var/cache/man/*")

@@ -75,6 +75,7 @@ foreach(file share/doc/lancer/README.md share/doc/lancer/LICENSE share/doc/lance
   expect_file(${file})
 endforeach()
 file(GLOB_RECURSE sources "${tree}/*.cpp" "${tree}/*.h")
+list(FILTER sources EXCLUDE REGEX "/include/lancer\\.h$")
 if(sources)
   message(SEND_ERROR "source files are installed: ${sources}")
 endif()
@@ -84,4 +85,50 @@ foreach(scene ${tomls})
     run(0 ${lancer} check ${scene})
   endif()
 endforeach()
+
+# A C program finds the library by pkg-config and by find_package, and the library its modules; so does Python.
+file(WRITE ${SCRATCH}/work/use.c "#include <lancer.h>
+#include <stdio.h>
+int main(int argc, char** argv)
+{
+    float color[3 * 8 * 6];
+    lancer_layer layer = {\"color\", color, 3 * 8 * 6};
+    lancer_scene* scene = lancer_scene_open(argv[argc - 1]);
+    int code = lancer_scene_define(scene, \"render.size=[8, 6]\");
+    if (code == LANCER_OK) code = lancer_scene_define(scene, \"render.spp=2\");
+    if (code == LANCER_OK) code = lancer_scene_render(scene, &layer, 1, 0, NULL, NULL);
+    printf(\"%s %d %g %s\\n\", lancer_version(), code, color[0], lancer_error());
+    lancer_scene_free(scene);
+    return code;
+}
+")
+file(WRITE ${SCRATCH}/work/CMakeLists.txt "cmake_minimum_required(VERSION 3.23)
+project(use C)
+find_package(lancer REQUIRED)
+add_executable(use use.c)
+target_link_libraries(use lancer::lancer)
+")
+file(GLOB library "${tree}/lib*/*/liblancer.so.1" "${tree}/lib*/liblancer.so.1")
+get_filename_component(libraries "${library}" DIRECTORY)
+set(scene "${scenes}/still_life_textured.toml")
+run(0 ${CMAKE_COMMAND} -S . -B cmake_build -DCMAKE_PREFIX_PATH=${tree})
+run(0 ${CMAKE_COMMAND} --build cmake_build)
+run(0 cmake_build/use "${scene}")
+find_program(PKG_CONFIG pkg-config)
+find_program(CC NAMES cc gcc)
+if(PKG_CONFIG AND CC)
+  run(0 ${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=${libraries}/pkgconfig" ${PKG_CONFIG} --cflags --libs lancer)
+  separate_arguments(flags UNIX_COMMAND "${said}")
+  run(0 ${CC} -std=c99 -Wall -Wextra -pedantic -Werror use.c -o use_of_pkg_config ${flags})
+  run(0 ${CMAKE_COMMAND} -E env "LD_LIBRARY_PATH=${libraries}" ./use_of_pkg_config "${scene}")
+endif()
+execute_process(COMMAND nm -D --defined-only "${library}" OUTPUT_VARIABLE exported)
+if(exported MATCHES "[0-9a-f] [A-Z] ([^l\n][^\n]*)" AND NOT CMAKE_MATCH_1 MATCHES "LANCER_1")
+  message(SEND_ERROR "the library exports ${CMAKE_MATCH_1}")
+endif()
+execute_process(COMMAND python3 -c "import numpy" RESULT_VARIABLE no_numpy ERROR_QUIET)
+if(NOT no_numpy)
+  run(0 ${CMAKE_COMMAND} -E env "PYTHONPATH=${tree}/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1
+    python3 -c "import lancer, sys; print(lancer.render(sys.argv[1], spp=1, size=(8, 6))['color'].mean())" "${scene}")
+endif()
 file(REMOVE_RECURSE ${SCRATCH})
