@@ -42,7 +42,7 @@ set(libjpeg_owner "^io/image/jpeg(_write)?\\.cpp$")
 set(CLI11_include "^CLI(/|11)")
 set(CLI11_owner "^app/options/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
-set(nlohmann-json_owner "^(report/(json_object|stats_json|study/json|study/peer)|io/scene/scene_json)\\.cpp$")
+set(nlohmann-json_owner "^(report/(json_object|stats_json|study/json|study/peer)|io/scene/scene_json|io/gltf/json)\\.cpp$")
 
 set(GLFW_include "^GLFW/|imgui_impl_glfw")
 set(GLFW_owner "^app/view/window_module\\.cpp$")

@@ -81,7 +81,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
         scene = load_scene_file(choice.file, options, diagnostics);
     } else {
         const InputFile exists(choice.file);
-        throw exists.invalid("not a scene: its name must end in .toml, .obj or .ply");
+        throw exists.invalid("not a scene: its name must end in .toml, .obj, .ply, .gltf or .glb");
     }
     diagnostics.throw_if_errors();
     scene.meshes.insert(scene.meshes.end(), choice.meshes.begin(), choice.meshes.end());

@@ -14,19 +14,19 @@ namespace lancer {
 
 // The choice of a scene on the command line, besides render settings.
 struct SceneChoice {
-    std::string file;                      // .toml, .obj or .ply
-    std::optional<std::string> text{};     // what a .toml file would hold: the file itself need not be there
+    std::string file;                       // .toml, or a mesh: .obj, .ply, .gltf, .glb
+    std::optional<std::string> text{};      // what a .toml file would hold: the file itself need not be there
     std::vector<MeshDescription> meshes{};  // in memory, besides those of the file
-    std::string asset_root;                // empty: the folder of the scene
-    std::vector<std::string> definitions;  // KEY=VALUE, see io/scene/definition.h
-    std::string camera;                    // the name of one of its cameras; empty: its default
-    std::optional<Smoothing> smoothing;    // of mesh files of which the scene says nothing
-    std::string env{};                     // bare mesh: picture of the environment in place of a sky and a key light
-    bool ground = true;                    // bare mesh: a ground below it, where that shows
-    std::optional<UpChoice> up{};          // over that of the scene
-    std::optional<ViewDirection> view{};   // likewise, over position and target
-    std::optional<uint32_t> frame{};       // of its animation or turntable; none: the first
-    uint32_t turntable = 0;                // frames of a whole turn of the camera; 0: it stands still
+    std::string asset_root;                 // empty: the folder of the scene
+    std::vector<std::string> definitions;   // KEY=VALUE, see io/scene/definition.h
+    std::string camera;                     // the name of one of its cameras; empty: its default
+    std::optional<Smoothing> smoothing;     // of mesh files of which the scene says nothing
+    std::string env{};                      // bare mesh: picture of the environment in place of a sky and a key light
+    bool ground = true;                     // bare mesh: a ground below it, where that shows
+    std::optional<UpChoice> up{};           // over that of the scene
+    std::optional<ViewDirection> view{};    // likewise, over position and target
+    std::optional<uint32_t> frame{};        // of its animation or turntable; none: the first
+    uint32_t turntable = 0;                 // frames of a whole turn of the camera; 0: it stands still
 };
 
 struct FrameCache;

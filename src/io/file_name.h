@@ -23,11 +23,17 @@ inline std::string mesh_extension_of(const std::string& path)
     return extension_of(std::filesystem::path(path).stem());
 }
 
+inline bool is_gltf(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == ".gltf" || extension == ".glb";
+}
+
 // Whether it is a bare mesh, not a scene file.
 inline bool is_mesh(const std::string& path)
 {
     const std::string extension = mesh_extension_of(path);
-    return extension == ".obj" || extension == ".ply";
+    return extension == ".obj" || extension == ".ply" || is_gltf(path);
 }
 
 // "a" of "b/a.toml" and of "b/a.ply.gz": what is made of a scene is named so.

@@ -1,4 +1,5 @@
-// A file to read a picture from: opened once, of known size, never a folder or a pipe that would block.
+// A file to read a picture from: opened once, of known size, never a folder or a pipe that would block. A name of a
+// part of a file (io/file_part.h) opens that part.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +28,8 @@ public:
     uint64_t tell();
     uint64_t size() const { return size_; }
     const std::string& path() const { return path_; }
+    // Under which a library may open it as well, while this is open.
+    const std::string& real_path() const { return real_path_; }
 
     // "path: error: message", to be thrown.
     Error invalid(const std::string& message) const { return {ErrorKind::invalid_input, {path_}, message}; }
@@ -35,7 +38,7 @@ private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    std::string path_;
+    std::string path_, real_path_;
     uint64_t size_ = 0;
     std::unique_ptr<std::FILE, Close> file_;
 };

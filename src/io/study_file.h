@@ -13,7 +13,7 @@ namespace lancer {
 
 struct StudyPlan {
     struct Scene {
-        std::string name, description, file;  // file: .toml, .obj or .ply
+        std::string name, description, file;  // file: .toml, or a mesh
         std::vector<std::string> options;     // of lancer render
         uint32_t reference_spp = 4096;        // of each half of the reference
     };

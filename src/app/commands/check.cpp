@@ -48,7 +48,7 @@ private:
         const RenderSettings settings = resolve_settings({}, description.render);
         const unsigned threads = options_.threads.value_or(available_threads());
         for (const std::string& file : mesh_files(description))
-            if (mesh_extension_of(file) != ".ply") check_obj_text(file, notes_);
+            if (mesh_extension_of(file) != ".ply" && !is_gltf(file)) check_obj_text(file, notes_);
         check_description(description, problems_, notes_);
         with_threads(threads, [&] {
             PictureMemory memory = memory_for(options_.memory, threads);

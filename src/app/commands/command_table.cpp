@@ -13,7 +13,7 @@ namespace lancer {
 namespace {
 
 constexpr std::array<Command, 15> command_table{{
-    {"render", "SCENE [-o FILE]...", "render a scene (.toml) or a mesh (.obj, .ply) into pictures", run_render},
+    {"render", "SCENE [-o FILE]...", "render a scene (.toml) or a mesh (.obj, .ply, .gltf, .glb) into pictures", run_render},
     {"film", "SCENE -o FRAME.####.exr", "render the frames of an animation or a turntable", run_film},
     {"view", "SCENE", "show a scene in a window and move camera and lights by hand", run_view},
     {"check", "SCENE", "print every problem of a scene and its files; nothing is rendered", run_check},

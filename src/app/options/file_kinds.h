@@ -5,14 +5,14 @@
 
 namespace lancer::files {
 
-inline constexpr std::string_view scenes = ".toml .obj .ply";
+inline constexpr std::string_view scenes = ".toml .obj .ply .gltf .glb .gz .xz .zst";
 inline constexpr std::string_view written_pictures = ".exr .png .ppm .jpg .jpeg .hdr";
 inline constexpr std::string_view written_frames = ".exr .png .ppm .jpg .jpeg .hdr .mp4";
 inline constexpr std::string_view merged = ".exr .png .ppm .jpg .jpeg .hdr .lancer";
 inline constexpr std::string_view read_pictures =
     ".exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm";
 inline constexpr std::string_view scenes_and_pictures =
-    ".toml .obj .ply .exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm";
+    ".toml .obj .ply .gltf .glb .exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm";
 inline constexpr std::string_view exr = ".exr";
 inline constexpr std::string_view png = ".png";
 inline constexpr std::string_view toml = ".toml";

@@ -76,7 +76,8 @@ std::optional<SlurmOptions> parse_slurm(int argc, char** argv)
         "Print a job script that renders a scene in shards on a Slurm cluster and merges them: docs/farm.md.",
         "Exit codes: 0 done; 2 wrong usage.\n\n"
         "Example:\n  lancer slurm scene.toml --shards 16 -o picture.exr --render='-s 4096' > job.sh\n  sh job.sh\n");
-    p.argument("SCENE", "Scene file (.toml) or mesh (.obj, .ply)", [&](const std::string& t) { o.scene = t; });
+    p.argument("SCENE", "Scene file (.toml) or mesh (.obj, .ply, .gltf, .glb)",
+               [&](const std::string& t) { o.scene = t; });
     p.takes_files(files::scenes);
     p.value("-o,--output", "FILE", "Picture, .exr, .png, .ppm, .jpg or .hdr (NAME.exr in this folder)",
             [&](const std::string& t) { o.output = to_output(t, {}); });
@@ -120,7 +121,7 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
                    "Exit codes: 0 done; 2 wrong usage; 65 scene, asset or picture invalid; 66 input missing; "
                    "71 the\npictures need more than --memory.\n\n"
                    "Examples:\n  lancer info scene.toml\n  lancer info scene.toml --plan\n  lancer info picture.exr\n");
-    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj, .ply) or picture (.exr, .png, ...)",
+    add_scene_options(p, o.scene, "Scene file (.toml), mesh (.obj, .ply, .gltf, .glb) or picture (.exr, .png, ...)",
                       files::scenes_and_pictures);
     add_threads(p, o.threads);
     add_memory(p, o.memory);
@@ -140,7 +141,7 @@ std::optional<InfoOptions> parse_info(int argc, char** argv)
         for (const std::string& name : p.given())
             if (name != "--threads" && name != "--memory" && name != "--json")
                 fail_usage(name + ": is for scenes, and " + in_quotes(o.scene.file) +
-                           " does not end in .toml, .obj or .ply");
+                           " does not end in .toml, .obj, .ply, .gltf or .glb");
     take_environment(o.threads);
     return o;
 }

@@ -17,9 +17,10 @@ inline constexpr const char* exit_codes_help =
 inline constexpr const char* interrupted_help = "130 interrupted.\n";
 
 // help: of the argument that names the scene; endings: of the files that it may be.
-void add_scene_options(OptionParser& p, SceneChoice& o,
-                       const char* help = "Scene file (.toml) or mesh (.obj, .ply: camera and light are added)",
-                       std::string_view endings = files::scenes);
+void add_scene_options(
+    OptionParser& p, SceneChoice& o,
+    const char* help = "Scene file (.toml) or mesh (.obj, .ply, .gltf, .glb: camera and light are added)",
+    std::string_view endings = files::scenes);
 // One option for each row of render_options(), and the scene, and how it runs.
 void add_picture_options(OptionParser& p, PictureOptions& o);
 

@@ -69,7 +69,7 @@ const OiioModule& module()
 OpenPicture open(const InputFile& file, const std::string& format)
 {
     OpenPicture result;
-    result.picture = {module().open(file.path().c_str(), format.c_str(), &result.info), module().close};
+    result.picture = {module().open(file.real_path().c_str(), format.c_str(), &result.info), module().close};
     if (!result.picture) throw broken(file, format, result.info);
     return result;
 }

@@ -10,6 +10,7 @@
 #include "core/hash.h"
 #include "core/names.h"
 #include "io/file_name.h"
+#include "io/gltf/gltf.h"
 #include "io/input_text.h"
 #include "io/scene/animation.h"
 #include "io/scene/definition.h"
@@ -67,11 +68,14 @@ void define_all(TomlValue& root, const std::vector<std::string>& definitions, To
     }
 }
 
-// Of a scene file that holds nothing but a [[mesh]].
-TomlValue tree_of_mesh(const std::string& name)
+// Of a scene file that holds nothing but a [[mesh]]; with views also the cameras and lights of a glTF file.
+TomlValue tree_of_mesh(const std::string& path, bool with_views, Diagnostics& diagnostics)
 {
-    const TomlValue::Table mesh{{.key = "file", .value = {.data = name}}};
-    return {.data = TomlValue::Table{{.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}}}};
+    TomlValue::Table root;
+    if (with_views && is_gltf(path)) root = gltf_tables(path, diagnostics);
+    const TomlValue::Table mesh{{.key = "file", .value = {.data = std::filesystem::path(path).filename().string()}}};
+    root.push_back({.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}});
+    return {.data = std::move(root)};
 }
 
 // Puts the values of a frame over the file's, but for those that a definition gives: it comes before the film.
@@ -156,16 +160,31 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
 }
 
 // As it stands, with the definitions put over it.
-TomlValue defined_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
-                       TomlProblems& problems)
+TomlValue defined_tree(const std::string& path, bool with_views, const std::vector<std::string>& definitions,
+                       Diagnostics& diagnostics, TomlProblems& problems)
 {
     TomlValue root{.data = TomlValue::Table{}};
     if (is_mesh(path)) {
-        root = tree_of_mesh(std::filesystem::path(path).filename().string());
+        root = tree_of_mesh(path, with_views, diagnostics);
     } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
         root = std::move(*read);
     }
     define_all(root, definitions, problems);
+    return root;
+}
+
+// Of a frame in place of an [animation].
+TomlValue tree_of_frame(const std::string& path, bool with_views, const std::vector<std::string>& definitions,
+                        Diagnostics& diagnostics, std::optional<double> frame)
+{
+    TomlProblems problems = problems_of(path, definitions);
+    TomlValue root = defined_tree(path, with_views, definitions, diagnostics, problems);
+    if (const std::optional<Animation> animation = Animation::read(root, problems)) {
+        put_frame(root, animation->values_at(frame_of(animation, frame)), definitions, problems);
+        auto& tables = std::get<TomlValue::Table>(root.data);
+        std::erase_if(tables, [](const TomlEntry& e) { return e.key == "animation"; });
+    }
+    problems.report(diagnostics);
     return root;
 }
 
@@ -193,9 +212,8 @@ SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& opti
     SceneDescription scene;
     scene.file = path;
     AssetFolder assets(path, options.asset_root);
-    const std::string name = std::filesystem::path(path).filename().string();
-    assets.admit(name);
-    read_tree(tree_of_mesh(name), assets, options, scene, diagnostics);
+    assets.admit(std::filesystem::path(path).filename().string());
+    read_tree(tree_of_mesh(path, true, diagnostics), assets, options, scene, diagnostics);
     return scene;
 }
 
@@ -203,7 +221,7 @@ std::optional<AnimationDescription> read_animation(const std::string& path, cons
                                                    Diagnostics& diagnostics)
 {
     TomlProblems problems = problems_of(path, definitions);
-    const TomlValue root = defined_tree(path, definitions, diagnostics, problems);
+    const TomlValue root = defined_tree(path, false, definitions, diagnostics, problems);
     const std::optional<Animation> animation = Animation::read(root, problems);
     problems.report(diagnostics);
     if (!animation) return {};
@@ -213,21 +231,13 @@ std::optional<AnimationDescription> read_animation(const std::string& path, cons
 TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
                      std::optional<double> frame)
 {
-    TomlProblems problems = problems_of(path, definitions);
-    TomlValue root = defined_tree(path, definitions, diagnostics, problems);
-    if (const std::optional<Animation> animation = Animation::read(root, problems)) {
-        put_frame(root, animation->values_at(frame_of(animation, frame)), definitions, problems);
-        auto& tables = std::get<TomlValue::Table>(root.data);
-        std::erase_if(tables, [](const TomlEntry& e) { return e.key == "animation"; });
-    }
-    problems.report(diagnostics);
-    return root;
+    return tree_of_frame(path, true, definitions, diagnostics, frame);
 }
 
 OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
                               Diagnostics& diagnostics, std::optional<double> frame)
 {
-    const TomlValue root = scene_tree(path, definitions, diagnostics, frame);
+    const TomlValue root = tree_of_frame(path, false, definitions, diagnostics, frame);
     TomlProblems problems = problems_of(path, definitions);
     const std::optional<TomlTable> table = TomlTable(root, "", problems).table("output");
     const OutputDescription output = table ? read_output_table(*table) : OutputDescription{};

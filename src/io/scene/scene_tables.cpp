@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "io/file_name.h"
 #include "io/scene/background_tables.h"
 #include "io/scene/camera_tables.h"
 #include "io/scene/light_tables.h"
@@ -86,13 +87,15 @@ void SceneReader::read_mesh(const TomlTable& table)
         }
     }
     mesh.material = read_material_use(table, material_uses_);
-    mesh.vertex_colors =
-        static_cast<VertexColors>(table.choice("vertex_colors", {"srgb", "linear", "none"}, 0).value_or(0));
+    const auto colors = table.choice("vertex_colors", {"srgb", "linear", "none"}, 0);
     mesh.transform = read_transform(table);
     scene_.meshes.push_back(std::move(mesh));
 
     MeshFile& mesh_file = mesh_files_.emplace_back();
     const std::optional<std::string> name = table.require("file") ? table.text("file") : std::nullopt;
+    const VertexColors usual = name && is_gltf(*name) ? VertexColors::linear : VertexColors::srgb;
+    scene_.meshes.back().vertex_colors =
+        table.has("vertex_colors") ? static_cast<VertexColors>(colors.value_or(0)) : usual;
     if (!name) return;
     const AssetFolder::Found found = assets_.find(*name);
     if (found.problem.empty()) {

@@ -1,0 +1,109 @@
+#include "io/gltf/gltf.h"
+
+#include "core/hash.h"
+#include "io/gltf/mesh.h"
+#include "io/gltf/nodes.h"
+
+namespace lancer {
+namespace {
+
+// Adds "file: error: reason" or "file:line: error: reason" as its parts.
+void add_error(const Error& e, const std::string& file, Diagnostics& diagnostics)
+{
+    constexpr std::string_view mark = ": error: ";
+    const std::string text = e.what();
+    const size_t at = text.starts_with(file) ? text.find(mark, file.size()) : std::string::npos;
+    if (at == std::string::npos) return diagnostics.error({file, 0, 0}, text, e.kind());
+    const std::string line = text.substr(file.size(), at - file.size());
+    diagnostics.error({file, line.size() > 1 ? static_cast<uint32_t>(std::stoul(line.substr(1))) : 0, 0},
+                      text.substr(at + mark.size()), e.kind());
+}
+
+class GltfLoader {
+public:
+    GltfLoader(const std::string& path, const MeshOptions& options)
+        : options_(options), doc_(path), buffers_(doc_, options.assets), primitives_(doc_, buffers_, options.uvs)
+    {
+    }
+
+    std::shared_ptr<const MeshData> load()
+    {
+        if (!doc_.list("animations").empty())
+            doc_.warn(*doc_.root().member("animations"), "animations are not used: all is where its nodes place it");
+        open_meshes();
+        request_pictures();
+        auto mesh = std::make_shared<MeshData>();
+        mesh->file = doc_.path();
+        GltfMeshBuilder builder(doc_, *mesh);
+        size_t vertices = 0, triangles = 0;
+        for (const Placed& p : placed_)
+            for (const GltfPrimitive& primitive : *p.primitives)
+                vertices += primitive.positions.count, triangles += primitive.triangles();
+        builder.reserve(vertices, triangles);
+        for (const Placed& p : placed_) builder.add(*p.primitives, p.to_world);
+        builder.finish(options_.smoothing);
+        mesh->material_files = buffers_.files();
+        mesh->content_hash = buffers_.files().empty()
+                                 ? doc_.content().hash()
+                                 : hash_bytes(std::to_string(buffers_.hash()), doc_.content().hash());
+        if (mesh->triangles.empty()) doc_.fail(doc_.root(), "the default scene has no triangle with an area");
+        return mesh;
+    }
+    void tell(Diagnostics& diagnostics) const { doc_.warnings().tell(doc_.path(), diagnostics); }
+
+private:
+    struct Placed {
+        const std::vector<GltfPrimitive>* primitives;
+        Transform to_world;
+    };
+
+    void open_meshes()
+    {
+        for (const GltfPlaced& p : read_gltf_nodes(doc_).meshes) {
+            if (p.node && p.node->member("skin"))
+                doc_.warn(*p.node, "skins are not used: the mesh has the shape in which it is stored");
+            if (p.to_world.determinant() == 0) {
+                doc_.warn(*p.node, "a node that scales its mesh to nothing is left out");
+                continue;
+            }
+            const auto [entry, is_new] = meshes_.try_emplace(p.what);
+            if (is_new) entry->second = primitives_.open(*p.what);
+            placed_.push_back({&entry->second, p.to_world});
+        }
+    }
+
+    // Pictures are read in the background.
+    void request_pictures() const
+    {
+        if (!options_.pictures) return;
+        for (const auto& [number, material] : primitives_.materials())
+            for (const TextureUse* use : textures_of(material.description))
+                if (*use) options_.pictures((*use)->file);
+    }
+
+    const MeshOptions& options_;
+    GltfDocument doc_;
+    GltfBuffers buffers_;
+    GltfPrimitives primitives_;
+    std::map<const JsonValue*, std::vector<GltfPrimitive>> meshes_;
+    std::vector<Placed> placed_;
+};
+
+}  // namespace
+
+std::shared_ptr<const MeshData> load_gltf(const std::string& path, Diagnostics& diagnostics, const MeshOptions& options)
+{
+    std::optional<GltfLoader> loader;
+    try {
+        loader.emplace(path, options);
+        auto mesh = loader->load();
+        loader->tell(diagnostics);
+        return mesh;
+    } catch (const Error& e) {
+        if (loader) loader->tell(diagnostics);
+        add_error(e, path, diagnostics);
+        return nullptr;
+    }
+}
+
+}  // namespace lancer
