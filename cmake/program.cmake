@@ -49,6 +49,13 @@ if(DECOMPRESS_FOUND AND NOT "${LANCER_WITH_DECOMPRESS}" STREQUAL "OFF")
   set_target_properties(lancer_decompress PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(lancer lancer_decompress)
 endif()
+# So do the decoders of compressed glTF files.
+if(GLTF_COMPRESSION_FOUND AND NOT "${LANCER_WITH_GLTF_COMPRESSION}" STREQUAL "OFF")
+  add_library(lancer_gltf MODULE src/io/gltf/gltf_module.cpp)
+  target_link_libraries(lancer_gltf PRIVATE lancer_flags lancer_arch lancer_warnings meshoptimizer PkgConfig::DRACO)
+  set_target_properties(lancer_gltf PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_dependencies(lancer lancer_gltf)
+endif()
 # And so does the window: no other command needs a display library.
 if(VIEW_FOUND AND NOT "${LANCER_WITH_VIEW}" STREQUAL "OFF" AND NOT LANCER_FUZZ)
   add_library(lancer_view MODULE src/app/view/window_module.cpp)

@@ -21,6 +21,7 @@ packages=(
     libopencolorio-dev                                      # their colours
     zlib1g-dev liblzma-dev libzstd-dev                      # compressed meshes
     libcli11-dev nlohmann-json3-dev                         # command line, reports
+    libmeshoptimizer-dev libdraco-dev                       # compressed glTF files
     libglfw3-dev libimgui-dev libgl-dev                     # the window
     libgtest-dev libgmock-dev                               # tests
 )

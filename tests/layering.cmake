@@ -20,7 +20,7 @@ set(app_sees core geometry materials scene integrators render report io)
 
 # Library: what its includes look like, and the files that may contain them.
 set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json GLFW ImGui
-    OpenGL zlib liblzma libzstd)
+    OpenGL meshoptimizer Draco zlib liblzma libzstd)
 set(embree_include "^(embree[0-9]*/|rtcore)")
 set(embree_owner "^geometry/embree/[a-z_]+\\.(h|cpp)$")
 set(tbb_include "^(oneapi/)?tbb(/|\\.h)")
@@ -44,6 +44,10 @@ set(CLI11_owner "^app/options/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
 set(nlohmann-json_owner "^(report/(json_object|stats_json|study/json|study/peer)|io/scene/scene_json|io/gltf/json)\\.cpp$")
 
+set(meshoptimizer_include "^meshoptimizer")
+set(meshoptimizer_owner "^io/gltf/gltf_module\\.cpp$")
+set(Draco_include "^draco/")
+set(Draco_owner "^io/gltf/gltf_module\\.cpp$")
 set(GLFW_include "^GLFW/|imgui_impl_glfw")
 set(GLFW_owner "^app/view/window_module\\.cpp$")
 set(ImGui_include "imgui")

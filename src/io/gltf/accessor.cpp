@@ -5,12 +5,9 @@ namespace {
 
 class AccessorReader {
 public:
-    AccessorReader(const JsonValue& json, GltfDocument& doc, GltfBuffers& buffers)
-        : json_(json), doc_(doc), buffers_(buffers)
-    {
-    }
+    AccessorReader(const JsonValue& json, GltfDocument& doc) : json_(json), doc_(doc) {}
 
-    GltfAccessor read()
+    GltfAccessor read_without_data()
     {
         a_.json = &json_;
         const std::optional<uint64_t> count = doc_.whole(json_, "count");
@@ -23,11 +20,16 @@ public:
         a_.type = component_type(json_);
         a_.normalized = doc_.flag(json_, "normalized");
         a_.stride = a_.element_size();
+        return a_;
+    }
+    GltfAccessor read(GltfBuffers& buffers)
+    {
+        read_without_data();
         if (const JsonValue* view = doc_.refer(json_, "bufferView", "bufferViews"))
-            take_data(*view);
+            take_data(*view, buffers);
         else
-            check_room();
-        if (const JsonValue* sparse = doc_.object(json_, "sparse")) take_sparse(*sparse);
+            check_room(buffers);
+        if (const JsonValue* sparse = doc_.object(json_, "sparse")) take_sparse(*sparse, buffers);
         return a_;
     }
 
@@ -40,9 +42,9 @@ private:
         return static_cast<GltfComponent>(type);
     }
 
-    void take_data(const JsonValue& json_view)
+    void take_data(const JsonValue& json_view, GltfBuffers& buffers)
     {
-        const GltfBuffers::View view = buffers_.view(json_view);
+        const GltfBuffers::View view = buffers.view(json_view);
         const uint64_t offset = doc_.whole(json_, "byteOffset").value_or(0);
         if (view.stride) {
             if (*view.stride < a_.element_size())
@@ -66,14 +68,14 @@ private:
     }
 
     // Without data all are zero. No memory is taken for more than a file of this size can be meant to have.
-    void check_room() const
+    void check_room(const GltfBuffers& buffers) const
     {
-        if (a_.count > buffers_.size() + doc_.content().bytes().size())
+        if (a_.count > buffers.size() + doc_.content().bytes().size())
             doc_.fail(json_,
                       std::to_string(a_.count) + " elements without a buffer view are more than the file can mean");
     }
 
-    void take_sparse(const JsonValue& sparse)
+    void take_sparse(const JsonValue& sparse, GltfBuffers& buffers)
     {
         const std::optional<uint64_t> count = doc_.whole(sparse, "count");
         const JsonValue* const indices = doc_.object(sparse, "indices");
@@ -85,23 +87,22 @@ private:
         if (a_.sparse.index_type != GltfComponent::uint8 && a_.sparse.index_type != GltfComponent::uint16 &&
             a_.sparse.index_type != GltfComponent::uint32)
             doc_.fail(*indices, "'componentType' of indices is none of 5121, 5123 and 5125");
-        a_.sparse.indices = part_of_sparse(*indices, size_of(a_.sparse.index_type));
-        a_.sparse.values = part_of_sparse(*values, a_.element_size());
+        a_.sparse.indices = part_of_sparse(*indices, size_of(a_.sparse.index_type), buffers);
+        a_.sparse.values = part_of_sparse(*values, a_.element_size(), buffers);
         for (size_t i = 0; i < a_.sparse.count; ++i)
             if (index_at(a_.sparse.indices, a_.sparse.index_type, i) >= a_.count)
                 doc_.fail(*indices, "index " + std::to_string(i) + " is not less than the 'count' of the accessor");
     }
-    const char* part_of_sparse(const JsonValue& part, size_t size) const
+    const char* part_of_sparse(const JsonValue& part, size_t size, GltfBuffers& buffers) const
     {
         const JsonValue* const view = doc_.refer(part, "bufferView", "bufferViews");
         if (!view) doc_.fail(part, "there is no 'bufferView'");
-        return data_in(buffers_.view(*view).bytes, doc_.whole(part, "byteOffset").value_or(0), a_.sparse.count, size,
+        return data_in(buffers.view(*view).bytes, doc_.whole(part, "byteOffset").value_or(0), a_.sparse.count, size,
                        size, part);
     }
 
     const JsonValue& json_;
     GltfDocument& doc_;
-    GltfBuffers& buffers_;
     GltfAccessor a_;
 };
 
@@ -118,7 +119,12 @@ std::optional<size_t> components_of(std::string_view type)
 
 GltfAccessor open_accessor(const JsonValue& accessor, GltfDocument& document, GltfBuffers& buffers)
 {
-    return AccessorReader(accessor, document, buffers).read();
+    return AccessorReader(accessor, document).read(buffers);
+}
+
+GltfAccessor accessor_without_data(const JsonValue& accessor, GltfDocument& document)
+{
+    return AccessorReader(accessor, document).read_without_data();
 }
 
 size_t index_at(const char* data, GltfComponent type, size_t i)

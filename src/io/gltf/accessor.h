@@ -43,6 +43,8 @@ struct GltfAccessor {
 
 // Of an element of 'accessors'. Throws Error if what it says is wrong or not within its buffer.
 GltfAccessor open_accessor(const JsonValue& accessor, GltfDocument& document, GltfBuffers& buffers);
+// What it says of its numbers; where they stand is another's to say.
+GltfAccessor accessor_without_data(const JsonValue& accessor, GltfDocument& document);
 // "VEC3" has 3; nothing for an unknown type.
 std::optional<size_t> components_of(std::string_view type);
 

@@ -5,6 +5,7 @@
 #include "core/hash.h"
 #include "core/names.h"
 #include "io/base64.h"
+#include "io/gltf/compressed.h"
 
 namespace lancer {
 namespace {
@@ -106,17 +107,27 @@ const GltfBuffers::Buffer& GltfBuffers::buffer(const JsonValue& element)
     return b;
 }
 
-GltfBuffers::View GltfBuffers::view(const JsonValue& v)
+std::string_view GltfBuffers::bytes_of(const JsonValue& of)
 {
-    const JsonValue* const element = doc_.refer(v, "buffer", "buffers");
-    const std::optional<uint64_t> length = doc_.whole(v, "byteLength");
-    if (!element || !length) doc_.fail(v, "there is no 'buffer' or no 'byteLength'");
-    const uint64_t offset = doc_.whole(v, "byteOffset").value_or(0);
+    const JsonValue* const element = doc_.refer(of, "buffer", "buffers");
+    const std::optional<uint64_t> length = doc_.whole(of, "byteLength");
+    if (!element || !length) doc_.fail(of, "there is no 'buffer' or no 'byteLength'");
+    const uint64_t offset = doc_.whole(of, "byteOffset").value_or(0);
     const Buffer& b = buffer(*element);
     if (offset > b.bytes.size() || *length > b.bytes.size() - offset)
-        doc_.fail(v, std::to_string(*length) + " bytes from byte " + std::to_string(offset) +
-                         " on are not within the buffer, which has " + std::to_string(b.bytes.size()));
-    return {b.bytes.substr(static_cast<size_t>(offset), static_cast<size_t>(*length)), doc_.whole(v, "byteStride")};
+        doc_.fail(of, std::to_string(*length) + " bytes from byte " + std::to_string(offset) +
+                          " on are not within the buffer, which has " + std::to_string(b.bytes.size()));
+    return b.bytes.substr(static_cast<size_t>(offset), static_cast<size_t>(*length));
+}
+
+GltfBuffers::View GltfBuffers::view(const JsonValue& v)
+{
+    const std::optional<uint64_t> stride = doc_.whole(v, "byteStride");
+    const JsonValue* const compressed = doc_.extension(v, "EXT_meshopt_compression");
+    if (!compressed) return {bytes_of(v), stride};
+    const auto [entry, is_new] = decoded_views_.try_emplace(doc_.number_of(v, "bufferViews"));
+    if (is_new) entry->second = decode_meshopt(*compressed, bytes_of(*compressed), doc_);
+    return {{entry->second.data(), entry->second.size()}, stride};
 }
 
 std::optional<FilePart> GltfBuffers::part_of_uri(const std::string& uri, const std::string& label)
@@ -135,7 +146,7 @@ std::optional<FilePart> GltfBuffers::part_of_uri(const std::string& uri, const s
 
 std::optional<FilePart> GltfBuffers::part_of(const JsonValue& v, const std::string& label)
 {
-    const std::string_view bytes = view(v).bytes;
+    const std::string_view bytes = bytes_of(v);
     const Buffer& b = buffer(*doc_.refer(v, "buffer", "buffers"));
     const auto offset = static_cast<uint64_t>(bytes.data() - b.bytes.data());
     if (!b.file.empty()) return FilePart{b.file, label, b.begin + offset, bytes.size()};
@@ -148,6 +159,7 @@ uint64_t GltfBuffers::size() const
 {
     uint64_t sum = doc_.content().bytes().size();
     for (const auto& [number, b] : buffers_) sum += b.bytes.size();
+    for (const auto& [number, bytes] : decoded_views_) sum += bytes.size();
     return sum;
 }
 

@@ -36,7 +36,7 @@ public:
     // Read besides the glTF file, in the order in which they were needed, and the hash of their bytes.
     const std::vector<std::string>& files() const { return files_; }
     uint64_t hash() const { return hash_; }
-    // Of all buffers that were read.
+    // Of all buffers that were read, and of what was compressed in them.
     uint64_t size() const;
 
 private:
@@ -49,11 +49,14 @@ private:
         const std::string* uri = nullptr;
     };
     const Buffer& buffer(const JsonValue& element);
+    // `of` says which, a view or what stands in its place.
+    std::string_view bytes_of(const JsonValue& of);
     Buffer read(const JsonValue& element);
 
     GltfDocument& doc_;
     FileFinder finder_;
     std::map<size_t, Buffer> buffers_;
+    std::map<size_t, std::vector<char>> decoded_views_;  // that were compressed
     std::vector<std::string> files_;
     uint64_t hash_ = 0;
 };

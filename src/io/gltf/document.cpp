@@ -22,7 +22,8 @@ uint32_t little_endian_at(std::string_view bytes, size_t at)
 
 // Of which something is made, or which change nothing here: textures in formats beside those of the core, metadata, and
 // compression that other members of the file stand for.
-constexpr std::string_view known_extensions[] = {"KHR_lights_punctual",
+constexpr std::string_view known_extensions[] = {"KHR_draco_mesh_compression",
+                                                 "KHR_lights_punctual",
                                                  "KHR_materials_clearcoat",
                                                  "KHR_materials_emissive_strength",
                                                  "KHR_materials_ior",
@@ -34,6 +35,7 @@ constexpr std::string_view known_extensions[] = {"KHR_lights_punctual",
                                                  "KHR_materials_volume",
                                                  "KHR_mesh_quantization",
                                                  "KHR_texture_transform",
+                                                 "EXT_meshopt_compression",
                                                  "EXT_texture_webp",
                                                  "KHR_xmp",
                                                  "KHR_xmp_json_ld"};
@@ -58,7 +60,8 @@ GltfDocument::GltfDocument(const std::string& path, Extent extent) : path_(path)
     if (extent == Extent::whole || !read_json_of_binary()) read_whole();
     if (!std::holds_alternative<JsonValue::Object>(root_.data)) fail_file("not a glTF file: its JSON is no object");
     check_version();
-    check_extensions();
+    check_required();
+    if (extent == Extent::whole) warn_of_extensions();
 }
 
 void GltfDocument::read_whole()
@@ -142,13 +145,17 @@ void GltfDocument::check_version()
     if (!text(*asset, "version")) fail(*asset, "there is no 'version'");
 }
 
-void GltfDocument::check_extensions()
+void GltfDocument::check_required() const
 {
     if (const JsonValue::Array* required = array(root_, "extensionsRequired"))
         for (const JsonValue& name : *required)
             if (const auto* text = std::get_if<std::string>(&name.data); !text || !is_known(*text))
                 fail(name, "the file requires an extension that is not read: " +
                                (text ? in_quotes(*text) : std::string(type_name(name))));
+}
+
+void GltfDocument::warn_of_extensions()
+{
     if (const JsonValue::Array* used = array(root_, "extensionsUsed"))
         for (const JsonValue& name : *used)
             if (const auto* text = std::get_if<std::string>(&name.data); text && !is_known(*text))

@@ -19,7 +19,11 @@ class GltfDocument {
 public:
     // Throws Error: missing_input if there is no such file; invalid_input for what is no glTF 2.0, or requires an
     // extension that is not known.
-    enum class Extent { whole, json };  // the JSON alone: of a GLB nothing else is read
+    enum class Extent {
+        whole,
+        json
+    };  // the JSON alone: of a GLB nothing else is read, and what is
+        // not known is not told
     explicit GltfDocument(const std::string& path, Extent extent = Extent::whole);
 
     const std::string& path() const { return path_; }
@@ -70,7 +74,8 @@ private:
     bool read_json_of_binary();
     void read_text(std::string_view text, bool is_whole_file);
     void check_version();
-    void check_extensions();
+    void check_required() const;
+    void warn_of_extensions();
     [[noreturn]] double fail_size(const JsonValue& of, std::string_view key, size_t n) const;
     [[noreturn]] void fail_file(const std::string& what) const;
 

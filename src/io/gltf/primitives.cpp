@@ -1,5 +1,7 @@
 #include "io/gltf/primitives.h"
 
+#include "io/gltf/compressed.h"
+
 namespace lancer {
 namespace {
 
@@ -25,13 +27,14 @@ std::vector<GltfPrimitive> GltfPrimitives::open(const JsonValue& mesh)
 }
 
 std::optional<GltfAccessor> GltfPrimitives::attribute(GltfPrimitive& p, const JsonValue& attributes,
-                                                      const std::string& name, size_t slot)
+                                                      const std::string& name, size_t slot, const DracoPrimitive* draco)
 {
     p.key[slot] = no_accessor;
     const JsonValue* const json = doc_.refer(attributes, name, "accessors");
     if (!json) return {};
     p.key[slot] = doc_.number_of(*json, "accessors");
-    const GltfAccessor a = open_accessor(*json, doc_, buffers_);
+    const GltfAccessor a =
+        draco && draco->has(name) ? draco->attribute(name, *json) : open_accessor(*json, doc_, buffers_);
     check_shape(a, name, doc_);
     if (slot > 0 && a.count != p.positions.count)
         doc_.fail(*p.json, name + " has " + std::to_string(a.count) + " elements, and POSITION " +
@@ -61,26 +64,31 @@ std::optional<GltfPrimitive> GltfPrimitives::open_one(const JsonValue& primitive
     p.mode = static_cast<GltfPrimitive::Mode>(mode);
     const JsonValue* const attributes = doc_.object(primitive, "attributes");
     if (!attributes) doc_.fail(primitive, "there are no 'attributes'");
-    std::optional<GltfAccessor> positions = attribute(p, *attributes, "POSITION", 0);
+    std::optional<DracoPrimitive> compressed;
+    if (const JsonValue* e = doc_.extension(primitive, "KHR_draco_mesh_compression"))
+        compressed.emplace(*e, doc_, buffers_);
+    const DracoPrimitive* const draco = compressed ? &*compressed : nullptr;
+    std::optional<GltfAccessor> positions = attribute(p, *attributes, "POSITION", 0, draco);
     if (!positions) {
         doc_.warn(primitive, "a primitive without POSITION is left out");
         return {};
     }
     p.positions = std::move(*positions);
     choose_material(p);
-    p.normals = attribute(p, *attributes, "NORMAL", 1);
+    p.normals = attribute(p, *attributes, "NORMAL", 1, draco);
     const bool reads = reads_textures(p.material->description);
     p.key[2] = no_accessor;
     if (reads || keeps_uvs_) {
         const uint64_t set = p.material->uv_set;
-        p.uvs = attribute(p, *attributes, "TEXCOORD_" + std::to_string(set), 2);
+        p.uvs = attribute(p, *attributes, "TEXCOORD_" + std::to_string(set), 2, draco);
         if (!p.uvs && reads)
             doc_.warn(primitive, "a primitive without the texture coordinates of its material has one texel for all");
     }
-    p.colors = attribute(p, *attributes, "COLOR_0", 3);
+    p.colors = attribute(p, *attributes, "COLOR_0", 3, draco);
     p.key[4] = p.material->uv_transform ? p.material_number : no_accessor;
     if (const JsonValue* indices = doc_.refer(primitive, "indices", "accessors"))
-        p.indices = open_accessor(*indices, doc_, buffers_);
+        p.indices = draco ? draco->indices(*indices) : open_accessor(*indices, doc_, buffers_);
+    if (draco) p.key[4] = doc_.list("materials").size() + 1 + compressed_++;  // shares vertices with none
     if (doc_.array(primitive, "targets")) doc_.warn(primitive, "morph targets are not used");
     if (p.mode == GltfPrimitive::Mode::triangles && p.corners() % 3 != 0)
         doc_.warn(primitive, "corners left over after the last triangle are left out", p.corners() % 3);

@@ -9,6 +9,8 @@
 
 namespace lancer {
 
+class DracoPrimitive;
+
 struct GltfPrimitive {
     const JsonValue* json = nullptr;
     enum class Mode { triangles = 4, strip, fan };
@@ -41,7 +43,7 @@ public:
 private:
     std::optional<GltfPrimitive> open_one(const JsonValue& primitive);
     std::optional<GltfAccessor> attribute(GltfPrimitive& p, const JsonValue& attributes, const std::string& name,
-                                          size_t slot);
+                                          size_t slot, const DracoPrimitive* draco);
     void choose_material(GltfPrimitive& p);
 
     GltfDocument& doc_;
@@ -49,6 +51,7 @@ private:
     GltfTextures textures_;
     bool keeps_uvs_;
     std::map<size_t, GltfMaterial> materials_;
+    size_t compressed_ = 0;  // primitives by Draco
 };
 
 }  // namespace lancer
