@@ -12,7 +12,9 @@ MeshLoader FrameCache::once(MeshLoader loader)
         const std::string key = path + '\n' + std::to_string(static_cast<int>(smoothing.faces)) + ' ' +
                                 shortest(smoothing.largest_deg) + (options.uvs ? " uvs" : "");
         std::shared_ptr<const MeshData>& mesh = meshes[key];
-        if (!mesh) mesh = loader(path, diagnostics, options);
+        MeshOptions whole = options;
+        whole.shared = nullptr;  // they would be missing in the next frame
+        if (!mesh) mesh = loader(path, diagnostics, whole);
         return mesh;
     };
 }

@@ -106,7 +106,7 @@ TEST_F(Wrong, ScenesAndMeshes)
     ASSERT_EQ(mkfifo(file("pipe.toml").c_str(), 0600), 0);
     expect_fault({"pipe.toml"}, 65, "pipe.toml: error: not a regular file");
     write("scene.txt", "version = 1\n");
-    expect_fault({"render", "scene.txt"}, 65, "must end in .toml, .obj or .ply");
+    expect_fault({"render", "scene.txt"}, 65, "must end in .toml, .obj, .ply, .gltf or .glb");
 }
 
 TEST_F(Wrong, WarningsFailOnlyIfStrict)

@@ -102,7 +102,7 @@ TEST_F(Info, OfPictures)
         EXPECT_EQ(refused.code, 2) << of_scenes[0];
         EXPECT_EQ(refused.out, "");
         expect_words(refused.err,
-                     "error: " + of_scenes[0] + ": is for scenes, and 'a.png' does not end in .toml, .obj or .ply");
+                     "error: " + of_scenes[0] + ": is for scenes, and 'a.png' does not end in .toml, .obj, .ply, .gltf or .glb");
     }
     EXPECT_EQ(run({"info", "a.png", "--threads", "1", "--memory", "1G"}).code, 0);
     write("broken.png", "\x89PNG\r\n\x1a\nbroken");

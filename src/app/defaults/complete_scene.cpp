@@ -15,7 +15,9 @@ Completed complete_scene(SceneDescription& scene, const SceneChoice& choice, dou
 {
     Completed completed;
     const bool is_bare = is_mesh(choice.file);
-    if (is_bare) {
+    // A glTF file says more than a [[mesh]] of its name would.
+    const bool is_whole = is_gltf(choice.file) && (scene.camera || !scene.lights.empty());
+    if (is_bare && !is_whole) {
         const std::string name = std::filesystem::path(choice.file).filename();
         completed.text += "version = 1\n[[mesh]]\nfile = " + to_toml_string(name) + "\n";
     }

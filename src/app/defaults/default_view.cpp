@@ -22,6 +22,7 @@ std::string text_of(const AutoView& view)
 DefaultView add_default_view(SceneDescription& scene, const SceneChoice& choice, double aspect)
 {
     const bool is_bare = is_mesh(choice.file);
+    const bool may_lie = is_bare && !is_gltf(choice.file);  // in a glTF file y is up
     CameraDescription camera;
     camera.where = {scene.file, 0, 0};
     camera.missing = {.position = true, .target = true, .up = true, .fov = true};
@@ -30,7 +31,7 @@ DefaultView add_default_view(SceneDescription& scene, const SceneChoice& choice,
     if (choice.view) camera.missing.position = camera.missing.target = true;
     const bool lacks_place = camera.missing.position || camera.missing.target;
     const AutoView view = choose_view(scene, camera,
-                                      {.up = choice.up.value_or(is_bare ? UpChoice::automatic : UpChoice::y),
+                                      {.up = choice.up.value_or(may_lie ? UpChoice::automatic : UpChoice::y),
                                        .direction = choice.view,
                                        .wants_kind = is_bare},
                                       aspect);

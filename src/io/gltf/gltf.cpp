@@ -1,8 +1,12 @@
 #include "io/gltf/gltf.h"
 
+#include <map>
+#include <set>
+
 #include "core/hash.h"
 #include "io/gltf/mesh.h"
 #include "io/gltf/nodes.h"
+#include "io/shared_mesh.h"
 
 namespace lancer {
 namespace {
@@ -32,30 +36,82 @@ public:
             doc_.warn(*doc_.root().member("animations"), "animations are not used: all is where its nodes place it");
         open_meshes();
         request_pictures();
-        auto mesh = std::make_shared<MeshData>();
-        mesh->file = doc_.path();
-        GltfMeshBuilder builder(doc_, *mesh);
-        size_t vertices = 0, triangles = 0;
-        for (const Placed& p : placed_)
-            for (const GltfPrimitive& primitive : *p.primitives)
-                vertices += primitive.positions.count, triangles += primitive.triangles();
-        builder.reserve(vertices, triangles);
-        for (const Placed& p : placed_) builder.add(*p.primitives, p.to_world);
-        builder.finish(options_.smoothing);
-        mesh->material_files = buffers_.files();
-        mesh->content_hash = buffers_.files().empty()
-                                 ? doc_.content().hash()
-                                 : hash_bytes(std::to_string(buffers_.hash()), doc_.content().hash());
-        if (mesh->triangles.empty()) doc_.fail(doc_.root(), "the default scene has no triangle with an area");
-        return mesh;
+        std::vector<SharedMesh> shared;
+        if (options_.shared) shared = take_shared();
+        auto mesh = build(placed_);
+        if (mesh->triangles.empty() && shared.empty())
+            doc_.fail(doc_.root(), "the default scene has no triangle with an area");
+        std::shared_ptr<const MeshData> result = mesh->triangles.empty() ? shared.front().data : mesh;
+        if (options_.shared) *options_.shared = std::move(shared);
+        return result;
     }
     void tell(Diagnostics& diagnostics) const { doc_.warnings().tell(doc_.path(), diagnostics); }
 
 private:
     struct Placed {
+        const JsonValue* mesh;
         const std::vector<GltfPrimitive>* primitives;
         Transform to_world;
     };
+
+    std::shared_ptr<MeshData> build(const std::vector<Placed>& all)
+    {
+        auto mesh = std::make_shared<MeshData>();
+        mesh->file = doc_.path();
+        GltfMeshBuilder builder(doc_, *mesh);
+        size_t vertices = 0, triangles = 0;
+        for (const Placed& p : all)
+            for (const GltfPrimitive& primitive : *p.primitives)
+                vertices += primitive.positions.count, triangles += primitive.triangles();
+        builder.reserve(vertices, triangles);
+        for (const Placed& p : all) builder.add(*p.primitives, p.to_world);
+        builder.finish(options_.smoothing);
+        mesh->material_files = buffers_.files();
+        mesh->content_hash = buffers_.files().empty()
+                                 ? doc_.content().hash()
+                                 : hash_bytes(std::to_string(buffers_.hash()), doc_.content().hash());
+        return mesh;
+    }
+
+    // Takes from placed_ what pays to be kept once: meshes of many triangles in several places that do not shear them.
+    std::vector<SharedMesh> take_shared()
+    {
+        constexpr size_t least_triangles = 1000;
+        std::map<const JsonValue*, std::vector<TransformDescription>> places;
+        std::map<const JsonValue*, bool> is_sheared;
+        for (const Placed& p : placed_) {
+            const std::optional<TransformDescription> parts = parts_of(p.to_world);
+            if (parts) places[p.mesh].push_back(*parts);
+            is_sheared[p.mesh] |= !parts;
+        }
+        std::vector<SharedMesh> shared;
+        std::set<std::string> names;
+        std::vector<Placed> rest;
+        std::set<const JsonValue*> taken;
+        for (const Placed& p : placed_) {
+            size_t triangles = 0;
+            for (const GltfPrimitive& primitive : *p.primitives) triangles += primitive.triangles();
+            if (is_sheared[p.mesh] || places[p.mesh].size() < 2 || triangles < least_triangles) {
+                rest.push_back(p);
+                continue;
+            }
+            if (!taken.insert(p.mesh).second) continue;
+            std::shared_ptr<const MeshData> data = build({{p.mesh, p.primitives, {}}});
+            if (!data->triangles.empty()) shared.push_back({name_of_mesh(*p.mesh, names), data, places[p.mesh]});
+        }
+        placed_ = std::move(rest);
+        return shared;
+    }
+
+    std::string name_of_mesh(const JsonValue& mesh, std::set<std::string>& names) const
+    {
+        const std::string* const said = doc_.text(mesh, "name");
+        const std::string wanted =
+            said && !said->empty() ? *said : "mesh " + std::to_string(doc_.number_of(mesh, "meshes"));
+        std::string own = wanted;
+        for (size_t n = 2; !names.insert(own).second; ++n) own = wanted + " " + std::to_string(n);
+        return own;
+    }
 
     void open_meshes()
     {
@@ -68,7 +124,7 @@ private:
             }
             const auto [entry, is_new] = meshes_.try_emplace(p.what);
             if (is_new) entry->second = primitives_.open(*p.what);
-            placed_.push_back({&entry->second, p.to_world});
+            placed_.push_back({p.what, &entry->second, p.to_world});
         }
     }
 

@@ -16,7 +16,7 @@ struct JsonValue {
     using Array = std::vector<JsonValue>;
     using Object = std::vector<JsonMember>;
 
-    std::variant<std::nullptr_t, bool, double, std::string, Array, Object> data = nullptr;
+    std::variant<std::nullptr_t, bool, double, std::string, Array, Object> data;
 
     // Null if there is none, or if this is no object.
     const JsonValue* member(std::string_view key) const;

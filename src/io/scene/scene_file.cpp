@@ -15,6 +15,7 @@
 #include "io/scene/animation.h"
 #include "io/scene/definition.h"
 #include "io/scene/scene_tables.h"
+#include "io/shared_mesh.h"
 #include "io/toml_file.h"
 #include "io/toml_write.h"
 #include "scene/description/material.h"
@@ -22,13 +23,41 @@
 namespace lancer {
 namespace {
 
+// Of the one mesh of a scene, which stays where its file places it.
+void add_instances(const std::vector<SharedMesh>& shared, SceneDescription& scene)
+{
+    for (const SharedMesh& s : shared) {
+        MeshDescription& whole = scene.meshes.front();
+        if (s.data == whole.data) {
+            whole.name = s.name;
+        } else {
+            MeshDescription own = whole;
+            own.name = s.name, own.data = s.data;
+            scene.meshes.push_back(std::move(own));
+        }
+        for (const TransformDescription& place : s.places)
+            scene.instances.push_back({scene.meshes.front().where, s.name, place});
+    }
+}
+
+// Whether the scene is nothing but a mesh, as its file has it.
+bool is_bare(const SceneDescription& scene)
+{
+    if (scene.meshes.size() != 1) return false;
+    const TransformDescription& t = scene.meshes[0].transform;
+    return scene.instances.empty() && scene.meshes[0].name.empty() && t.translate == Vec3d{} &&
+           t.rotate_deg == Vec3d{} && t.scale == Vec3d{1, 1, 1};
+}
+
 void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& scene_options, const AssetFolder& assets,
                  SceneDescription& scene, Diagnostics& diagnostics)
 {
+    std::vector<SharedMesh> shared;
     // What an override gives to a material of a mesh is known only when it is applied.
     const bool uvs =
         !scene.overrides.empty() || std::any_of(scene.materials.begin(), scene.materials.end(), reads_textures);
     MeshOptions options{.assets = &assets, .pictures = {}, .uvs = uvs};
+    if (is_gltf(scene.file) && is_bare(scene)) options.shared = &shared;
     // Materials of files that every mesh replaces by its own are not worn, and their pictures not read.
     std::set<std::string> worn;
     for (size_t i = 0; i < files.size(); ++i)
@@ -47,6 +76,7 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
             diagnostics.error(files[i].where, "mesh file " + in_quotes(file.path) + " could not be loaded");
         }
     }
+    add_instances(shared, scene);
 }
 
 // The file and the definitions, as messages name them.
@@ -68,11 +98,11 @@ void define_all(TomlValue& root, const std::vector<std::string>& definitions, To
     }
 }
 
-// Of a scene file that holds nothing but a [[mesh]]; with views also the cameras and lights of a glTF file.
-TomlValue tree_of_mesh(const std::string& path, bool with_views, Diagnostics& diagnostics)
+// Of a scene file that holds nothing but a [[mesh]], and the cameras and lights of a glTF file.
+TomlValue tree_of_mesh(const std::string& path, Diagnostics& diagnostics)
 {
     TomlValue::Table root;
-    if (with_views && is_gltf(path)) root = gltf_tables(path, diagnostics);
+    if (is_gltf(path)) root = gltf_tables(path, diagnostics);
     const TomlValue::Table mesh{{.key = "file", .value = {.data = std::filesystem::path(path).filename().string()}}};
     root.push_back({.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}});
     return {.data = std::move(root)};
@@ -160,31 +190,17 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
 }
 
 // As it stands, with the definitions put over it.
-TomlValue defined_tree(const std::string& path, bool with_views, const std::vector<std::string>& definitions,
-                       Diagnostics& diagnostics, TomlProblems& problems)
+TomlValue defined_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
+                       TomlProblems& problems)
 {
     TomlValue root{.data = TomlValue::Table{}};
     if (is_mesh(path)) {
-        root = tree_of_mesh(path, with_views, diagnostics);
+        Diagnostics ignored;  // who loads the scene is told
+        root = tree_of_mesh(path, ignored);
     } else if (std::optional<TomlValue> read = parse_toml(read_input_text(path), path, diagnostics)) {
         root = std::move(*read);
     }
     define_all(root, definitions, problems);
-    return root;
-}
-
-// Of a frame in place of an [animation].
-TomlValue tree_of_frame(const std::string& path, bool with_views, const std::vector<std::string>& definitions,
-                        Diagnostics& diagnostics, std::optional<double> frame)
-{
-    TomlProblems problems = problems_of(path, definitions);
-    TomlValue root = defined_tree(path, with_views, definitions, diagnostics, problems);
-    if (const std::optional<Animation> animation = Animation::read(root, problems)) {
-        put_frame(root, animation->values_at(frame_of(animation, frame)), definitions, problems);
-        auto& tables = std::get<TomlValue::Table>(root.data);
-        std::erase_if(tables, [](const TomlEntry& e) { return e.key == "animation"; });
-    }
-    problems.report(diagnostics);
     return root;
 }
 
@@ -213,7 +229,7 @@ SceneDescription wrap_mesh(const std::string& path, const SceneFileOptions& opti
     scene.file = path;
     AssetFolder assets(path, options.asset_root);
     assets.admit(std::filesystem::path(path).filename().string());
-    read_tree(tree_of_mesh(path, true, diagnostics), assets, options, scene, diagnostics);
+    read_tree(tree_of_mesh(path, diagnostics), assets, options, scene, diagnostics);
     return scene;
 }
 
@@ -221,7 +237,7 @@ std::optional<AnimationDescription> read_animation(const std::string& path, cons
                                                    Diagnostics& diagnostics)
 {
     TomlProblems problems = problems_of(path, definitions);
-    const TomlValue root = defined_tree(path, false, definitions, diagnostics, problems);
+    const TomlValue root = defined_tree(path, definitions, diagnostics, problems);
     const std::optional<Animation> animation = Animation::read(root, problems);
     problems.report(diagnostics);
     if (!animation) return {};
@@ -231,13 +247,21 @@ std::optional<AnimationDescription> read_animation(const std::string& path, cons
 TomlValue scene_tree(const std::string& path, const std::vector<std::string>& definitions, Diagnostics& diagnostics,
                      std::optional<double> frame)
 {
-    return tree_of_frame(path, true, definitions, diagnostics, frame);
+    TomlProblems problems = problems_of(path, definitions);
+    TomlValue root = defined_tree(path, definitions, diagnostics, problems);
+    if (const std::optional<Animation> animation = Animation::read(root, problems)) {
+        put_frame(root, animation->values_at(frame_of(animation, frame)), definitions, problems);
+        auto& tables = std::get<TomlValue::Table>(root.data);
+        std::erase_if(tables, [](const TomlEntry& e) { return e.key == "animation"; });
+    }
+    problems.report(diagnostics);
+    return root;
 }
 
 OutputDescription read_output(const std::string& path, const std::vector<std::string>& definitions,
                               Diagnostics& diagnostics, std::optional<double> frame)
 {
-    const TomlValue root = tree_of_frame(path, false, definitions, diagnostics, frame);
+    const TomlValue root = scene_tree(path, definitions, diagnostics, frame);
     TomlProblems problems = problems_of(path, definitions);
     const std::optional<TomlTable> table = TomlTable(root, "", problems).table("output");
     const OutputDescription output = table ? read_output_table(*table) : OutputDescription{};
