@@ -38,7 +38,7 @@ fi
 
 megabytes=1024
 # Short inputs run faster and reach the same code; these readers need longer ones.
-declare -A longest=([checkpoint]=8192 [exr]=4096 [oiio]=4096 [png]=2048 [jpeg]=2048 [scene]=2048 [study_json]=3072)
+declare -A longest=([checkpoint]=8192 [gltf]=4096 [exr]=4096 [oiio]=4096 [png]=2048 [jpeg]=2048 [scene]=2048 [study_json]=3072)
 # Freed memory is kept for a while, to find its use: a little of it is enough. Short stacks of allocations and no filling
 # of fresh memory make twice as many executions.
 export ASAN_OPTIONS="quarantine_size_mb=16:malloc_context_size=4:max_malloc_fill_size=0:${ASAN_OPTIONS-}"
