@@ -109,9 +109,12 @@ def emits(material):
 
 
 def unknown(scene):
-    """What this reader does not know, each as the end of a sentence."""
+    """What this reader does not know, or no peer has likewise, each as the end of a sentence."""
     keys = {key for m in scene["materials"] for key in m} - MATERIAL_KEYS
-    return [f"'{key}' of materials" for key in sorted(keys)]
+    found = [f"'{key}' of materials" for key in sorted(keys)]
+    if "spot" in kinds_of_lights(scene):
+        found.append("lights of type spot")
+    return found
 
 
 def beyond_plain(scene):

@@ -151,6 +151,7 @@ GltfFile room()
     file.add_node(
         "\"rotation\":[-0.7071067811865476,0,0,0.7071067811865476],"
         "\"extensions\":{\"KHR_lights_punctual\":{\"light\":1}}");
+    file.add_node("\"translation\":[1,1.5,9],\"extensions\":{\"KHR_lights_punctual\":{\"light\":2}}");
     file.rest =
         "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}],"
         "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.6,\"aspectRatio\":2,\"znear\":0.1}},"
@@ -158,7 +159,8 @@ GltfFile room()
         "{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":1,\"ymag\":1,\"znear\":0,\"zfar\":1}}],"
         "\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["
         "{\"type\":\"point\",\"color\":[1,0.5,0],\"intensity\":683,\"range\":7},"
-        "{\"type\":\"directional\",\"intensity\":2}]}}";
+        "{\"type\":\"directional\",\"intensity\":2},"
+        "{\"type\":\"spot\",\"intensity\":900,\"spot\":{\"innerConeAngle\":0.25,\"outerConeAngle\":0.5}}]}}";
     return file;
 }
 
@@ -169,7 +171,9 @@ TEST_F(GltfFiles, CamerasAndLightsAreThoseOfTheFile)
           "[[mesh]]\nfile = \"room.glb\"\n[camera]\nposition = [1, 1.5, 9]\ntarget = [1, 1.5, 0]\nfov = "
           "34.37746770784939\n"
           "[[light]]\ntype = \"point\"\nposition = [3, 4, 5]\nintensity = [683, 341.5, 0]\n"
-          "[[light]]\ntype = \"directional\"\ndirection = [0, -1, 0]\nirradiance = 2\n");
+          "[[light]]\ntype = \"directional\"\ndirection = [0, -1, 0]\nirradiance = 2\n"
+          "[[light]]\ntype = \"spot\"\nposition = [1, 1.5, 9]\nintensity = 900\ndirection = [0, 0, -1]\n"
+          "inner_angle = 14.32394487827058\nouter_angle = 28.64788975654116\n");
     render("room.glb", "a.exr");
     render("room.toml", "b.exr");
     const Image a = image("a.exr"), b = image("b.exr");
@@ -196,8 +200,9 @@ TEST_F(GltfFiles, LampsOfBlenderAreInWatts)
     file.generator = "Khronos glTF Blender I/O v3.6.6";
     write("room.glb", room().glb());
     write("blender.glb", file.glb());
-    render("room.glb", "a.exr", {"-D", "light.1.irradiance=0", "--set", "indirect=false"});
-    render("blender.glb", "b.exr", {"-D", "light.1.irradiance=0", "--set", "indirect=false"});
+    render("room.glb", "a.exr", {"-D", "light.1.irradiance=0", "-D", "light.2.intensity=0", "--set", "indirect=false"});
+    render("blender.glb", "b.exr",
+           {"-D", "light.1.irradiance=0", "-D", "light.2.intensity=0", "--set", "indirect=false"});
     const Image a = image("a.exr"), b = image("b.exr");
     double sum_a = 0, sum_b = 0;
     for (size_t i = 0; i < a.pixels.size(); ++i)

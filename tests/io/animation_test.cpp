@@ -154,7 +154,8 @@ TEST_F(AnimationFile, MistakesHaveTheirPlace)
               "count from 0, and there are 2");
     EXPECT_EQ(mistakes(track("light.0.intensitty", "[1, 9]", "[0, 1]")),
               "s.toml:29:11: error: unknown key 'intensitty' in [[light]]; did you mean 'intensity'? known: type, "
-              "position, intensity, direction, irradiance, center, radius, radiance, file, scale, rotate, group");
+              "position, intensity, direction, irradiance, inner_angle, outer_angle, center, radius, radiance, file, "
+              "scale, rotate, group");
     EXPECT_EQ(mistakes(track("camera", "[1, 9]", "[\"side\", \"abvoe\"]")),
               "s.toml:29:19: error: unknown camera 'abvoe'; did you mean 'above'? known: side, above");
     EXPECT_EQ(mistakes(track("camera.fov", "[1, 9]", "[30]")),

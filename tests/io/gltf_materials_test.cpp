@@ -25,7 +25,7 @@ protected:
         Image picture = make_image(2, 2);
         picture.at(0, 0) = {1, 0, 0}, picture.at(1, 1) = {0, 0, 1};
         write_png(write("wood.png", ""), picture);
-        png_ = read_bytes((folder_ / "wood.png").string());
+        png_ = read_bytes((folder_ / "wood.png").string()) + std::string(6, '\xff');  // gives slashes in base64
     }
 
     // The material of a triangle. Texture 0 is wood.png.
@@ -257,14 +257,12 @@ TEST_F(GltfMaterials, PicturesWithinAFileAreReadByTheirNames)
     const std::string base64 = to_base64(png_);
     std::string escaped;
     for (const char c : base64) (c == '/' ? escaped += '\\' : escaped) += c;
-    for (const std::string& name :
-         {file_of("", false), file_of("", true), file_of("\"uri\":\"data:image/png;base64," + base64 + "\"", false),
-          file_of("\"uri\":\"data:image/png;base64," + escaped + "\"", true)}) {
-        EXPECT_THAT(relative(name), testing::StartsWith("a.gltf#image0@"));
-        // The last form is the one that is on disk.
-    }
+    ASSERT_NE(base64, escaped);
     const std::string last = file_of("\"uri\":\"data:image/png;base64," + escaped + "\"", true);
+    EXPECT_THAT(relative(last), testing::StartsWith("a.gltf#image0@"));
     EXPECT_EQ(read_raster(last)->bytes, outside->bytes);
+    const std::string plain = file_of("\"uri\":\"data:image/png;base64," + base64 + "\"", false);
+    EXPECT_EQ(read_raster(plain)->bytes, outside->bytes);
     const std::string in_text = file_of("", true);
     EXPECT_EQ(read_raster(in_text)->bytes, outside->bytes);
     EXPECT_EQ(read_raster_header(in_text).width, 2u);

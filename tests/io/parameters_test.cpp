@@ -55,6 +55,8 @@ std::string range_of(ParameterRange range, bool is_color)
             return "0 or more";
         case ParameterRange::positive:
             return "greater than 0";
+        case ParameterRange::quarter_turn:
+            return "0 to 90";
         case ParameterRange::nonzero_vector:
             return "not zero";
         case ParameterRange::finite:

@@ -49,7 +49,8 @@ TEST_F(SceneMistakes, UnknownKeys)
           "absorption, priority, eta, k, specular, first, second, weight and 17 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
-          "intensity, direction, irradiance, center, radius, radiance, file, scale, rotate, group"},
+          "intensity, direction, irradiance, inner_angle, outer_angle, center, radius, radiance, file, scale, rotate, "
+          "group"},
          {"[[mesh]]\nfile = \"a.obj\"\nname = \"a\"\n[[instance]]\nmesh = \"a\"\nname = \"b\"",
           "6:1: error: unknown key 'name' in [[instance]]; known: mesh, translate, rotate, scale"},
          {"verson = 1",
@@ -72,6 +73,12 @@ TEST_F(SceneMistakes, LightsAndCameras)
     check(
         {{"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 0]\nirradiance = 1",
           "3:13: error: 'direction' in [[light]] must not be the zero vector"},
+         {"[[light]]\ntype = \"spot\"\nposition = [0, 0, 0]\nintensity = 1\ndirection = [0, 0, 1]\ninner_angle = 30\n"
+          "outer_angle = 30",
+          "7:15: error: 'outer_angle' in [[light]] must be greater than 'inner_angle'"},
+         {"[[light]]\ntype = \"spot\"\nposition = [0, 0, 0]\nintensity = 1\ndirection = [0, 0, 1]\ninner_angle = 3\n"
+          "outer_angle = 91",
+          "7:15: error: 'outer_angle' in [[light]] must be from 0 to 90, not 91"},
          {"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 1]",
           "1:1: error: [[light]] of type 'directional' needs 'irradiance'"},
          {"[[light]]\ntype = \"environment\"", "1:1: error: [[light]] of type 'environment' needs 'radiance'"},
@@ -199,7 +206,7 @@ TEST_F(SceneMistakes, UnknownChoices)
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
-            "2:8: error: unknown type 'area' in [[light]]; known: point, directional, sphere, environment"}});
+            "2:8: error: unknown type 'area' in [[light]]; known: point, directional, spot, sphere, environment"}});
 }
 
 TEST_F(SceneMistakes, KeysOfAnotherType)
@@ -217,7 +224,7 @@ TEST_F(SceneMistakes, KeysOfAnotherType)
             "4:10: error: 'radius' in [[light]] needs type 'sphere', not 'environment'"},
            {"[[light]]\ntype = \"sphere\"\nradiance = 1\nradius = 1\nposition = [0, 0, 0]",
             "1:1: error: [[light]] of type 'sphere' needs 'center'\n"
-            "s.toml:5:12: error: 'position' in [[light]] needs type 'point', not 'sphere'"}});
+            "s.toml:5:12: error: 'position' in [[light]] needs type 'point' or 'spot', not 'sphere'"}});
 }
 
 TEST_F(SceneMistakes, MissingKeys)

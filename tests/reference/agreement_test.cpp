@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"rough sheets", [] { return sheets_scene(0.6f); }, 5, 0.035},
                     Case{"translucent sheets", translucent_scene, 5, 0.03}, Case{"metal", metal_scene, 4, 0.04},
                     Case{"plastic", plastic_scene, 4, 0.03}, Case{"interfaces", interfaces_scene, 5, 0.045},
-                    Case{"mixes", mixes_scene, 4, 0.035}, Case{"points", points_scene, 4, 0.015, false},
+                    Case{"mixes", mixes_scene, 4, 0.035}, Case{"points", points_scene, 4, 0.02, false},
                     Case{"sky picture", sky_picture_scene, 4, 0.015},
                     Case{"background", background_scene, 5, 0.01, false}, Case{"cut-outs", cut_out_scene, 4, 0.025},
                     Case{"instances", smooth_instances_scene, 4, 0.025}, Case{"emitters", emitters_scene, 4, 0.012},

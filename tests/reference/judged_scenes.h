@@ -169,6 +169,9 @@ inline SceneDescription points_scene()
     d.meshes.erase(d.meshes.begin() + 2);
     d.lights = {light_of(LightType::point, {3, 2, 2}, {-1, 1.3, 1.5}),
                 light_of(LightType::point, {1, 2, 3}, {1.5, 0.8, 1}), directional_of({1, 1, 0.8f}, {-0.3, -1, -0.5})};
+    LightDescription spot = light_of(LightType::spot, {3, 2, 1.5f}, {0.5, 2.5, 1.5});
+    spot.direction = {-0.3, -2, -1}, spot.inner_deg = 8, spot.outer_deg = 25;
+    d.lights.push_back(spot);
     return d;
 }
 // A picture of the sky, turned, and one of one colour over it; a ball, a plane, nothing else.

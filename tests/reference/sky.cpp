@@ -78,7 +78,7 @@ Rgb World::sky(Vec direction, bool is_seen, Vec from) const
     }
     if (glow && is_seen) {
         for (const Directional& l : directionals) sum += disc(l.towards, direction, l.irradiance);
-        for (const Point& l : points) sum += disc(unit(l.at - from), direction, l.intensity);
+        for (const Point& l : points) sum += disc(unit(l.at - from), direction, l.intensity_towards(unit(from - l.at)));
     }
     return sum;
 }

@@ -43,7 +43,7 @@ Rgb light_of_points(const World& world, const Surface& s, const Basis& frame, Ve
     for (const World::Point& l : world.points) {
         const Vec way = l.at - s.p;
         const double distance = norm(way);
-        add(way * (1 / distance), distance, l.intensity * (1 / (distance * distance)));
+        add(way * (1 / distance), distance, l.intensity_towards(way * (-1 / distance)) * (1 / (distance * distance)));
     }
     for (const World::Directional& l : world.directionals) add(l.towards, infinity, l.irradiance);
     return sum;

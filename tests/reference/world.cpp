@@ -112,6 +112,10 @@ void add_lights(World& world, const lancer::SceneDescription& d, MaterialList& l
             case lancer::LightType::point:
                 world.points.push_back({vec(l.position), power});
                 break;
+            case lancer::LightType::spot:
+                world.points.push_back({vec(l.position), power, unit(vec(l.direction)),
+                                        std::cos(l.inner_deg * pi / 180), std::cos(l.outer_deg * pi / 180)});
+                break;
             case lancer::LightType::directional:
                 world.directionals.push_back({-unit(vec(l.direction)), power});
                 break;

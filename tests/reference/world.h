@@ -60,6 +60,14 @@ struct World {
     struct Point {
         Vec at;
         Rgb intensity;
+        // Of a spot: its middle, unit, and the cosines at which it begins to fade and is dark.
+        Vec middle{};
+        double inner = -2, outer = -3;
+        Rgb intensity_towards(Vec unit_way) const
+        {
+            const double part = std::clamp((dot(unit_way, middle) - outer) / (inner - outer), 0.0, 1.0);
+            return intensity * (part * part);
+        }
     };
     struct Directional {
         Vec towards;

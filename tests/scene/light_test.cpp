@@ -160,6 +160,42 @@ TEST(PointLight, IntensityOverDistanceSquared)
     EXPECT_NEAR(s->radiance.b, 100 / 256.0, 1e-4 / 256);
 }
 
+TEST(SpotLight, FadesFromOneAngleToTheOther)
+{
+    SceneDescription d;
+    d.spheres.push_back(sphere_of({0, 0, 0}, 3));
+    LightDescription spot = light_of(LightType::spot, {16, 32, 64}, {0, 8, 0});
+    spot.direction = {0, -5, 0}, spot.inner_deg = 20, spot.outer_deg = 60;
+    d.lights.push_back(spot);
+    const Scene scene = build_scene(d);
+    const auto seen = [&](double deg) {
+        const double angle = deg * std::numbers::pi / 180;
+        const Vec3d at{8 * std::sin(angle), 8 - 8 * std::cos(angle), 0};
+        return sample_light(scene, receiver(to_float(scene.normalisation.to_scene(at)), {0, 1, 0}), 0.7f, {});
+    };
+    const double inner = std::cos(std::numbers::pi / 9), outer = 0.5;
+    for (const double deg : {0.0, 19.0, 30.0, 45.0, 59.0}) {
+        const double part = std::clamp((std::cos(deg * std::numbers::pi / 180) - outer) / (inner - outer), 0.0, 1.0);
+        const auto s = seen(deg);
+        ASSERT_TRUE(s) << deg;
+        EXPECT_TRUE(s->delta);
+        EXPECT_NEAR(s->radiance.r, 0.25 * part * part, 1e-6) << deg;
+        EXPECT_NEAR(s->radiance.b, part * part, 4e-6) << deg;
+    }
+    EXPECT_FALSE(seen(61));
+    EXPECT_FALSE(seen(170));
+    // Its power is the integral of what it sends.
+    const auto& light = std::get<SpotLight>(scene.delta_lights[0]);
+    double sum = 0;
+    constexpr int steps = 100000;
+    for (int i = 0; i < steps; ++i) {
+        const double cos = (i + 0.5) / steps, sin = std::sqrt(1 - cos * cos);
+        sum += static_cast<double>(light.fade(to_float(Vec3d{sin, -cos, 0}))) * 2 * std::numbers::pi / steps;
+    }
+    const Color c = light.intensity;
+    EXPECT_NEAR(light.power(0), sum * luminance(double{c.r}, double{c.g}, double{c.b}), 1e-3 * light.power(0));
+}
+
 TEST(DirectionalLight, IsADirectionAndAnIrradiance)
 {
     // Lengths of directions do not matter, however extreme.

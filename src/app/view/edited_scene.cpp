@@ -82,7 +82,7 @@ SceneDescription& EditedScene::change()
 LightDescription& EditedScene::light(size_t index)
 {
     LightDescription& l = change().lights[index];
-    if (l.type != LightType::point && l.type != LightType::directional) ++rest_;
+    if (l.type == LightType::sphere || l.type == LightType::environment) ++rest_;
     return l;
 }
 

@@ -22,7 +22,7 @@ std::vector<Handle> handles_of(const SceneDescription& scene, const CameraDescri
     };
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         const LightDescription& l = scene.lights[i];
-        if (l.type == LightType::point) add(Handle::Kind::light, i, l.position, 0);
+        if (l.type == LightType::point || l.type == LightType::spot) add(Handle::Kind::light, i, l.position, 0);
         if (l.type == LightType::sphere) add(Handle::Kind::light, i, l.position, l.radius);
     }
     if (sphere && *sphere < scene.spheres.size())

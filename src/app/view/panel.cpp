@@ -134,9 +134,9 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
                      .value = {l.power.r, l.power.g, l.power.b},
                      .step = 0.01 * std::max(0.1, double{max_component(l.power)}),
                      .least = 0});
-        if (l.type == LightType::point || l.type == LightType::sphere)
+        if (l.type == LightType::point || l.type == LightType::spot || l.type == LightType::sphere)
             w.push_back(vector_widget(id_light_position, "place", l.position, step));
-        if (l.type == LightType::directional)
+        if (l.type == LightType::directional || l.type == LightType::spot)
             w.push_back(vector_widget(id_light_direction, "direction", l.direction, 0.01));
         if (l.type == LightType::sphere)
             w.push_back(number_widget(id_light_radius, "radius", l.radius, 0.1 * step, 1e-30, 1e30));

@@ -37,6 +37,13 @@ std::string with_escaped_slashes(std::string_view text)
     return escaped;
 }
 
+// Of what a text stands for, if it is base64.
+uint64_t decoded_size(std::string_view base64)
+{
+    while (!base64.empty() && base64.back() == '=') base64.remove_suffix(1);
+    return base64.size() / 4 * 3 + (base64.size() % 4 > 1 ? base64.size() % 4 - 1 : 0);
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) { return to_lower(uri.substr(0, data_scheme.size())) == data_scheme; }
@@ -130,18 +137,25 @@ GltfBuffers::View GltfBuffers::view(const JsonValue& v)
     return {{entry->second.data(), entry->second.size()}, stride};
 }
 
-std::optional<FilePart> GltfBuffers::part_of_uri(const std::string& uri, const std::string& label)
+// Where the base64 of a data URI stands in the file: as it is, or with a backslash before each slash.
+std::optional<FilePart> GltfBuffers::find_base64(std::string_view text, const std::string& label) const
+{
+    const std::string_view all = doc_.content().bytes();
+    size_t at = all.find(text), size = text.size();
+    if (at == std::string_view::npos) {
+        const std::string escaped = with_escaped_slashes(text);
+        at = all.find(escaped), size = escaped.size();
+    }
+    if (at == std::string_view::npos) return {};
+    return FilePart{doc_.path(), label, at, size};
+}
+
+std::optional<FilePart> GltfBuffers::part_of_uri(const std::string& uri, const std::string& label) const
 {
     const std::optional<std::string_view> base64 = base64_of_uri(uri);
-    if (!base64 || base64->empty()) return {};
-    const std::string_view all = doc_.content().bytes();
-    std::string escaped;
-    std::string_view text = *base64;
-    size_t at = all.find(text);
-    if (at == std::string_view::npos) at = all.find(text = escaped = with_escaped_slashes(*base64));
-    const std::optional<std::string> decoded = decode_base64(*base64);
-    if (at == std::string_view::npos || !decoded) return {};
-    return FilePart{doc_.path(), label, at, text.size(), FilePart::Range{0, decoded->size()}};
+    std::optional<FilePart> part = base64 && !base64->empty() ? find_base64(*base64, label) : std::nullopt;
+    if (part) part->decoded = FilePart::Range{0, decoded_size(*base64)};
+    return part;
 }
 
 std::optional<FilePart> GltfBuffers::part_of(const JsonValue& v, const std::string& label)
@@ -150,8 +164,18 @@ std::optional<FilePart> GltfBuffers::part_of(const JsonValue& v, const std::stri
     const Buffer& b = buffer(*doc_.refer(v, "buffer", "buffers"));
     const auto offset = static_cast<uint64_t>(bytes.data() - b.bytes.data());
     if (!b.file.empty()) return FilePart{b.file, label, b.begin + offset, bytes.size()};
-    std::optional<FilePart> part = part_of_uri(*b.uri, label);
-    if (part) part->decoded = FilePart::Range{offset, bytes.size()};
+    const std::string_view base64 = *base64_of_uri(*b.uri);
+    std::optional<FilePart> part = find_base64(base64, label);
+    if (!part) return {};
+    if (part->size != base64.size()) {
+        part->decoded = FilePart::Range{offset, bytes.size()};
+        return part;
+    }
+    // Four characters are three bytes: those around the part are enough.
+    const uint64_t first = offset / 3, last = (offset + bytes.size() + 2) / 3;
+    part->begin += 4 * first;
+    part->size = std::min(4 * last, uint64_t{base64.size()}) - 4 * first;
+    part->decoded = FilePart::Range{offset - 3 * first, bytes.size()};
     return part;
 }
 

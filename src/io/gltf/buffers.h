@@ -29,7 +29,7 @@ public:
     // Where on disk the bytes of a view lie; nothing if they cannot be named.
     std::optional<FilePart> part_of(const JsonValue& buffer_view, const std::string& label);
     // The same of a data URI.
-    std::optional<FilePart> part_of_uri(const std::string& uri, const std::string& label);
+    std::optional<FilePart> part_of_uri(const std::string& uri, const std::string& label) const;
     // A file beside the glTF file. The URI may be percent-encoded.
     FileFinder::Found find(const std::string& uri);
 
@@ -48,6 +48,7 @@ private:
         uint64_t begin = 0;  // of the bytes in the file
         const std::string* uri = nullptr;
     };
+    std::optional<FilePart> find_base64(std::string_view text, const std::string& label) const;
     const Buffer& buffer(const JsonValue& element);
     // `of` says which, a view or what stands in its place.
     std::string_view bytes_of(const JsonValue& of);

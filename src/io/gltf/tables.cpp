@@ -121,6 +121,21 @@ private:
         return generator && generator->find("Blender I/O") != std::string::npos ? 1 / lumens_of_blender : 1;
     }
 
+    void add_cone(const JsonValue& light, Vec3d way, TomlValue::Table& keys)
+    {
+        constexpr double usual_outer = pi_d / 4;
+        const JsonValue* const spot = doc_.object(light, "spot");
+        const auto angle = [&](std::string_view key, double usual) {
+            return spot ? doc_.number(*spot, key).value_or(usual) : usual;
+        };
+        const double inner = angle("innerConeAngle", 0), outer = angle("outerConeAngle", usual_outer);
+        if (!(inner >= 0 && inner < outer && outer <= pi_d / 2 + 1e-6))
+            doc_.fail(light, "the angles of the cone are not from 0 to pi / 2, the inner one less than the outer one");
+        keys.push_back(toml_entry("direction", to_toml_value(way)));
+        keys.push_back(toml_entry("inner_angle", {.data = inner * 180 / pi_d}));
+        keys.push_back(toml_entry("outer_angle", {.data = std::min(outer * 180 / pi_d, 90.0)}));
+    }
+
     void add_light(const GltfPlaced& p)
     {
         const std::string* const type = doc_.text(*p.what, "type");
@@ -131,16 +146,16 @@ private:
         if (shown == Vec3d{}) return;
         if (p.what->member("range")) doc_.warn(*p.what, "the range of a light is not used: light has none");
         TomlValue::Table keys;
+        const Vec3d way = p.to_world.vector({0, 0, -1});
+        if (type && *type != "point" && way == Vec3d{})
+            return doc_.warn(*p.node, "a light whose node has no size is not used");
         if (type && *type == "directional") {
-            const Vec3d way = p.to_world.vector({0, 0, -1});
-            if (way == Vec3d{}) return doc_.warn(*p.node, "a light whose node has no size is not used");
             keys = {toml_entry("type", {.data = std::string("directional")}),
                     toml_entry("direction", to_toml_value(way)), toml_entry("irradiance", to_toml_value(shown))};
         } else if (type && (*type == "point" || *type == "spot")) {
-            if (*type == "spot") doc_.warn(*p.what, "a spot light shines in all directions");
-            keys = {toml_entry("type", {.data = std::string("point")}),
-                    toml_entry("position", to_toml_value(p.to_world.translation)),
+            keys = {toml_entry("type", {.data = *type}), toml_entry("position", to_toml_value(p.to_world.translation)),
                     toml_entry("intensity", to_toml_value(shown))};
+            if (*type == "spot") add_cone(*p.what, way, keys);
         } else {
             return doc_.warn(*p.what, "a light that is neither directional, point nor spot is not used");
         }

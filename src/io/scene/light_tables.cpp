@@ -74,6 +74,8 @@ LightDescription read_light(const TomlTable& table, const AssetFolder& assets)
         });
     }
     for_each_light_parameter([&](const auto& row) { read_field(table, row, light); });
+    if (light.type == LightType::spot && light.inner_deg >= light.outer_deg && table.has("outer_angle"))
+        table.error("outer_angle", " must be greater than 'inner_angle'");
     light.group = read_group(table).value_or("");
     if (table.has("file")) {
         read_picture(table, assets, light);

@@ -17,6 +17,8 @@ inline const NumberRule& rule_of(ParameterRange range, const NumberRule& positiv
             return brightness;
         case ParameterRange::positive:
             return positive;
+        case ParameterRange::quarter_turn:
+            return quarter_turn;
         case ParameterRange::nonzero_vector:
         case ParameterRange::finite:
         case ParameterRange::million:

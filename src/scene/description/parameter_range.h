@@ -8,6 +8,7 @@ enum class ParameterRange {
     unit,          // from 0 to 1
     not_negative,  // 0 or more
     positive,      // more than 0
+    quarter_turn,  // degrees, from 0 to 90
     nonzero_vector,
     finite,
     million,  // an integer from -1000000 to 1000000

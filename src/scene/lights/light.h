@@ -12,6 +12,7 @@
 #include "scene/lights/directional.h"
 #include "scene/lights/light_sample.h"
 #include "scene/lights/point.h"
+#include "scene/lights/spot.h"
 
 namespace lancer {
 
@@ -26,7 +27,7 @@ struct Surface;
 //                                      illuminates `area`
 //   bounds()                           for the light tree; nothing if the light is at infinity
 //   undimmed(org, scale)               see UndimmedLight; scale: of the normalisation
-using DeltaLight = std::variant<PointLight, DirectionalLight>;
+using DeltaLight = std::variant<PointLight, DirectionalLight, SpotLight>;
 static_assert(std::variant_size_v<DeltaLight> + 2 == enum_names<LightType>.size(),
               "each LightType is a delta light, but the sphere and the environment");
 
@@ -42,7 +43,7 @@ struct TriangleLight {
 };
 struct EnvironmentLight {};  // all of Scene::radiance_from(), by Scene::environment_table if it is not constant
 
-using Light = std::variant<PointLight, DirectionalLight, SphereLight, TriangleLight, EnvironmentLight>;
+using Light = std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, TriangleLight, EnvironmentLight>;
 
 template <class L>
 inline constexpr bool is_delta_light = std::is_constructible_v<DeltaLight, L>;
