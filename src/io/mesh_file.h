@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-// By load_ply() for a name that ends in .ply, by load_gltf() for .gltf and .glb, else by load_obj(). Returns null after adding an error.
+// By load_ply() for a name that ends in .ply, by load_gltf() for .gltf and .glb, else by load_obj(). Returns null after
+// adding an error.
 std::shared_ptr<const MeshData> load_mesh(const std::string& path, Diagnostics& diagnostics,
                                           const MeshOptions& options = {});
 
