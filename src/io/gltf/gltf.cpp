@@ -11,13 +11,15 @@
 namespace lancer {
 namespace {
 
-// Adds "file: error: reason" or "file:line: error: reason" as its parts.
+// Adds "file: error: reason", "file:line: error: reason" or "error: reason" as its parts.
 void add_error(const Error& e, const std::string& file, Diagnostics& diagnostics)
 {
     constexpr std::string_view mark = ": error: ";
     const std::string text = e.what();
     const size_t at = text.starts_with(file) ? text.find(mark, file.size()) : std::string::npos;
-    if (at == std::string::npos) return diagnostics.error({file, 0, 0}, text, e.kind());
+    if (at == std::string::npos)
+        return diagnostics.error({file, 0, 0}, text.substr(text.starts_with(mark.substr(2)) ? mark.size() - 2 : 0),
+                                 e.kind());
     const std::string line = text.substr(file.size(), at - file.size());
     diagnostics.error({file, line.size() > 1 ? static_cast<uint32_t>(std::stoul(line.substr(1))) : 0, 0},
                       text.substr(at + mark.size()), e.kind());
