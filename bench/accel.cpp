@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/bench/agreement.h"
+#include "app/bench/batches.h"
 #include "app/console.h"
 #include "core/parallel.h"
 #include "geometry/bvh2/bvh2.h"
 #include "geometry/bvh8/bvh8.h"
 #include "geometry/refine_all.h"
-#include "harness/agreement.h"
-#include "harness/bare_embree.h"
 #include "harness/bare_tree.h"
-#include "harness/batches.h"
 #include "harness/meshes.h"
-#include "harness/record.h"
+#include "harness/stage.h"
 #include "report/metrics/statistics.h"
 
 namespace lancer::bench {
@@ -22,14 +21,6 @@ namespace {
 constexpr double most_run_ns = 3e7;  // what is slower gets fewer rays
 
 const BareMode product_mode{};
-
-// Something that answers rays in one way.
-struct Entry {
-    std::string accel, way;
-    std::function<void(std::span<const Ray>, std::span<Hit>, Coherence)> closest;
-    std::function<void(std::span<const Ray>, std::span<uint8_t>, Coherence)> any;
-    bool refined = true;  // else its hits are Embree's own
-};
 
 std::vector<BareMode> bare_modes(bool full)
 {
@@ -75,18 +66,27 @@ struct Subjects {
     }
 };
 
-std::vector<Entry> entries_of(const Subjects& s, const Geometry& g)
+template <class Tree>
+RayMethod bare_tree_method(const char* name, const BareTree<Tree>& tree)
 {
-    std::vector<Entry> all;
+    return {name, "single",
+            [&tree](auto rays, auto hits, Coherence) {
+                for (size_t i = 0; i < rays.size(); ++i) hits[i] = tree.closest(rays[i]);
+            },
+            [&tree](auto rays, auto out, Coherence) {
+                for (size_t i = 0; i < rays.size(); ++i) out[i] = tree.any(rays[i]);
+            },
+            false};
+}
+
+std::vector<RayMethod> methods_of(const Subjects& s, const Geometry& g)
+{
+    std::vector<RayMethod> all;
     for (const auto& [mode, owner] : s.bare) {
         const BareEmbree* bare = owner.get();
         const std::string name = name_of(mode);
-        for (const Way way : {Way::single, Way::packet8, Way::packet16}) {
-            if (way == Way::packet16 && !has_native_16(mode.isa)) continue;
-            all.push_back({name, name_of(way),
-                           [=](auto rays, auto hits, Coherence c) { bare->closest(rays, hits, way, c); },
-                           [=](auto rays, auto out, Coherence c) { bare->any(rays, out, way, c); }, false});
-        }
+        for (const Way way : {Way::single, Way::packet8, Way::packet16})
+            if (way != Way::packet16 || has_native_16(mode.isa)) all.push_back(direct_method(name, *bare, way));
         if (name != name_of(product_mode)) continue;
         // What an accelerator of ours gives back, from Embree called directly.
         all.push_back({name + "+refine",
@@ -97,57 +97,17 @@ std::vector<Entry> entries_of(const Subjects& s, const Geometry& g)
                        },
                        {}});
     }
-    const auto bare_tree = [&](const char* name, const auto& tree) {
-        if (!tree) return;
-        all.push_back({name, "single",
-                       [&tree](auto rays, auto hits, Coherence) {
-                           for (size_t i = 0; i < rays.size(); ++i) hits[i] = tree->closest(rays[i]);
-                       },
-                       [&tree](auto rays, auto out, Coherence) {
-                           for (size_t i = 0; i < rays.size(); ++i) out[i] = tree->any(rays[i]);
-                       },
-                       false});
-    };
-    bare_tree("bvh2-tree", s.bvh2);
-    bare_tree("bvh8-tree", s.bvh8);
-    for (const auto& [name, owner] : s.accels) {
-        const Accelerator* accel = owner.get();
-        all.push_back({name, "single",
-                       [=](auto rays, auto hits, Coherence) {
-                           for (size_t i = 0; i < rays.size(); ++i) hits[i] = accel->closest(rays[i]);
-                       },
-                       [=](auto rays, auto out, Coherence) {
-                           for (size_t i = 0; i < rays.size(); ++i) out[i] = accel->any(rays[i]);
-                       }});
-        all.push_back({name, "batch",
-                       [=](auto rays, auto hits, Coherence c) {
-                           in_batches(rays, hits, [&](auto some, auto found) { accel->closest(some, found, c); });
-                       },
-                       [=](auto rays, auto out, Coherence) {
-                           in_batches(rays, out, [&](auto some, auto found) { accel->any(some, found); });
-                       }});
+    if (s.bvh2) all.push_back(bare_tree_method("bvh2-tree", *s.bvh2));
+    if (s.bvh8) all.push_back(bare_tree_method("bvh8-tree", *s.bvh8));
+    for (const auto& [name, accel] : s.accels) {
+        all.push_back(single_method(name, *accel));
+        all.push_back(batch_method(name, *accel));
     }
     return all;
 }
 
-Answers answer(const Entry& e, const RaySet& set, const Geometry& g)
-{
-    Answers a;
-    if (set.occlusion) {
-        a.occluded.resize(set.rays.size());
-        e.any(set.rays, a.occluded, set.coherence);
-        return a;
-    }
-    a.hits.resize(set.rays.size());
-    e.closest(set.rays, a.hits, set.coherence);
-    if (!e.refined)
-        for (size_t i = 0; i < set.rays.size(); ++i)
-            if (a.hits[i]) a.hits[i] = refine(g, set.rays[i], a.hits[i]);
-    return a;
-}
-
-// The rays that an entry gets: all, or of the slow ones as many as its time allows, from all over the set.
-RaySet fitted(const Entry& e, const RaySet& set, const Geometry& g)
+// The rays that a method gets: all, or of the slow ones as many as its time allows, from all over the set.
+RaySet fitted(const RayMethod& e, const RaySet& set, const Geometry& g)
 {
     const auto thinned = [&](size_t count) {
         RaySet some{set.kind, set.occlusion, set.coherence, {}};
@@ -159,19 +119,19 @@ RaySet fitted(const Entry& e, const RaySet& set, const Geometry& g)
     const double start = thread_ns();
     answer(e, probe, g);
     const double each = (thread_ns() - start) / static_cast<double>(probe.rays.size());
-    // The probe is too short to tell more than whether the entry is slow by far.
+    // The probe is too short to tell more than whether the method is slow by far.
     const auto most = static_cast<size_t>(std::max(16.0, most_run_ns / each));
     return 2 * most >= set.rays.size() ? set : thinned(most);
 }
 
-void measure_kind(const std::string& mesh, const RaySet& set, const std::vector<Entry>& entries, const Geometry& g,
+void measure_kind(const std::string& mesh, const RaySet& set, const std::vector<RayMethod>& methods, const Geometry& g,
                   const Options& options, Report& report)
 {
-    std::vector<const Entry*> taken;
+    std::vector<const RayMethod*> taken;
     std::vector<RaySet> given;
     std::vector<Answers> answers;  // of those who got all rays
     std::vector<size_t> thorough;
-    for (const Entry& e : entries) {
+    for (const RayMethod& e : methods) {
         if (set.occlusion && !e.any) continue;
         given.push_back(fitted(e, set, g));
         if (given.back().rays.size() == set.rays.size()) {
@@ -187,7 +147,7 @@ void measure_kind(const std::string& mesh, const RaySet& set, const std::vector<
     std::vector<Contestant> contestants;
     for (size_t i = 0; i < taken.size(); ++i) {
         const std::span<const Ray> rays = given[i].rays;
-        contestants.push_back({taken[i]->accel, static_cast<double>(rays.size()), [&, i, rays] {
+        contestants.push_back({taken[i]->name, static_cast<double>(rays.size()), [&, i, rays] {
                                    if (set.occlusion)
                                        taken[i]->any(rays, std::span(occluded).first(rays.size()), set.coherence);
                                    else
@@ -196,10 +156,10 @@ void measure_kind(const std::string& mesh, const RaySet& set, const std::vector<
     }
     const std::vector<Timing> timings = take_turns(contestants, options.repetitions, 1);
     for (size_t i = 0; i < taken.size(); ++i) {
-        const Entry& e = *taken[i];
+        const RayMethod& e = *taken[i];
         const std::string kind(set.kind);
-        Json& row = report.add("accel", joined({mesh, e.accel, kind, e.way}), timings[i], 1);
-        row["mesh"] = mesh, row["accel"] = e.accel, row["rays"] = kind, row["way"] = e.way;
+        Json& row = report.add("accel", joined({mesh, e.name, kind, e.way}), timings[i], 1);
+        row["mesh"] = mesh, row["accel"] = e.name, row["rays"] = kind, row["way"] = e.way;
         row["ray_count"] = given[i].rays.size();
         add_ratio(row, joined({name_of(product_mode), "single"}), timings[0], timings[i], 1);
         const auto at = std::find(thorough.begin(), thorough.end(), i);
@@ -324,9 +284,9 @@ void measure_mesh(const MeshChoice& choice, const Options& options, Report& repo
     if (most > 1) measure_builds(choice.name, g, most, options, report);
 
     const Subjects subjects(g, options);
-    const std::vector<Entry> entries = entries_of(subjects, g);
-    for (const RaySet& set : record_kinds(stage, options.full ? 500'000 : 50'000)) {
-        measure_kind(choice.name, set, entries, g, options, report);
+    const std::vector<RayMethod> methods = methods_of(subjects, g);
+    for (const RaySet& set : find_rays(stage.source(), options.full ? 500'000 : 50'000, suite_kinds)) {
+        measure_kind(choice.name, set, methods, g, options, report);
         measure_seam(choice.name, set, g, options, report);
     }
 }

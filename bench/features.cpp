@@ -8,6 +8,7 @@
 #include "harness/instructions.h"
 #include "harness/meshes.h"
 #include "harness/stage.h"
+#include "report/bench/interval.h"
 #include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
 #include "unused.h"

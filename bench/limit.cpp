@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/bench/rays.h"
 #include "app/console.h"
 #include "core/parallel.h"
 #include "harness/bare_loop.h"
 #include "harness/inside.h"
-#include "harness/record.h"
 #include "harness/scenes.h"
 #include "report/metrics/picture_pairs.h"
 #include "report/metrics/statistics.h"
@@ -20,10 +20,10 @@ struct Counted {
     std::vector<Ray> closest, any;  // in the order of the render
 };
 
-Counted split(const Recording& recording)
+Counted split(const RayRecording& recording)
 {
     Counted c;
-    for (const Recording::Batch& b : recording.batches) {
+    for (const RayRecording::Batch& b : recording.batches) {
         const auto first = recording.rays.begin() + static_cast<std::ptrdiff_t>(b.first);
         auto& to = b.occlusion ? c.any : c.closest;
         to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(b.count));
@@ -32,9 +32,10 @@ Counted split(const Recording& recording)
 }
 
 // With the batches of the render. hits, occluded: room for the answers.
-void trace_again(const Recording& recording, const Accelerator& accel, std::span<Hit> hits, std::span<uint8_t> occluded)
+void trace_again(const RayRecording& recording, const Accelerator& accel, std::span<Hit> hits,
+                 std::span<uint8_t> occluded)
 {
-    for (const Recording::Batch& b : recording.batches) {
+    for (const RayRecording::Batch& b : recording.batches) {
         const std::span<const Ray> rays = std::span(recording.rays).subspan(b.first, b.count);
         if (b.occlusion)
             accel.any(rays, occluded.first(b.count));
@@ -71,7 +72,7 @@ void measure_scene(const BenchScene& scene, const Options& options, Report& repo
     if (stage.scene.triangle_count() == 0) return;  // nothing that bare Embree has
 
     const BareEmbree bare(g, {});
-    const Recording recording = record(stage, stage.renderer.integrator(), tiles, spp);
+    const RayRecording recording = record_rays(stage.source(), stage.renderer.integrator(), tiles, spp);
     const Counted rays = split(recording);
     const std::optional<BareLoop> loop = BareLoop::make(description, stage, bare);
 

@@ -3,14 +3,15 @@
 #include <cmath>
 #include <map>
 
+#include "app/bench/batches.h"
+#include "app/bench/rays.h"
 #include "app/console.h"
 #include "core/parallel.h"
-#include "harness/bare_embree.h"
-#include "harness/batches.h"
+#include "geometry/embree/bare_embree.h"
 #include "harness/generate.h"
 #include "harness/lamps.h"
 #include "harness/meshes.h"
-#include "harness/record.h"
+#include "harness/stage.h"
 #include "report/metrics/statistics.h"
 #include "support/random.h"
 #include "support/scenes/scenes.h"
@@ -65,7 +66,8 @@ public:
             accels.emplace_back(accel, make_accelerator(a.kind, g, "avx2"));
             built(name, size, triangles, accel, 1e-9 * (all_ns() - start), accels.back().second->stats());
         }
-        for (const RaySet& set : record_kinds(stage, options_.full ? 100'000 : 20'000)) trace(name, size, set, accels);
+        for (const RaySet& set : find_rays(stage.source(), options_.full ? 100'000 : 20'000, suite_kinds))
+            trace(name, size, set, accels);
     }
     void finish(const std::string& of, double from) const { report_exponents(series_, of, from, report_); }
 

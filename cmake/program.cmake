@@ -21,6 +21,15 @@ if(NOT LANCER_FUZZ)
   target_link_options(lancer_shared PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/src/app/api/exported.map)
 endif()
 
+# The flags that decide how fast the code is, for the machine block of benchmarks.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+get_target_property(arch_flags lancer_arch INTERFACE_COMPILE_OPTIONS)
+get_target_property(common_flags lancer_flags INTERFACE_COMPILE_OPTIONS)
+list(APPEND arch_flags ${common_flags})
+list(JOIN arch_flags " " flags)
+set_property(SOURCE src/app/bench/machine.cpp PROPERTY COMPILE_DEFINITIONS
+  "LANCER_FLAGS=\"${CMAKE_CXX_FLAGS_${build_type}} ${flags}\"")
+
 add_library(lancer_cpu_check OBJECT src/app/cpu_check.cpp)
 target_link_libraries(lancer_cpu_check PRIVATE lancer_warnings lancer_flags)
 

@@ -42,7 +42,7 @@ set(libjpeg_owner "^io/image/jpeg(_write)?\\.cpp$")
 set(CLI11_include "^CLI(/|11)")
 set(CLI11_owner "^app/options/option_parser\\.cpp$")
 set(nlohmann-json_include "^nlohmann/")
-set(nlohmann-json_owner "^(report/(json_object|stats_json|study/json|study/peer)|io/scene/scene_json|io/gltf/json)\\.cpp$")
+set(nlohmann-json_owner "^(report/(json_object|stats_json|bench/results|study/json|study/peer)|io/scene/scene_json|io/gltf/json)\\.cpp$")
 
 set(meshoptimizer_include "^meshoptimizer")
 set(meshoptimizer_owner "^io/gltf/gltf_module\\.cpp$")

@@ -8,7 +8,7 @@
 
 #include "core/distribution.h"
 #include "core/film.h"
-#include "harness/bare_embree.h"
+#include "geometry/embree/bare_embree.h"
 #include "harness/stage.h"
 
 namespace lancer::bench {

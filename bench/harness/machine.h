@@ -1,4 +1,4 @@
-// What a measurement was taken on: two of them are comparable only if this agrees.
+// What a measurement was taken on, as the "context" of the files of the bench programs.
 #pragma once
 
 #include <string>
@@ -7,7 +7,6 @@
 
 namespace lancer::bench {
 
-// The "context" of the files: CPU, load, compiler and its flags, libraries as loaded, what Embree runs on.
 // executable: the path of the program.
 Json machine_context(const std::string& executable, unsigned threads);
 

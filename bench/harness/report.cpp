@@ -1,44 +1,22 @@
 #include "harness/report.h"
 
 #include "io/atomic_file.h"
+#include "report/bench/interval.h"
+#include "report/bench/results.h"
 #include "report/metrics/statistics.h"
 
 namespace lancer::bench {
 namespace {
 
-std::string to_csv_field(const Json& value)
-{
-    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
-
-// Every name that some row has, in the order in which they turn up.
-std::vector<std::string> columns_of(const std::vector<Json>& rows)
-{
-    std::vector<std::string> columns;
-    for (const Json& row : rows)
-        for (const auto& [name, value] : row.items())
-            if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
-    return columns;
-}
-
 std::string to_csv(const std::vector<Json>& rows)
 {
-    const std::vector<std::string> columns = columns_of(rows);
-    std::string text;
-    for (const std::string& c : columns) text += (text.empty() ? "" : ",") + c;
-    text += "\n";
+    std::vector<NamedFields> named;
     for (const Json& row : rows) {
-        for (size_t i = 0; i < columns.size(); ++i) {
-            if (i) text += ",";
-            if (row.contains(columns[i])) text += to_csv_field(row[columns[i]]);
-        }
-        text += "\n";
+        NamedFields& fields = named.emplace_back();
+        for (const auto& [name, value] : row.items())
+            fields.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
-    return text;
+    return named_csv(named);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/bench/rays.h"
 #include "app/options/options.h"
 #include "app/options/settings.h"
 #include "io/image/source.h"
@@ -11,6 +12,9 @@
 #include "scene/camera.h"
 
 namespace lancer::bench {
+
+// The kinds of rays that the suite measures.
+inline constexpr auto suite_kinds = std::to_array<std::string_view>({"primary", "shadow", "ao", "bounce1", "bounce2"});
 
 class Stage {
 public:
@@ -31,9 +35,10 @@ public:
     const Camera camera;
 
     // The whole picture, in tiles as the program makes them.
-    std::vector<Tile> tiles() const { return make_tiles(whole(), RenderOptions{}.tile); }
+    std::vector<Tile> tiles() const { return source().tiles(); }
     Film film() const { return {settings.size.width, settings.size.height, whole()}; }
-    Tile whole() const { return {0, 0, settings.size.width, settings.size.height}; }
+    Tile whole() const { return source().whole(); }
+    RaySource source() const { return {renderer, config.kernel, camera, settings.size}; }
     // The picture at so many samples per pixel.
     Film draw(uint32_t spp) const;
 };

@@ -1,27 +1,12 @@
 #include "harness/timing.h"
 
 #include <algorithm>
-#include <ctime>
 #include <numeric>
 #include <random>
 
 #include "harness/instructions.h"
 
 namespace lancer::bench {
-namespace {
-
-double clock_ns(clockid_t clock)
-{
-    timespec t{};
-    clock_gettime(clock, &t);
-    return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
-}
-
-}  // namespace
-
-double wall_ns() { return clock_ns(CLOCK_MONOTONIC); }
-double thread_ns() { return clock_ns(CLOCK_THREAD_CPUTIME_ID); }
-double all_ns() { return clock_ns(CLOCK_PROCESS_CPUTIME_ID); }
 
 std::vector<Timing> take_turns(const std::vector<Contestant>& contestants, unsigned repetitions, unsigned threads)
 {
@@ -53,13 +38,6 @@ std::vector<Timing> take_turns(const std::vector<Contestant>& contestants, unsig
         for (const size_t i : order) run(contestants[i], timings[i]);
     }
     return timings;
-}
-
-std::vector<double> speed_ratios(const std::vector<double>& base, const std::vector<double>& other)
-{
-    std::vector<double> ratios;
-    for (size_t i = 0; i < base.size(); ++i) ratios.push_back(base[i] / other[i]);
-    return ratios;
 }
 
 }  // namespace lancer::bench

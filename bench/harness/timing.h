@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace lancer::bench {
+#include "core/clock.h"
 
-double wall_ns();    // since some fixed moment
-double thread_ns();  // of CPU, of the calling thread
-double all_ns();     // of CPU, of all threads of the process
+namespace lancer::bench {
 
 struct Contestant {
     std::string name;
@@ -29,9 +27,6 @@ struct Timing {
 
 // threads: with one, cpu is the calling thread's, else the process's. repetitions: rounds that count, >= 1.
 std::vector<Timing> take_turns(const std::vector<Contestant>& contestants, unsigned repetitions, unsigned threads);
-
-// How often `other` went round in the time of `base`, round by round: above 1 other is faster.
-std::vector<double> speed_ratios(const std::vector<double>& base, const std::vector<double>& other);
 
 // Keeps the compiler from leaving out the computation of what is never looked at.
 template <class T>

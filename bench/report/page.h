@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bench/report/results.h"
+#include "report/bench/results.h"
 #include "report/page/document.h"
 
 namespace lancer {

@@ -1,6 +1,6 @@
 // Results of benchmarks.
-#include "bench/report/results.h"
 #include "fuzz/input.h"
+#include "report/bench/results.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -1,6 +1,6 @@
 #include "stability/fast_embree.h"
 
-#include "harness/bare_embree.h"
+#include "geometry/embree/bare_embree.h"
 
 namespace lancer::stability {
 namespace {
@@ -25,7 +25,7 @@ public:
 
 private:
     const Geometry& geometry_;
-    bench::BareEmbree embree_;
+    BareEmbree embree_;
 };
 
 }  // namespace

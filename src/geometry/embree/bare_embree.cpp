@@ -1,4 +1,4 @@
-#include "harness/bare_embree.h"
+#include "geometry/embree/bare_embree.h"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -9,22 +9,21 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <fstream>
 #include <iterator>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "harness/timing.h"
 
-namespace lancer::bench {
+namespace lancer {
 namespace {
 
 constexpr size_t chunk = 1024;  // rays of 80 bytes: half of a small second-level cache
 
 // The differences between Embree 3 and 4.
 #if RTC_VERSION_MAJOR >= 4
-struct Query {
-    explicit Query(Coherence coherence)
+struct BareQuery {
+    explicit BareQuery(Coherence coherence)
     {
         rtcInitRayQueryContext(&context);
         rtcInitIntersectArguments(&intersect);
@@ -45,8 +44,8 @@ struct Query {
     RTCOccludedArguments occluded;
 };
 #else
-struct Query {
-    explicit Query(Coherence coherence)
+struct BareQuery {
+    explicit BareQuery(Coherence coherence)
     {
         rtcInitIntersectContext(&context);
         context.flags = coherence == Coherence::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
@@ -63,20 +62,20 @@ struct Query {
 };
 #endif
 
-void fill(RTCRay& r, const Ray& ray)
+void lay_out(RTCRay& r, const Ray& ray)
 {
     r.org_x = ray.org.x, r.org_y = ray.org.y, r.org_z = ray.org.z, r.tnear = ray.t_min;
     r.dir_x = ray.dir.x, r.dir_y = ray.dir.y, r.dir_z = ray.dir.z, r.tfar = ray.t_max;
     r.time = 0, r.mask = 0xFFFFFFFFu, r.id = 0, r.flags = 0;
 }
-void fill(RTCRayHit& r, const Ray& ray)
+void lay_out(RTCRayHit& r, const Ray& ray)
 {
-    fill(r.ray, ray);
+    lay_out(r.ray, ray);
     r.hit.geomID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 }
 // Lane i of a packet.
 template <class Packet>
-void fill(Packet& r, size_t i, const Ray& ray)
+void lay_out(Packet& r, size_t i, const Ray& ray)
 {
     r.org_x[i] = ray.org.x, r.org_y[i] = ray.org.y, r.org_z[i] = ray.org.z, r.tnear[i] = ray.t_min;
     r.dir_x[i] = ray.dir.x, r.dir_y[i] = ray.dir.y, r.dir_z[i] = ray.dir.z, r.tfar[i] = ray.t_max;
@@ -221,14 +220,14 @@ struct BareEmbree::Impl {
     template <class Packet, size_t lanes>
     void closest_packets(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const
     {
-        Query query(coherence);
+        BareQuery query(coherence);
         alignas(64) Packet r;
         alignas(64) std::array<int, lanes> valid;
         for (size_t first = 0; first < rays.size(); first += lanes) {
             const size_t n = std::min(lanes, rays.size() - first);
             for (size_t i = 0; i < lanes; ++i) {
                 valid[i] = i < n ? -1 : 0;
-                fill(r.ray, i, rays[first + std::min(i, n - 1)]);
+                lay_out(r.ray, i, rays[first + std::min(i, n - 1)]);
                 r.hit.geomID[i] = r.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
             }
             query.closest(scene, valid.data(), r);
@@ -240,14 +239,14 @@ struct BareEmbree::Impl {
     template <class Packet, size_t lanes>
     void any_packets(std::span<const Ray> rays, std::span<uint8_t> occluded, Coherence coherence) const
     {
-        Query query(coherence);
+        BareQuery query(coherence);
         alignas(64) Packet r;
         alignas(64) std::array<int, lanes> valid;
         for (size_t first = 0; first < rays.size(); first += lanes) {
             const size_t n = std::min(lanes, rays.size() - first);
             for (size_t i = 0; i < lanes; ++i) {
                 valid[i] = i < n ? -1 : 0;
-                fill(r, i, rays[first + std::min(i, n - 1)]);
+                lay_out(r, i, rays[first + std::min(i, n - 1)]);
             }
             query.any(scene, valid.data(), r);
             for (size_t i = 0; i < n; ++i) occluded[first + i] = r.tfar[i] < 0;
@@ -265,18 +264,18 @@ uint64_t BareEmbree::bytes() const { return static_cast<uint64_t>(std::max<int64
 
 Hit BareEmbree::closest(const Ray& ray) const
 {
-    Query query(Coherence::incoherent);
+    BareQuery query(Coherence::incoherent);
     RTCRayHit r;
-    fill(r, ray);
+    lay_out(r, ray);
     query.closest(impl_->scene, r);
     return impl_->to_hit(r.hit.geomID, r.hit.primID, r.hit.instID[0], r.ray.tfar, r.hit.u, r.hit.v);
 }
 
 bool BareEmbree::any(const Ray& ray) const
 {
-    Query query(Coherence::incoherent);
+    BareQuery query(Coherence::incoherent);
     RTCRay r;
-    fill(r, ray);
+    lay_out(r, ray);
     query.any(impl_->scene, r);
     return r.tfar < 0;
 }
@@ -297,12 +296,12 @@ void BareEmbree::any(std::span<const Ray> rays, std::span<uint8_t> occluded, Way
 
 double BareEmbree::replay_closest_ns(std::span<const Ray> rays, Coherence coherence) const
 {
-    Query query(coherence);
+    BareQuery query(coherence);
     std::vector<RTCRayHit> laid_out(std::min(chunk, rays.size()));
     double ns = 0;
     for (size_t first = 0; first < rays.size(); first += chunk) {
         const size_t n = std::min(chunk, rays.size() - first);
-        for (size_t i = 0; i < n; ++i) fill(laid_out[i], rays[first + i]);
+        for (size_t i = 0; i < n; ++i) lay_out(laid_out[i], rays[first + i]);
         const double start = thread_ns();
         for (size_t i = 0; i < n; ++i) query.closest(impl_->scene, laid_out[i]);
         ns += thread_ns() - start;
@@ -312,12 +311,12 @@ double BareEmbree::replay_closest_ns(std::span<const Ray> rays, Coherence cohere
 
 double BareEmbree::replay_any_ns(std::span<const Ray> rays) const
 {
-    Query query(Coherence::incoherent);
+    BareQuery query(Coherence::incoherent);
     std::vector<RTCRay> laid_out(std::min(chunk, rays.size()));
     double ns = 0;
     for (size_t first = 0; first < rays.size(); first += chunk) {
         const size_t n = std::min(chunk, rays.size() - first);
-        for (size_t i = 0; i < n; ++i) fill(laid_out[i], rays[first + i]);
+        for (size_t i = 0; i < n; ++i) lay_out(laid_out[i], rays[first + i]);
         const double start = thread_ns();
         for (size_t i = 0; i < n; ++i) query.any(impl_->scene, laid_out[i]);
         ns += thread_ns() - start;
@@ -325,4 +324,4 @@ double BareEmbree::replay_any_ns(std::span<const Ray> rays) const
     return ns;
 }
 
-}  // namespace lancer::bench
+}  // namespace lancer

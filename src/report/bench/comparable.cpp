@@ -1,4 +1,4 @@
-#include "bench/report/comparable.h"
+#include "report/bench/comparable.h"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
-// What the bench programs measured, read back from their files: JSON in the shape of Google Benchmark's, with a machine
-// block as "context" and one row for each figure. docs/benchmarks.md says what the fields mean.
+// What benchmarks measured, as their files have it: JSON in the shape of Google Benchmark's, with a machine block as
+// "context" and one row for each figure. The bench programs and `lancer bench` write them; docs/benchmarks.md says what
+// the fields mean.
 #pragma once
 
 #include <optional>
@@ -7,18 +8,22 @@
 #include <utility>
 #include <vector>
 
-#include "bench/report/comparable.h"
+#include "report/bench/comparable.h"
 #include "report/page/svg_plot.h"
 
 namespace lancer {
 
-struct BenchRow {
-    std::string name, family, mesh, accel, rays, way;  // empty where they say nothing
-    std::vector<std::pair<std::string, double>> numbers;
-    std::vector<std::pair<std::string, std::string>> texts;  // and yes and no
+// The members of a JSON object that are neither lists nor objects.
+struct BenchFields {
+    std::vector<std::pair<std::string, double>> numbers{};
+    std::vector<std::pair<std::string, std::string>> texts{};  // and yes and no
 
     std::optional<double> number(const std::string& key) const;
     std::string text(const std::string& key) const;  // empty if there is none
+};
+
+struct BenchRow : BenchFields {
+    std::string name{}, family{}, mesh{}, accel{}, rays{}, way{};  // empty where they say nothing
 
     // Items per second, in millions, with the range of the rounds. NaN where the row was not timed.
     Ranged mega_per_second() const;
@@ -29,12 +34,22 @@ struct BenchRow {
 struct BenchFile {
     std::string name;
     MachineBlock machine;
+    BenchFields context;  // what else the context says
     std::vector<BenchRow> rows;
     std::string json;  // as it was read
 };
 
 // name: for messages. Throws Error (invalid_input) if the text is not JSON, not of this shape, or has no row.
 BenchFile read_bench(const std::string& name, const std::string& json);
+
+// The text of such a file. context: what it says besides the machine, such as what was measured.
+std::string to_json(const MachineBlock& machine, const BenchFields& context, const std::vector<BenchRow>& rows);
+// The machine block alone: the value of "context".
+std::string context_json(const MachineBlock& machine);
+
+// Rows as CSV, a column for each name that some row has, in the order in which they turn up.
+using NamedFields = std::vector<std::pair<std::string, std::string>>;
+std::string named_csv(const std::vector<NamedFields>& rows);
 
 using BenchRows = std::vector<const BenchRow*>;
 

@@ -13,9 +13,11 @@ namespace lancer {
 struct MachineBlock {
     std::string cpu, compiler, flags, embree, embree_isa, tbb;
     std::optional<int> num_cpus, threads;
-    std::optional<bool> embree_asserts;    // Embree checks itself while it runs, which costs time
-    std::optional<double> load;            // processes that wanted a CPU when the run began, over one minute
-    std::string date, executable, lancer;  // told, not compared: they are what one compares
+    std::optional<bool> embree_asserts;  // Embree checks itself while it runs, which costs time
+    std::optional<double> load;          // processes that wanted a CPU when the run began, over one minute
+    // Told, not compared: they are what one compares, or follow from what is.
+    std::string date, executable, lancer, build_id, widest_isa;
+    std::optional<double> load_at_end;
 };
 
 // Beyond this load a run shares its CPUs.

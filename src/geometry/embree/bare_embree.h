@@ -1,5 +1,5 @@
-// Embree without anything of ours around it, in the modes that the product does not use as well: what every other speed
-// is measured against. The only file of the benches that knows Embree.
+// Embree without anything of ours around it, in the modes that renders do not use as well: what benchmarks measure
+// every other speed against. bench/ and `lancer bench` call it.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 #include "geometry/accel.h"
 
-namespace lancer::bench {
+namespace lancer {
 
 struct BareMode {
-    bool robust = true;  // as the product; else the fast mode, which loses rays
+    bool robust = true;  // as renders; else the fast mode, which loses rays
     bool high = true;    // build quality; else medium
     std::string isa = "avx2";
 };
@@ -30,7 +30,7 @@ bool has_native_16(const std::string& isa);
 // Whether the library that is loaded was compiled with its assertions.
 bool embree_has_asserts();
 
-// Meshes and instances as the product builds them; spheres, planes and holes are left out.
+// Meshes and instances as renders build them; spheres, planes and holes are left out.
 class BareEmbree {
 public:
     // The geometry must outlive this. Throws Error (failed).
@@ -60,4 +60,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace lancer::bench
+}  // namespace lancer
