@@ -23,7 +23,7 @@ TEST_F(Commands, HelpNamesEveryOption)
                                "--aov",        "--tonemap", "-q,--quiet",   "-v,--verbose", "--version", "-h,--help"}) {
         expect_words(said.out, option);
     }
-    for (const char* command : {"render", "check", "info", "compare", "pixel", "tune", "export"}) {
+    for (const char* command : {"render", "check", "info", "compare", "pixel", "tune", "bench", "export"}) {
         expect_words(run({"--help"}).out, "lancer " + std::string(command));
         EXPECT_EQ(run({command, "--help"}).code, 0);
     }

@@ -12,7 +12,7 @@
 namespace lancer {
 namespace {
 
-constexpr std::array<Command, 15> command_table{{
+constexpr std::array<Command, 16> command_table{{
     {"render", "SCENE [-o FILE]...", "render a scene (.toml) or a mesh (.obj, .ply, .gltf, .glb) into pictures", run_render},
     {"film", "SCENE -o FRAME.####.exr", "render the frames of an animation or a turntable", run_film},
     {"view", "SCENE", "show a scene in a window and move camera and lights by hand", run_view},
@@ -25,6 +25,7 @@ constexpr std::array<Command, 15> command_table{{
     {"compare", "PICTURE REFERENCE", "print how far a picture is from a reference", run_compare},
     {"pixel", "SCENE X Y [SAMPLE]", "trace one sample again and print every vertex", run_pixel},
     {"study", "STUDY -o FOLDER", "error against run time: methods on scenes, as one HTML page", run_study},
+    {"bench", "SCENE [-o FOLDER]", "speed of accelerators beside Embree on a mesh, as one HTML page", run_bench},
     {"tune", "SCENE", "measure what each estimator gives on a scene", run_tune},
     {"export", "SCENE -o FOLDER", "write a scene for other renderers: JSON and plain meshes", run_export},
     {"options", "[--biases]", "print the table of render settings, or of what biases pictures", run_options},

@@ -17,6 +17,7 @@ int run_check(int argc, char** argv);
 int run_info(int argc, char** argv);
 int run_study(int argc, char** argv);
 int run_pixel(int argc, char** argv);
+int run_bench(int argc, char** argv);
 int run_export(int argc, char** argv);
 int run_tune(int argc, char** argv);
 int run_options(int argc, char** argv);

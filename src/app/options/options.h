@@ -206,6 +206,16 @@ struct StudyOptions {
     std::optional<uint32_t> threads;
 };
 
+struct BenchOptions {
+    PictureOptions picture;            // its render settings are the scene's
+    double seconds = 120;              // that all of it takes
+    double error = 0.02;               // of pictures: the root of their relative mean square
+    std::vector<std::string> methods;  // the baseline first; see app/bench/methods.h
+    std::vector<std::string> rays;     // kinds, in the order of ray_set_kinds
+    std::string folder, against;       // empty: none
+    bool json = false, quiet = false;
+};
+
 struct OptionsOptions {
     bool biases = false;
     std::string pages;  // a folder
@@ -250,6 +260,7 @@ std::optional<PixelOptions> parse_pixel(int argc, char** argv);
 std::optional<TuneOptions> parse_tune(int argc, char** argv);
 std::optional<ExportOptions> parse_export(int argc, char** argv);
 std::optional<StudyOptions> parse_study(int argc, char** argv);
+std::optional<BenchOptions> parse_bench(int argc, char** argv);
 std::optional<OptionsOptions> parse_options(int argc, char** argv);
 std::optional<CompareOptions> parse_compare(int argc, char** argv);
 

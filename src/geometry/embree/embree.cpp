@@ -23,7 +23,8 @@ using namespace embree;
 
 class Embree final : public Accelerator {
 public:
-    Embree(const Geometry& geometry, const std::string& isa) : g_(geometry), data_{g_, choose_large_shapes(g_)}
+    Embree(const Geometry& geometry, const std::string& isa, EmbreeMode mode)
+        : g_(geometry), mode_(mode), data_{g_, choose_large_shapes(g_)}
     {
         const auto start = std::chrono::steady_clock::now();
         device_ = rtcNewDevice(("isa=" + isa + build_threads).c_str());
@@ -111,7 +112,7 @@ private:
     RTCScene new_scene() const
     {
         RTCScene s = rtcNewScene(device_);
-        rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(s, mode_ == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
         rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_HIGH);
         return s;
     }
@@ -191,6 +192,7 @@ private:
     }
 
     const Geometry& g_;
+    EmbreeMode mode_;
     UserData data_;
     bool attached_ = false;  // anything; else there is nothing to search
     RTCDevice device_ = nullptr;
@@ -202,9 +204,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Accelerator> make_embree(const Geometry& geometry, const std::string& isa)
+std::unique_ptr<Accelerator> make_embree(const Geometry& geometry, const std::string& isa, EmbreeMode mode)
 {
-    return std::make_unique<Embree>(geometry, isa);
+    return std::make_unique<Embree>(geometry, isa, mode);
 }
 
 std::string embree_version()

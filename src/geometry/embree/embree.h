@@ -8,8 +8,11 @@
 
 namespace lancer {
 
-// Scenes are built with RTC_SCENE_FLAG_ROBUST: the fast mode loses up to a quarter of the rays far from the origin.
-std::unique_ptr<Accelerator> make_embree(const Geometry& geometry, const std::string& isa);
+// Renders use the robust mode: the fast one, which benchmarks compare, loses up to a quarter of the rays far from the
+// origin.
+enum class EmbreeMode { robust, fast };
+std::unique_ptr<Accelerator> make_embree(const Geometry& geometry, const std::string& isa,
+                                         EmbreeMode mode = EmbreeMode::robust);
 
 // Version of the loaded library: "3.13.5".
 std::string embree_version();
