@@ -85,7 +85,7 @@ private:
         const std::vector<std::string_view> kinds(work_.options.rays.begin(), work_.options.rays.end());
         const size_t slices = slices_wanted(seconds());
         sets_ = scene_.rays(slices * usual_slice, kinds);
-        for (RaySet& set : sets_) deal(set, slices);
+        for (RaySet& set : sets_) deal(set);
         if (sets_.empty())
             throw Error(ErrorKind::invalid_input, {work_.options.picture.scene.file},
                         "the view has none of these rays");

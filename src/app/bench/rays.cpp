@@ -223,17 +223,22 @@ std::vector<RaySet> find_rays(const RaySource& source, size_t count, std::span<c
     return sets;
 }
 
-void deal(RaySet& set, size_t parts)
+void deal(RaySet& set)
 {
+    // Multiples of the golden ratio, without their whole part, are even over any stretch of neighbours; a stride would
+    // meet the same place in each tile of the picture.
     const size_t batches = (set.rays.size() + rays_of_batch - 1) / rays_of_batch;
+    const auto place = [](size_t b) { return std::fmod(static_cast<double>(b) * std::numbers::phi, 1.0); };
+    std::vector<size_t> order(batches);
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::sort(order.begin(), order.end(), [&](size_t x, size_t y) { return place(x) < place(y); });
     std::vector<Ray> dealt;
     dealt.reserve(set.rays.size());
-    for (size_t part = 0; part < parts; ++part)
-        for (size_t b = part; b < batches; b += parts) {
-            const size_t first = b * rays_of_batch, n = std::min(rays_of_batch, set.rays.size() - first);
-            const auto begin = set.rays.begin() + static_cast<std::ptrdiff_t>(first);
-            dealt.insert(dealt.end(), begin, begin + static_cast<std::ptrdiff_t>(n));
-        }
+    for (const size_t b : order) {
+        const size_t first = b * rays_of_batch, n = std::min(rays_of_batch, set.rays.size() - first);
+        const auto begin = set.rays.begin() + static_cast<std::ptrdiff_t>(first);
+        dealt.insert(dealt.end(), begin, begin + static_cast<std::ptrdiff_t>(n));
+    }
     set.rays = std::move(dealt);
 }
 

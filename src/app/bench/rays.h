@@ -57,9 +57,8 @@ inline constexpr auto ray_set_kinds =
 std::vector<RaySet> find_rays(const RaySource& source, size_t count, std::span<const std::string_view> kinds,
                               size_t most = 8'000'000);
 
-// The rays in an order in which each of `parts` equal parts, one after the other, has batches from all over the set: as
-// costly as any other.
-void deal(RaySet& set, size_t parts);
+// The rays in an order in which any stretch has batches from all over the set: as costly as any other.
+void deal(RaySet& set);
 
 // Of all that tells rays apart.
 uint64_t hash_of(const RaySet& set);
