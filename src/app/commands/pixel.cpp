@@ -13,9 +13,9 @@ namespace lancer {
 namespace {
 
 // 9 digits tell every float from its neighbours.
-std::string to_text(Vec3d v) { return format_text("(%.9g, %.9g, %.9g)", v.x, v.y, v.z); }
-std::string to_text(Vec3 v) { return to_text(to_double(v)); }
-std::string to_text(Color c) { return to_text(Vec3d{double(c.r), double(c.g), double(c.b)}); }
+std::string numbers_of(Vec3d v) { return format_text("(%.9g, %.9g, %.9g)", v.x, v.y, v.z); }
+std::string numbers_of(Vec3 v) { return numbers_of(to_double(v)); }
+std::string numbers_of(Color c) { return numbers_of(Vec3d{double(c.r), double(c.g), double(c.b)}); }
 
 // Prints what the kernel reports, in the units of the scene file.
 class Report {
@@ -28,14 +28,14 @@ public:
     {
         return {.ray = [this](const PathState& s, const Hit& h) { print_ray(s, h); },
                 .vertex = [this](const PathState&, const Surface& s) { print_vertex(s); },
-                .added = [](const PathState&, Color c) { print_result("  added          " + to_text(c)); },
+                .added = [](const PathState&, Color c) { print_result("  added          " + numbers_of(c)); },
                 .shadow = [this](const Ray& r, Color c, bool occluded) { print_shadow_ray("", r, c, occluded); },
                 .mirrored_shadow = [this](const Ray& r, Color c,
                                           bool occluded) { print_shadow_ray(" by way of a mirror,", r, c, occluded); }};
     }
 
 private:
-    std::string place(Vec3 p) const { return to_text(scene_.normalisation.to_file(to_double(p))); }
+    std::string place(Vec3 p) const { return numbers_of(scene_.normalisation.to_file(to_double(p))); }
     double distance(float t) const { return double(t) / scene_.normalisation.scale; }
 
     std::string part_of_bubble(uint32_t sphere) const
@@ -64,8 +64,8 @@ private:
         print_result(format_text("ray at depth %u%s%s", s.depth, s.specular ? ", specular" : "",
                                  s.last ? ", last: only emission counts" : ""));
         print_result("  origin         " + place(s.ray.org));
-        print_result("  direction      " + to_text(s.ray.dir));
-        print_result("  throughput     " + to_text(s.throughput));
+        print_result("  direction      " + numbers_of(s.ray.dir));
+        print_result("  throughput     " + numbers_of(s.throughput));
         const View view{scene_, *plan_};
         const float rate = s.light_sampled ? view.light_rate(s.cell) : 1;
         if (s.pdf > 0) print_result(format_text("  pdf            %.9g", double(s.pdf * rate)));
@@ -82,15 +82,15 @@ private:
     void print_vertex(const Surface& s) const
     {
         print_result("  point          " + place(s.p));
-        print_result("  normal         " + to_text(s.n) + (s.front ? ", front side" : ", back side"));
-        print_result("  shading normal " + to_text(s.ns));
+        print_result("  normal         " + numbers_of(s.n) + (s.front ? ", front side" : ", back side"));
+        print_result("  shading normal " + numbers_of(s.ns));
         print_result(format_text("  material       %u ", s.material) + in_quotes(scene_.material_names[s.material]));
     }
     void print_shadow_ray(const char* way, const Ray& r, Color carried, bool occluded) const
     {
-        print_result(std::string("  shadow ray") + way + " from " + place(r.org) + " towards " + to_text(r.dir) +
+        print_result(std::string("  shadow ray") + way + " from " + place(r.org) + " towards " + numbers_of(r.dir) +
                      (std::isfinite(r.t_max) ? format_text(", length %.9g", distance(r.t_max)) : ", without end"));
-        print_result("    carries " + to_text(carried) + (occluded ? ": occluded" : ": arrives"));
+        print_result("    carries " + numbers_of(carried) + (occluded ? ": occluded" : ": arrives"));
     }
 
     const Scene& scene_;
@@ -120,7 +120,7 @@ int run_pixel(int argc, char** argv)
         Report report(renderer, p.description, renderer.plan(camera, width, height));
         const Color radiance =
             renderer.replay(camera, width, height, {options->x, options->y, options->sample}, report.listener());
-        print_result("radiance " + to_text(radiance) +
+        print_result("radiance " + numbers_of(radiance) +
                      (is_finite(radiance) ? "" : ": not finite, dropped from pictures"));
     });
     return exit_done;
