@@ -106,8 +106,8 @@ _lancer() {
 }
 complete -F _lancer lancer
 
-_lancer_commands='render film view check info denoise merge verify slurm compare pixel study tune export options'
-_lancer_scenes='.toml .obj .ply'
+_lancer_commands='render film view check info denoise merge verify slurm compare pixel study bench tune export options'
+_lancer_scenes='.toml .obj .ply .gltf .glb .gz .xz .zst'
 
 _lancer_options() {
     case $1 in
@@ -123,6 +123,7 @@ _lancer_options() {
         compare) options='-h --help --version --reference2 --metric --steps --fail-above -o --output --format --map --json' ;;
         pixel) options='-h --help --version --camera --frame --turntable --env --no-ground --up --view -D --asset-root --smooth --size -s --spp --seed --integrator --max-depth --sampler --filter --accel --isa --legacy --stop-error --replicates --texture-limit --set -t --threads --memory --strict' ;;
         study) options='-h --help --version --allow-peers -o --output -t --threads' ;;
+        bench) options='-h --help --version --camera --frame --turntable --env --no-ground --up --view -D --asset-root --smooth --time --quick --accel --rays --error -o --output --against --json -q --quiet -t --threads --memory' ;;
         tune) options='-h --help --version --camera --frame --turntable --env --no-ground --up --view -D --asset-root --smooth --size -s --spp --seed --integrator --max-depth --sampler --filter --accel --isa --legacy --stop-error --replicates --texture-limit --set -t --threads --memory --strict --time -q --quiet' ;;
         export) options='-h --help --version --camera --frame --turntable --env --no-ground --up --view -D --asset-root --smooth --size -s --spp --seed --integrator --max-depth --sampler --filter --accel --isa --legacy --stop-error --replicates --texture-limit --set -t --threads --memory --strict -o --output' ;;
         options) options='-h --help --version --biases --pages' ;;
@@ -132,33 +133,36 @@ _lancer_options() {
 # _lancer_argument COMMAND PLACE, from 0 on
 _lancer_argument() {
     case $1:$2 in
-        render:0) takes=yes files='.toml .obj .ply' ;;
-        film:0) takes=yes files='.toml .obj .ply' ;;
-        view:0) takes=yes files='.toml .obj .ply' ;;
-        check:0) takes=yes files='.toml .obj .ply' ;;
-        info:0) takes=yes files='.toml .obj .ply .exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
+        render:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        film:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        view:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        check:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        info:0) takes=yes files='.toml .obj .ply .gltf .glb .exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         denoise:0) takes=yes files='.exr' ;;
         merge:*) takes=yes files='.lancer' ;;
         verify:0) takes=yes files='.exr' ;;
-        verify:1) takes=yes files='.toml .obj .ply' ;;
-        slurm:0) takes=yes files='.toml .obj .ply' ;;
+        verify:1) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        slurm:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
         compare:0) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         compare:1) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         compare:2) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
-        pixel:0) takes=yes files='.toml .obj .ply' ;;
+        pixel:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
         pixel:1) takes=yes ;;
         pixel:2) takes=yes ;;
         pixel:3) takes=yes ;;
         study:0) takes=yes files='.toml' ;;
-        tune:0) takes=yes files='.toml .obj .ply' ;;
-        export:0) takes=yes files='.toml .obj .ply' ;;
+        bench:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        tune:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        export:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
     esac
 }
 
 # What an option takes: _lancer_option COMMAND OPTION
 _lancer_option() {
     case $1:$2 in
-        *:--accel) takes=yes values='auto embree list list8 box median bvh2 bvh8' ;;
+        bench:--accel) takes=yes ;;
+        render:--accel | film:--accel | view:--accel | pixel:--accel | tune:--accel | export:--accel) takes=yes values='auto embree list list8 box median bvh2 bvh8' ;;
+        *:--against) takes=yes ;;
         *:--aov) takes=yes list='albedo normal depth position uv material variance mask flat samples z all lights parts lobes cryptomatte denoise oidn' ;;
         *:--asset-root) takes=yes folders='yes' ;;
         *:--background) takes=yes values='keep transparent opaque-glass' ;;
@@ -198,6 +202,7 @@ _lancer_option() {
         *:--pixels) takes=yes values='all' ;;
         *:--plan-map) takes=yes files='.png' ;;
         *:--progress) takes=yes values='auto plain json none' ;;
+        *:--rays) takes=yes ;;
         *:--reference) takes=yes files='.exr' ;;
         compare:--reference2) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         render:--reference2 | film:--reference2) takes=yes files='.exr' ;;
@@ -225,7 +230,7 @@ _lancer_option() {
         merge:-o | merge:--output) takes=yes files='.exr .png .ppm .jpg .jpeg .hdr .lancer' ;;
         film:-o | film:--output) takes=yes files='.exr .png .ppm .jpg .jpeg .hdr .mp4' ;;
         render:-o | view:-o | denoise:-o | slurm:-o | compare:-o | render:--output | view:--output | denoise:--output | slurm:--output | compare:--output) takes=yes files='.exr .png .ppm .jpg .jpeg .hdr' ;;
-        study:-o | export:-o | study:--output | export:--output) takes=yes folders='yes' ;;
+        study:-o | bench:-o | export:-o | study:--output | bench:--output | export:--output) takes=yes folders='yes' ;;
         *:-s | *:--spp) takes=yes ;;
         *:-t | *:--threads) takes=yes ;;
     esac
