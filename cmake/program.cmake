@@ -18,7 +18,7 @@ if(NOT LANCER_FUZZ)
   target_link_libraries(lancer_shared PRIVATE lancer_app lancer_warnings)
   set_target_properties(lancer_shared PROPERTIES OUTPUT_NAME lancer VERSION ${PROJECT_VERSION} SOVERSION 1
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} EXPORT_NAME lancer)
-  target_link_options(lancer_shared PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/src/app/api/exported.map)
+  target_link_options(lancer_shared PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exported.map)
 endif()
 
 # The flags that decide how fast the code is, for the machine block of benchmarks.

@@ -107,7 +107,7 @@ _lancer() {
 complete -F _lancer lancer
 
 _lancer_commands='render film view check info denoise merge verify slurm compare pixel study bench tune export options'
-_lancer_scenes='.toml .obj .ply .gltf .glb .gz .xz .zst'
+_lancer_scenes='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst'
 
 _lancer_options() {
     case $1 in
@@ -133,27 +133,27 @@ _lancer_options() {
 # _lancer_argument COMMAND PLACE, from 0 on
 _lancer_argument() {
     case $1:$2 in
-        render:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        film:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        view:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        check:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        render:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        film:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        view:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        check:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
         info:0) takes=yes files='.toml .obj .ply .gltf .glb .exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         denoise:0) takes=yes files='.exr' ;;
         merge:*) takes=yes files='.lancer' ;;
         verify:0) takes=yes files='.exr' ;;
-        verify:1) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        slurm:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        verify:1) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        slurm:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
         compare:0) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         compare:1) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
         compare:2) takes=yes files='.exr .png .jpg .jpeg .hdr .tga .tif .tiff .webp .dds .gif .bmp .ppm .pgm .pfm' ;;
-        pixel:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        pixel:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
         pixel:1) takes=yes ;;
         pixel:2) takes=yes ;;
         pixel:3) takes=yes ;;
         study:0) takes=yes files='.toml' ;;
-        bench:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        tune:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
-        export:0) takes=yes files='.toml .obj .ply .gltf .glb .gz .xz .zst' ;;
+        bench:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        tune:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
+        export:0) takes=yes files='.toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst' ;;
     esac
 }
 

@@ -289,7 +289,7 @@ TEST_F(Export, ARoughSheetIsATableToo)
     EXPECT_NEAR(left("0.02", 0), 1, 1e-3f);
     EXPECT_NEAR(left("0.02", 1), 1, 1e-3f);
     const float reflected = 2 * 0.04f / 1.04f, through = left("1", 0);  // of a smooth sheet, seen from above
-    EXPECT_GT(std::abs(through - 1), 0.03f);
+    EXPECT_GT(std::abs(through - 1), 1e-3f);
     EXPECT_NEAR((1 - reflected) * through + reflected * left("1", 1), 1, 0.01f);
 }
 

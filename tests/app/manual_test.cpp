@@ -96,7 +96,7 @@ TEST_F(Manual, KnowsEveryOptionOfEveryHelp)
                       fish = read_bytes(source + "share/completions/lancer.fish"),
                       main_page = read_bytes(source + "share/man/lancer.1");
     const std::vector<std::string> commands = commands_of(run({"--help"}).out);
-    EXPECT_EQ(commands.size(), 15u);
+    EXPECT_EQ(commands.size(), 16u);
     for (const std::string& command : commands) {
         const std::string help = run({command, "--help"}).out;
         EXPECT_EQ(run({"help", command}).out, help);

@@ -5,7 +5,8 @@
 
 namespace lancer::files {
 
-inline constexpr std::string_view scenes = ".toml .obj .ply .gltf .glb .gz .xz .zst";
+inline constexpr std::string_view scenes =
+    ".toml .obj .ply .gltf .glb .obj.gz .obj.xz .obj.zst .ply.gz .ply.xz .ply.zst";
 inline constexpr std::string_view written_pictures = ".exr .png .ppm .jpg .jpeg .hdr";
 inline constexpr std::string_view written_frames = ".exr .png .ppm .jpg .jpeg .hdr .mp4";
 inline constexpr std::string_view merged = ".exr .png .ppm .jpg .jpeg .hdr .lancer";

@@ -76,22 +76,25 @@ ExportedPicture coat_of(const std::string& name, const Plastic& plastic)
 // included.
 double part_left(const Glass& glass, float cos, bool through)
 {
-    constexpr uint32_t side = 16;  // samples are stratified
+    constexpr uint32_t side = 32;  // samples are stratified
     Glass clear = glass;
     clear.tint = Color{1, 1, 1};
-    const GlassBsdf bsdf = clear.at({});
+    const GlassLobes multiple = clear.at({}).multiple;
+    clear.losses.reset();
+    const GlassBsdf once = clear.at({});
     const Vec3 wo{std::sqrt((1 - cos) * (1 + cos)), 0, cos};
-    const double smooth = part_of_sheet(
-        fresnel_dielectric_double(static_cast<double>(cos), (1.0 - cos) * (1.0 + cos), double{glass.ior}).reflectance,
-        through);
-    const auto at = [](uint32_t i) { return (static_cast<float>(i) + 0.5f) / side; };
     double sum = 0;
-    for (uint32_t u = 0; u < side; ++u)
-        for (uint32_t i = 0; i < side * side; ++i) {
-            const auto s = bsdf.sample(wo, at(u), {at(i % side), at(i / side)});
-            if (s && (s->wi.z < 0) == through) sum += static_cast<double>(s->weight.g);
-        }
-    return smooth > 0 ? sum / (side * side * side) / smooth : 1;
+    for (uint32_t i = 0; i < side * side; ++i) {
+        const Vec2 v{(static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side};
+        const auto s = once.sample(wo, through ? 0x1.fffffep-1f : 0, v);
+        if (s) sum += static_cast<double>(s->weight.g);
+    }
+    const double c = static_cast<double>(cos);
+    const double smooth =
+        part_of_sheet(fresnel_dielectric_double(c, (1 - c) * (1 + c), double{glass.ior}).reflectance, through);
+    const float part = through ? multiple.part_through : 1 - multiple.part_through;
+    const double further = multiple ? static_cast<double>(multiple.here.loss(cos) * part) : 0;
+    return sum / (side * side) + (smooth > 0 ? further / smooth : 0);
 }
 
 // Columns as of a coat. The upper row is what is let through, the lower one what is reflected.

@@ -77,6 +77,9 @@ SceneDescription all_lights()
     d.lights.push_back(light_of(LightType::point, {2, 2, 2}, {-1.5, 2, 1.5}));
     d.lights.push_back(light_of(LightType::sphere, {10, 12, 14}, {1.5, 2, 1}, 0.2));
     d.lights.push_back(directional_of({1, 0.9f, 0.8f}, {0.5, -1, -0.6}));
+    LightDescription spot = light_of(LightType::spot, {3, 3, 2}, {0.5, 2.5, -1});
+    spot.direction = {-0.2, -1, 0.4}, spot.inner_deg = 15, spot.outer_deg = 40;
+    d.lights.push_back(spot);
     d.lights.push_back(sky_of({0.2f, 0.2f, 0.3f}));
     d.spheres.push_back(sphere_of({0, 0.9, 0.2}, 0.3, "floor"));
     MaterialDescription screen = make_emitter("screen", {3, 3, 3});
