@@ -9,18 +9,17 @@
 namespace lancer {
 namespace {
 
-std::string ratio_cell_text(const Ranged& ratio, bool intervals)
-{
-    if (intervals) return "×" + ranged_text(ratio);
-    return "×" + fixed_text(ratio.value, 2);
-}
-
+// With intervals in lines of their own: that of the ratio, where there is one. Columns stay narrow.
 std::string value_text_of(const BenchFigure& f, bool intervals)
 {
     const Ranged value = f.value();
-    std::string text = intervals ? ranged_text(value) : significant(value.value);
-    if (!f.ratio) return text;
-    return text + (intervals ? "\n" : " ") + ratio_cell_text(*f.ratio, intervals);
+    std::string text = significant(value.value);
+    if (f.ratio)
+        text += (intervals ? "\n×" : " ×") + (intervals ? significant(f.ratio->value) : fixed_text(f.ratio->value, 2));
+    const std::string range = ranged_text(f.ratio ? *f.ratio : value);
+    if (const size_t bracket = range.find('['); intervals && bracket != std::string::npos)
+        text += '\n' + range.substr(bracket);
+    return text;
 }
 
 // What a row of the table says of each method.

@@ -9,7 +9,8 @@
 
 namespace lancer {
 
-// A row for each thing that was measured, a column for each method; with intervals, cells have two lines.
+// A row for each thing that was measured, a column for each method; with intervals, cells have three lines, the last of which is
+// the interval of the ratio.
 Table figures_table(const BenchRun& run, bool intervals);
 
 // What was measured, and on what: pairs of a name and what is told.
