@@ -1,5 +1,6 @@
 # What `cmake --install` copies. The program finds its modules by a path from its own folder, so the tree may be moved
-# as a whole. Components: program (the default), scenes, doc.
+# as a whole. Components: program, view (the window), library,
+# scenes, doc.
 include(GNUInstallDirs)
 set(LANCER_ZSH_COMPLETIONS share/zsh/site-functions CACHE STRING "Where zsh looks for completions; Debian's looks in share/zsh/vendor-completions")
 set(modules_folder ${CMAKE_INSTALL_LIBDIR}/lancer)
@@ -14,7 +15,9 @@ endforeach()
 
 install(TARGETS lancer RUNTIME COMPONENT program)
 foreach(module ${LANCER_MODULES})
-  if(TARGET ${module})
+  if(module STREQUAL "lancer_view")
+    install(TARGETS ${module} LIBRARY DESTINATION ${modules_folder} COMPONENT view)
+  else()
     install(TARGETS ${module} LIBRARY DESTINATION ${modules_folder} COMPONENT program)
   endif()
 endforeach()
@@ -50,11 +53,11 @@ if(TARGET lancer_view)
   configure_file(share/metainfo/localhost.lancer.lancer.metainfo.xml.in
     ${CMAKE_BINARY_DIR}/share/localhost.lancer.lancer.metainfo.xml @ONLY)
   install(FILES share/applications/lancer.desktop
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT view)
   install(FILES share/icons/lancer.svg
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT view)
   install(FILES ${CMAKE_BINARY_DIR}/share/localhost.lancer.lancer.metainfo.xml
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT view)
 endif()
 
 # Scenes with their meshes and textures, without the programs that made these.

@@ -10,6 +10,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL program library scenes doc)
+if(TARGET lancer_view)
+  list(APPEND CPACK_COMPONENTS_ALL view)
+endif()
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package_files.cmake)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/package_libraries.cmake)
 
@@ -25,14 +28,17 @@ lancer renders OBJ and PLY meshes, with materials and textures, and small
 TOML scenes. Pictures are unbiased and have the same bits on any number of
 threads. The processor must be an x86-64-v3 one (AVX2, FMA).
 
-A plain render needs no recommended library: those are for the window
-(lancer view), for TIFF, WebP and other formats of OpenImageIO, and for views
-of OpenColorIO.")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "lancer-scenes, lancer-doc, ffmpeg")
+A plain render needs no recommended library: those are for TIFF, WebP and other
+formats of OpenImageIO, for views of OpenColorIO, for compressed meshes and
+glTF files. The window is in lancer-view.")
+set(CPACK_DEBIAN_VIEW_PACKAGE_NAME lancer-view)
+set(CPACK_DEBIAN_VIEW_DESCRIPTION "window of the path tracer lancer
+Shows a scene while it renders; camera, lights and materials are moved by
+hand.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "lancer-view, lancer-scenes, lancer-doc, ffmpeg")
 # What the library is linked with is what the program is linked with.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME lancer-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "lancer (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "python3-numpy")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "library of the path tracer lancer
 Renders scenes, or arrays of triangles, for C programs and for Python, with
@@ -55,4 +61,6 @@ set(CPACK_LANCER_MODULES)
 foreach(module ${LANCER_MODULES})
   list(APPEND CPACK_LANCER_MODULES ${CMAKE_BINARY_DIR}/${module}.so)
 endforeach()
+list(FILTER CPACK_LANCER_MODULES EXCLUDE REGEX "/lancer_view.so$")
+set(CPACK_LANCER_VIEW ${CMAKE_BINARY_DIR}/lancer_view.so)
 include(CPack)

@@ -1,16 +1,30 @@
 # cpack reads this before it makes packages. What the program is linked with is Depends, what only modules are linked
-# with is Recommends: cpack's own search knows no difference.
+# with is Recommends, but for the window, a package of its own: cpack's own search knows no difference.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()
 set(scratch ${CPACK_PACKAGE_DIRECTORY}/_CPack_Packages/shlibdeps)
 file(WRITE ${scratch}/debian/control "Source: lancer\n\nPackage: lancer\nArchitecture: any\n")
-execute_process(COMMAND dpkg-shlibdeps -O -dDepends ${CPACK_LANCER_PROGRAM} -dRecommends ${CPACK_LANCER_MODULES}
-  WORKING_DIRECTORY ${scratch} OUTPUT_VARIABLE libraries ERROR_VARIABLE said RESULT_VARIABLE result)
-if(NOT result EQUAL 0 OR NOT libraries MATCHES "shlibs:Depends=([^\n]+)")
-  message(FATAL_ERROR "dpkg-shlibdeps (package dpkg-dev) tells no libraries: ${libraries}${said}")
+# libraries_of(RESULT ARGUMENT...): the variables that dpkg-shlibdeps prints for these programs.
+function(libraries_of result)
+  execute_process(COMMAND dpkg-shlibdeps -O ${ARGN}
+    WORKING_DIRECTORY ${scratch} OUTPUT_VARIABLE libraries ERROR_VARIABLE said RESULT_VARIABLE code)
+  if(NOT code EQUAL 0 OR NOT libraries MATCHES "shlibs:Depends=")
+    message(FATAL_ERROR "dpkg-shlibdeps (package dpkg-dev) tells no libraries: ${libraries}${said}")
+  endif()
+  set(${result} "${libraries}" PARENT_SCOPE)
+endfunction()
+set(same_version "lancer (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+libraries_of(of_program -dDepends ${CPACK_LANCER_PROGRAM} -dRecommends ${CPACK_LANCER_MODULES})
+if(of_program MATCHES "shlibs:Depends=([^\n]+)")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${CMAKE_MATCH_1}")
 endif()
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${CMAKE_MATCH_1}")
-if(libraries MATCHES "shlibs:Recommends=([^\n]+)")
+if(of_program MATCHES "shlibs:Recommends=([^\n]+)")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${CMAKE_MATCH_1}")
+endif()
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${same_version}")
+if(EXISTS ${CPACK_LANCER_VIEW})
+  libraries_of(of_view -dDepends ${CPACK_LANCER_VIEW})
+  string(REGEX MATCH "shlibs:Depends=([^\n]+)" found "${of_view}")
+  set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "${same_version}, ${CMAKE_MATCH_1}")
 endif()

@@ -129,8 +129,11 @@ check 'no library of a module is there' shell '
     if ldd /usr/bin/lancer | grep -E "OpenImageIO|OpenColorIO|glfw|libGL|not found"; then exit 1; fi
     if ls /usr/lib/*/libOpenImageIO.so.*; then exit 1; fi'
 check 'what needs one says so' shell '
+    lancer /usr/share/lancer/scenes/cornell.toml --size 32x32 -s 1 -q -o a.ppm
+    lancer compare a.ppm a.ppm 2>said && exit 1
+    grep -q "lancer_oiio.so: error: cannot be opened: libOpenImageIO" said
     lancer view /usr/share/lancer/scenes/cornell.toml 2>said && exit 1
-    grep -q "lancer_view.so: error: cannot be opened: libglfw.so.3" said'
+    grep -q "lancer_view.so, " said'
 
 apt_in "$root" install -y --no-install-recommends man-db bash-completion zsh fish
 check 'man lancer-render' shell 'man lancer-render | col -b | grep -q -e "--integrator path|direct"; man -w lancer lancer-view'
@@ -153,6 +156,7 @@ check 'recommended packages' apt_in "$root" install -y --no-install-recommends $
 check 'a picture that OpenImageIO reads' shell '
     lancer /usr/share/lancer/scenes/cornell.toml --size 32x32 -s 1 -q -o a.ppm -o a.png
     lancer compare a.ppm a.png --fail-above 0.001'
+check 'the window' apt_in "$root" install -y --no-install-recommends "$(deb lancer-view)"
 apt_in "$root" install -y --no-install-recommends xvfb xdotool libgl1-mesa-dri
 check 'lancer view under Xvfb' shell '
     exec 3<>display
@@ -180,7 +184,7 @@ check 'a C program' shell '
 check 'Python' shell '
     python3 -c "import lancer; assert lancer.render(\"/usr/share/lancer/scenes/still_life_textured.toml\", spp=1, size=(16, 9))[\"color\"].shape == (9, 16, 3)"'
 
-check 'purge' apt_in "$root" purge -y lancer lancer-dev lancer-scenes lancer-doc
+check 'purge' apt_in "$root" purge -y lancer lancer-view lancer-dev lancer-scenes lancer-doc
 check 'nothing is left' shell '
     # man itself keeps pages that were read.
     left=$(find / -xdev -iname "*lancer*" -not -path "/srv/*" -not -path "/tmp/*" -not -path "/var/cache/man/*")
