@@ -40,6 +40,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "lancer-view, lancer-scenes, lancer-do
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME lancer-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "python3-numpy")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/cmake/debian/prerm)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "library of the path tracer lancer
 Renders scenes, or arrays of triangles, for C programs and for Python, with
 the bits of the program.")
