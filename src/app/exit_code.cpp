@@ -11,6 +11,8 @@
 
 namespace lancer {
 
+namespace {
+
 int exit_code_of(ErrorKind kind)
 {
     switch (kind) {
@@ -28,21 +30,32 @@ int exit_code_of(ErrorKind kind)
     return exit_failed;
 }
 
+}  // namespace
+
+Failure current_failure()
+{
+    try {
+        throw;
+    } catch (const Error& e) {
+        return {exit_code_of(e.kind()), e.what()};
+    } catch (const std::bad_alloc&) {
+        return {exit_failed, "error: out of memory"};
+    } catch (const std::exception& e) {
+        return {exit_failed, std::string("error: ") + e.what()};
+    }
+}
+
 int guarded(const std::function<int()>& body)
 {
     try {
         const int code = body();
         flush_results();
         return code;
-    } catch (const Error& e) {
-        print_problem(e.what());
-        return exit_code_of(e.kind());
-    } catch (const std::bad_alloc&) {
-        print_problem("error: out of memory");
-    } catch (const std::exception& e) {
-        print_problem(std::string("error: ") + e.what());
+    } catch (const std::exception&) {
+        const Failure failure = current_failure();
+        print_problem(failure.text);
+        return failure.code;
     }
-    return exit_failed;
 }
 
 std::string message_of_termination(const std::exception_ptr& thrown)

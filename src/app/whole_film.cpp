@@ -5,6 +5,12 @@
 
 namespace lancer {
 
+void keep_for_settings(const RenderSettings& s, Film& film)
+{
+    if (s.stop) film.wanted.resize(film.pixels.size());
+    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+}
+
 bool fill_film(const Renderer& renderer, const Camera& camera, Film& film, uint32_t spp, const std::stop_token& stop,
                const std::function<void(double)>& report)
 {

@@ -2,7 +2,6 @@
 #include <exception>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -18,6 +17,7 @@
 #include "core/lanes/denormals.h"
 #include "core/names.h"
 #include "core/parallel.h"
+#include "io/mesh_values.h"
 #include "render/aov.h"
 #include "scene/camera.h"
 
@@ -36,27 +36,22 @@ thread_local std::string last_error;
 template <class F>
 int guarded_apart(const F& f)
 {
-    int code = LANCER_FAILED;
-    std::string text;
+    Failure result{LANCER_FAILED, ""};
     try {
         std::thread([&] {
             set_flush_denormals();
             const SilentConsole silent;
             try {
-                code = f();
-            } catch (const Error& error) {
-                code = exit_code_of(error.kind()), text = error.what();
-            } catch (const std::bad_alloc&) {
-                text = "error: out of memory";
-            } catch (const std::exception& error) {
-                text = std::string("error: ") + error.what();
+                result.code = f();
+            } catch (const std::exception&) {
+                result = current_failure();
             }
         }).join();
-    } catch (const std::exception& error) {
-        text = std::string("error: ") + error.what();
+    } catch (const std::exception&) {  // there is no thread
+        result = current_failure();
     }
-    if (code != LANCER_OK) last_error = text;
-    return code;
+    if (result.code != LANCER_OK) last_error = result.text;
+    return result.code;
 }
 
 [[noreturn]] void fail_usage_of_api(const std::string& message) { throw Error(ErrorKind::usage, "error: " + message); }
@@ -77,7 +72,6 @@ size_t channels_of(Aov aov)
 }
 
 constexpr std::string_view color_layer = "color";
-constexpr uint32_t usual_batch = 256;  // as of lancer render
 
 std::shared_ptr<const MeshData> data_of(const lancer_mesh& m)
 {
@@ -104,19 +98,18 @@ std::shared_ptr<const MeshData> data_of(const lancer_mesh& m)
     if (m.normals) {
         data->normals.resize(m.vertices);
         for (size_t i = 0; i < m.vertices; ++i) {
-            const Vec3 n{m.normals[3 * i], m.normals[3 * i + 1], m.normals[3 * i + 2]};
-            const float l = length(n);
-            if (!(l > 0) || !std::isfinite(l))
+            const Vec3 n = unit_normal(to_double(Vec3{m.normals[3 * i], m.normals[3 * i + 1], m.normals[3 * i + 2]}));
+            if (!is_finite(n) || n == Vec3{})
                 fail_usage_of_api("normal " + std::to_string(i) + " of a mesh has no direction");
-            data->normals[i] = n / l;
+            data->normals[i] = n;
         }
         data->normal_triangles = data->triangles;
     }
     if (m.uvs) {
         data->uvs.resize(m.vertices);
         for (size_t i = 0; i < m.vertices; ++i) {
-            data->uvs[i] = {m.uvs[2 * i], m.uvs[2 * i + 1]};
-            if (!std::isfinite(m.uvs[2 * i]) || !std::isfinite(m.uvs[2 * i + 1]))
+            data->uvs[i] = uv_of(double{m.uvs[2 * i]}, double{m.uvs[2 * i + 1]});
+            if (is_broken(data->uvs[i]))
                 fail_usage_of_api("texture coordinate " + std::to_string(i) + " of a mesh is not finite");
         }
         data->uv_triangles = data->triangles;
@@ -163,8 +156,7 @@ struct lancer_scene {
         }
         Film film(s.size.width, s.size.height, {0, 0, s.size.width, s.size.height});
         film.keep_aovs(layout_of(aovs));
-        if (s.stop) film.wanted.resize(film.pixels.size());
-        if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+        keep_for_settings(s, film);
         const Camera camera(*prepared.description.camera, renderer->scene().normalisation, film.width, film.height,
                             pixel_grid(s));
         if (!fill_film(*renderer, camera, film, s.spp, stop, report)) return;

@@ -60,7 +60,7 @@ int run_tune(int argc, char** argv)
     with_threads(p.threads, [&] {
         begin_prepared(p, diagnostics);
         p.settings.stop = false;  // pictures of equal samples are compared
-        const auto renderer = make_renderer(p, options->picture, 256, diagnostics);
+        const auto renderer = make_renderer(p, options->picture, usual_batch, diagnostics);
         const TuneResult result = tune(*renderer, *p.description.camera,
                                        {.settings = p.settings,
                                         .grid = pixel_grid(p.settings),

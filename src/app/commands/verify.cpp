@@ -11,6 +11,7 @@
 #include "app/paths.h"
 #include "app/prepare.h"
 #include "app/version.h"
+#include "app/whole_film.h"
 #include "core/names.h"
 #include "core/parallel.h"
 #include "io/image/exr.h"
@@ -115,8 +116,7 @@ std::vector<float> traced(const Renderer& renderer, const Camera& camera, const 
         add_alpha_sums(!claim.has_opaque_glass, renderer.scene().catches_shadows(), layout);
         film.keep_aovs(layout);
     }
-    if (settings.stop) film.wanted.resize(1);
-    if (settings.replicates > 1) film.replicates.resize(settings.replicates);
+    keep_for_settings(settings, film);
     renderer.pass(camera, film, std::vector{pixel}, {0, spp});
     Color c = film.whole(0).mean();
     if (claim.space != ColorSpace::lin_rec709) c = transformed(to_space(claim.space), c);
@@ -241,7 +241,7 @@ int verify(const VerifyOptions& options)
     std::vector<Difference> differences;
     with_threads(prepared.threads, [&] {
         begin_prepared(prepared, diagnostics);
-        const auto renderer = make_renderer(prepared, picture, 256, diagnostics);
+        const auto renderer = make_renderer(prepared, picture, usual_batch, diagnostics);
         differences = compare(*renderer, prepared, claim, pixels);
     });
     if (options.json) {

@@ -35,6 +35,9 @@ struct PictureOptions {
     bool strict = false;
 };
 
+// Paths under way at once, where nothing says how many.
+inline constexpr uint32_t usual_batch = 256;
+
 enum class ProgressKind { automatic, plain, json, none };
 template <>
 inline constexpr auto enum_names<ProgressKind> = std::to_array<std::string_view>({"auto", "plain", "json", "none"});
@@ -75,13 +78,13 @@ struct RenderOptions {
     std::vector<std::string> outputs;     // never empty; each ends as a format is called, or `format` is given
     std::optional<PictureFormat> format;  // of outputs whose names have no ending
     std::optional<Tile> crop;
-    uint32_t tile = 16;         // side in pixels
-    uint32_t batch = 256;       // paths under way at once
-    std::vector<Aov> aovs;      // each once, in the order of Aov
-    bool light_layers = false;  // the light of each group of lights, likewise
-    bool part_layers = false;   // emission, direct and indirect light, likewise
-    bool lobe_layers = false;   // light by the lobe of the first surface, likewise
-    bool mattes = false;        // Cryptomatte of objects and materials, likewise
+    uint32_t tile = 16;            // side in pixels
+    uint32_t batch = usual_batch;  // paths under way at once
+    std::vector<Aov> aovs;         // each once, in the order of Aov
+    bool light_layers = false;     // the light of each group of lights, likewise
+    bool part_layers = false;      // emission, direct and indirect light, likewise
+    bool lobe_layers = false;      // light by the lobe of the first surface, likewise
+    bool mattes = false;           // Cryptomatte of objects and materials, likewise
     LayerNames layer_names = LayerNames::lancer;
     bool denoise = false;
     bool denoise_sets = false;  // what `lancer denoise` needs, as layers of EXR

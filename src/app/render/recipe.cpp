@@ -1,6 +1,7 @@
 #include "app/render/recipe.h"
 
 #include "app/options/shared_options.h"
+#include "app/whole_film.h"
 #include "core/hash.h"
 #include "render/aov.h"
 #include "scene/description/render_options.h"
@@ -107,8 +108,7 @@ Film empty_film(const PictureRecipe& recipe)
         add_alpha_sums(o.background == BackgroundChoice::transparent, recipe.stats.scene.catches_shadows, layout);
     if (o.mattes) layout.add(AovSum::samples), film.keep_mattes();
     film.keep_aovs(layout);
-    if (s.stop) film.wanted.resize(film.pixels.size());
-    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+    keep_for_settings(s, film);
     if (const auto sets = sets_of(o, s, recipe.has_stop_rule)) film.keep_sets(*sets);
     film.keep_layers({.groups = o.light_layers ? static_cast<uint32_t>(recipe.light_groups.size()) : 0,
                       .has_segments = o.part_layers,

@@ -15,8 +15,7 @@ Film film_of(const Sight& sight, uint32_t reduction)
     const uint32_t width = std::max(1u, s.size.width / reduction), height = std::max(1u, s.size.height / reduction);
     Film film(width, height, {0, 0, width, height});
     film.keep_aovs(layout_of(sight.shown));
-    if (s.stop) film.wanted.resize(film.pixels.size());
-    if (s.replicates > 1) film.replicates.resize(film.pixels.size() * s.replicates);
+    keep_for_settings(s, film);
     return film;
 }
 
