@@ -196,6 +196,22 @@ TEST(SpotLight, FadesFromOneAngleToTheOther)
     EXPECT_NEAR(light.power(0), sum * luminance(double{c.r}, double{c.g}, double{c.b}), 1e-3 * light.power(0));
 }
 
+// However narrow the cone, its middle has the whole intensity; angles of one size make a sharp edge.
+TEST(SpotLight, MayBeNarrowAndSharp)
+{
+    LightDescription narrow = light_of(LightType::spot, {1, 1, 1}, {0, 0, 0});
+    narrow.inner_deg = 0, narrow.outer_deg = 0.05;
+    EXPECT_EQ(SpotLight::make(narrow, {}).fade({0, -1, 0}), 1);
+    narrow.inner_deg = narrow.outer_deg = 30;
+    const SpotLight sharp = SpotLight::make(narrow, {});
+    const auto at = [&](double deg) {
+        const double angle = deg * std::numbers::pi / 180;
+        return sharp.fade(to_float(Vec3d{std::sin(angle), -std::cos(angle), 0}));
+    };
+    EXPECT_EQ(at(29.99), 1);
+    EXPECT_EQ(at(30.01), 0);
+}
+
 TEST(DirectionalLight, IsADirectionAndAnIrradiance)
 {
     // Lengths of directions do not matter, however extreme.

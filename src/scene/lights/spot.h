@@ -30,8 +30,10 @@ struct SpotLight {
     // Part of the intensity along a unit vector away from the light.
     float fade(Vec3 away) const
     {
-        const float part =
-            std::clamp((dot(away, axis) - cos_outer) / std::max(cos_inner - cos_outer, 1e-6f), 0.0f, 1.0f);
+        const float cos = dot(away, axis);
+        if (cos >= cos_inner) return 1;  // also where there is no edge between the two
+        if (!(cos > cos_outer)) return 0;
+        const float part = (cos - cos_outer) / (cos_inner - cos_outer);
         return part * part;
     }
     // From `org`, where the shadow ray will start.
