@@ -133,10 +133,10 @@ void AlbedoTable::need_all()
     for (uint32_t row = 0; row < rows; ++row) fill_row(row);
 }
 
-float mean_transmittance(float eta)
+double mean_transmittance(double eta)
 {
-    return static_cast<float>(cosine_mean(
-        [=](double cos) { return 1 - fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta).reflectance; }));
+    return cosine_mean(
+        [=](double cos) { return 1 - fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta).reflectance; });
 }
 
 }  // namespace lancer

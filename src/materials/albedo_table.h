@@ -179,8 +179,16 @@ inline AlbedoTable::EvenLobe AlbedoTable::even_lobe(float alpha) const
 // they get and lose `missing` under even light: all orders but the first. Both in [0, 1], not both 1.
 inline float all_further_orders(float x, float missing) { return x * x * (1 - missing) / (1 - x * missing); }
 
-// 1 - the hemispherical albedo of a smooth dielectric. eta as above, in float for the bits of plastic.
-float mean_transmittance(float eta);
+// The probability of sampling the even lobe, by what it sends of light from wo: the part `lost` by single scattering
+// times `further`, beside the rest times `first`. 0 where it sends none.
+inline float chance_of_even_lobe(float lost, float further, float first)
+{
+    const float even = lost * further;
+    return even > 0 ? even / (even + (1 - lost) * first) : 0;
+}
+
+// 1 - the hemispherical albedo of a smooth dielectric. eta as above.
+double mean_transmittance(double eta);
 
 // Integral over [a, b] by five-point Gauss-Legendre quadrature.
 template <class F>

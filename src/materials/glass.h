@@ -49,7 +49,7 @@ struct GlassBsdf {
         if (wo.z <= 0) return {};
         if (only_delta()) return thin ? sample_sheet(wo, u) : sample_smooth(wo, u);
         if (multiple) {
-            const float p = probability_of_multiple(wo.z);
+            const float p = probability_of_multiple(multiple.here.loss(wo.z));
             if (u < p) return sample_multiple(wo, u / p, v);
             u = std::min((u - p) / (1 - p), 1 - 0x1p-24f);
         }
@@ -92,7 +92,7 @@ private:
         BsdfValue f = thin ? eval_rough_sheet(wo, wi) : eval_rough(wo, wi);
         if (!multiple) return f;
         const auto cos_o = static_cast<float>(wo.z);
-        const float lost = multiple.here.loss(cos_o), p = probability_of_multiple(cos_o);
+        const float lost = multiple.here.loss(cos_o), p = probability_of_multiple(lost);
         const auto cos_i = static_cast<float>(std::abs(unit_in_double(wi).z));
         const bool through = wi.z < 0;
         const float lobe = through ? multiple.transmitted * (lost * multiple.beyond.loss(cos_i))
@@ -103,10 +103,9 @@ private:
         f.pdf += p * (pdf - f.pdf);
         return f;
     }
-    float probability_of_multiple(float cos) const
+    float probability_of_multiple(float lost) const
     {
-        const float lost = multiple.here.loss(cos), more = lost * max_component(multiple.color);
-        return more > 0 ? more / (more + (1 - lost) * max_component(tint)) : 0;
+        return chance_of_even_lobe(lost, max_component(multiple.color), max_component(tint));
     }
     std::optional<BsdfSample> sample_multiple(Vec3 wo, float u, Vec2 v) const
     {

@@ -9,11 +9,6 @@
 namespace lancer {
 namespace {
 
-double mean_reflectance_of_boundary(double eta)
-{
-    return cosine_mean(
-        [=](double cos) { return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta).reflectance; });
-}
 double mean_through_sheet(double eta)
 {
     return cosine_mean([=](double cos) {
@@ -28,12 +23,13 @@ Color further_orders(Color c, float missing)
 
 }  // namespace
 
-GlassLosses::GlassLosses(float ior, bool thin) : ior_(ior), thin_(thin)
+GlassLosses::GlassLosses(float ior, bool thin) : ior_(ior), thin_(thin) { add(static_cast<double>(ior)); }
+
+void GlassLosses::add(double eta)
 {
-    const FacetKind kind = thin ? FacetKind::sheet : FacetKind::boundary;
-    const auto eta = static_cast<double>(ior);
-    boundaries_.push_back({AlbedoTable(kind, eta), AlbedoTable(kind, 1 / eta), eta,
-                           thin ? mean_through_sheet(eta) : 1 - mean_reflectance_of_boundary(eta)});
+    const FacetKind kind = thin_ ? FacetKind::sheet : FacetKind::boundary;
+    fill(boundaries_.emplace_back(Boundary{AlbedoTable(kind, eta), AlbedoTable(kind, 1 / eta), eta,
+                                           thin_ ? mean_through_sheet(eta) : mean_transmittance(eta)}));
 }
 
 void GlassLosses::fill(Boundary& b) const
@@ -63,9 +59,7 @@ void GlassLosses::touch(float outer_ior)
     const double eta = static_cast<double>(ior_ / outer_ior);
     const auto is_known = [=](const Boundary& b) { return b.eta == eta; };
     if (thin_ || std::any_of(boundaries_.begin(), boundaries_.end(), is_known)) return;
-    boundaries_.push_back({AlbedoTable(FacetKind::boundary, eta), AlbedoTable(FacetKind::boundary, 1 / eta), eta,
-                           1 - mean_reflectance_of_boundary(eta)});
-    fill(boundaries_.back());
+    add(eta);
 }
 
 GlassLobes GlassLosses::lobes(double eta, bool front, float alpha, Color tint) const

@@ -50,6 +50,7 @@ private:
     };
     GlassLobes lobes_of_body(double eta, bool front, float alpha, Color tint) const;
     GlassLobes lobes_of_sheet(float alpha, Color tint) const;
+    void add(double eta);
     void fill(Boundary& boundary) const;
 
     float ior_;

@@ -96,8 +96,7 @@ private:
     float missing(float cos) const { return compensation_.loss(cos); }
     float probability_of_multiple(float missing_o) const
     {
-        const float multiple = missing_o * max_component(multiple_);
-        return multiple > 0 ? multiple / (multiple + (1 - missing_o) * mean_) : 0;
+        return chance_of_even_lobe(missing_o, max_component(multiple_), mean_);
     }
     BsdfValue eval_lobes(Vec3d o, Vec3 wi, float missing_o) const
     {

@@ -78,6 +78,8 @@ double value_of(Aov aov, size_t i, const Film& film, size_t pixel, const Normali
 
 }  // namespace
 
+size_t channel_count(Aov aov) { return channels_of(aov).names.size(); }
+
 double variance_of_mean(const Pixel& p)
 {
     if (p.n < 2) return 0;

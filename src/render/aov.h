@@ -21,6 +21,9 @@ Color base_color_at(const Scene& scene, uint32_t material, const ShadingPoint& p
 
 std::vector<Aov> all_aovs();
 
+// How many channels it has in a picture file.
+size_t channel_count(Aov aov);
+
 // The sums that these AOVs need. Variance and sample count need none: the radiance sums contain them.
 AovLayout layout_of(const std::vector<Aov>& which);
 

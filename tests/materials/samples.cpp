@@ -9,7 +9,7 @@ Plastic make_plastic(Color base, float roughness, float ior, Color specular)
         coat = std::make_shared<AlbedoTable>(FacetKind::coat, static_cast<double>(ior));
         coat->need_all();
     }
-    return {base, roughness, ior, specular, mean_transmittance(ior), coat};
+    return {base, roughness, ior, specular, static_cast<float>(mean_transmittance(double{ior})), coat};
 }
 
 Glass make_glass(Color tint, float ior, float roughness, bool thin)

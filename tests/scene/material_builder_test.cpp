@@ -112,7 +112,7 @@ TEST(MaterialBuilder, RoughPlasticsOfOneIndexShareTheirTable)
     expect_roughness(first.roughness);
     EXPECT_EQ(first.ior, 1.7f);
     EXPECT_EQ(first.specular, m.specular);
-    EXPECT_EQ(first.mean_through, mean_transmittance(1.7f));
+    EXPECT_EQ(first.mean_through, static_cast<float>(mean_transmittance(double{1.7f})));
     EXPECT_TRUE(first.coat);
     EXPECT_EQ(first.coat, second.coat);
     m.ior = 1.3f;

@@ -56,21 +56,6 @@ int guarded_apart(const F& f)
 
 [[noreturn]] void fail_usage_of_api(const std::string& message) { throw Error(ErrorKind::usage, "error: " + message); }
 
-size_t channels_of(Aov aov)
-{
-    switch (aov) {
-        case Aov::albedo:
-        case Aov::flat:
-        case Aov::normal:
-        case Aov::position:
-            return 3;
-        case Aov::uv:
-            return 2;
-        default:
-            return 1;
-    }
-}
-
 constexpr std::string_view color_layer = "color";
 
 std::shared_ptr<const MeshData> data_of(const lancer_mesh& m)
@@ -251,7 +236,7 @@ size_t lancer_layer_channels(const char* name)
     if (!name) return 0;
     if (name == color_layer) return 3;
     const auto aov = value_of<Aov>(name);
-    return aov ? channels_of(*aov) : 0;
+    return aov ? channel_count(*aov) : 0;
 }
 
 int lancer_scene_render(lancer_scene* scene, const lancer_layer* layers, size_t layer_count, unsigned threads,

@@ -63,7 +63,7 @@ void MaterialBuilder::touch(std::span<const Medium> media)
 
 void MaterialBuilder::finish(Plastic& plastic, const MaterialDescription& m)
 {
-    plastic.mean_through = mean_transmittance(m.ior);
+    plastic.mean_through = static_cast<float>(mean_transmittance(double{m.ior}));
     if (!may_be_rough(plastic.roughness)) return;
     auto& coat = coats_[m.ior];
     if (!coat) coat = std::make_shared<AlbedoTable>(FacetKind::coat, static_cast<double>(m.ior));
