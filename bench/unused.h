@@ -2,6 +2,7 @@
 // what features cost that a scene does without. Each draws the same bits there; bench_features looks whether it does.
 #pragma once
 
+#include "integrators/view.h"
 #include "render/kernel/kernel.h"
 #include "scene/alpha_test.h"
 

@@ -48,9 +48,9 @@ void count_shapes(const SceneDescription& d, const Scene& scene, SceneFacts& fac
 
 void count_materials(const SceneDescription& d, const Scene& scene, SceneFacts& facts)
 {
-    for (uint32_t i = 0; i < scene.materials.size(); ++i) {
+    for (uint32_t i = 0; i < scene.traits.size(); ++i) {
         const bool is_mix = !scene.mix_of.empty() && scene.mix_of[i] != Scene::none;
-        const MaterialType type = std::visit([](const auto& m) { return m.type; }, scene.materials[i]);
+        const MaterialType type = scene.type_of(i);
         ++facts.materials[std::string(name_of(is_mix ? MaterialType::mix : type))];
     }
     std::set<std::string> told;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/sampler.h"
 #include "core/warp.h"
 #include "integrators/path_actions.h"
-#include "integrators/view.h"
 #include "scene/description/render_settings.h"
 
 namespace lancer {

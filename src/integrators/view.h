@@ -2,12 +2,14 @@
 // PathActions.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "core/sampler.h"
 #include "integrators/path/sampling_plan.h"
 #include "integrators/path_actions.h"
+#include "materials/material.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -66,6 +68,14 @@ struct View {
         if (lambert.albedo.texture != no_texture) [[unlikely]]
             return {textured_albedo(lambert, s)};
         return {lambert.albedo.value * s.vertex_color};
+    }
+    // The albedo of a Lambertian surface without textures that is no mix; else nothing.
+    std::optional<Color> plain_albedo(const Surface& s) const
+    {
+        if (is_mix(s.material)) return {};
+        const Lambert* const matt = std::get_if<Lambert>(&scene.materials[s.material]);
+        if (!matt || matt->albedo.texture != no_texture) return {};
+        return matt->albedo.value * s.vertex_color;
     }
     // Not inlined, so that surfaces without textures do not pay for its stack frame.
     [[gnu::noinline]] Color textured_albedo(const Lambert& lambert, const Surface& s) const

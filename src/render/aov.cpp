@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "materials/material.h"
 #include "render/blocks.h"
 #include "render/denoise/features.h"
 

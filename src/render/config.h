@@ -5,7 +5,7 @@
 #include <string>
 
 #include "integrators/integrator.h"
-#include "render/workspace.h"
+#include "render/kernel_settings.h"
 
 namespace lancer {
 

@@ -1,4 +1,7 @@
+#include "materials/material.h"
 #include "render/specialize.h"
+#include "integrators/view.h"
+#include "scene/wide_scene.h"
 
 #include <algorithm>
 

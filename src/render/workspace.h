@@ -1,72 +1,20 @@
-// Settings, counters, memory and listeners of the kernels.
+// Memory and listeners of the kernels.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "core/film.h"
 #include "core/sampler.h"
 #include "geometry/accel.h"
 #include "integrators/path_actions.h"
-#include "integrators/view.h"
 #include "render/alpha_samples.h"
-#include "render/estimators/stop_rule.h"
-#include "render/filter.h"
+#include "render/counters.h"
+#include "render/kernel_settings.h"
 #include "render/path_trails.h"
-#include "render/profile.h"
 #include "render/wide/states.h"
 #include "scene/camera.h"
 
 namespace lancer {
-
-// Settings of a kernel.
-struct KernelSettings {
-    SamplerKind sampler = SamplerKind::sobol;
-    uint64_t seed = 0;
-    Filter filter{FilterKind::blackman_harris};
-    uint32_t batch = 256;              // number of paths in a batch, >= 1
-    StopRule stop = StopRule::never;   // used only if the film has `wanted`
-    double stop_error = 0.01;          // see samples_for()
-    std::optional<Profile> profile{};  // requested variant; ignored if it does not support the scene
-    bool clamp = false;                // clamp samples to [0, 1]; legacy
-    // Number of independent replicates. Path i has index i / replicates in replicate i mod replicates. Each replicate
-    // has its own random numbers, so that their differences give an unbiased error estimate, at the price of fewer
-    // points per low-discrepancy sequence.
-    uint32_t replicates = 1;
-
-    uint32_t replicate_of(uint32_t path) const { return replicates == 1 ? 0 : path % replicates; }
-    uint32_t sample_of(uint32_t path) const { return replicates == 1 ? path : path / replicates; }
-    // The seed of a path's replicate. The first replicate has the seed of a render without replicates.
-    uint64_t seed_of(uint32_t path) const
-    {
-        const uint64_t replicate = replicate_of(path);
-        return replicate == 0 ? seed : mix_bits(seed ^ mix_bits(replicate));
-    }
-};
-
-struct SampleId {
-    uint32_t x = 0, y = 0, sample = 0;
-    friend auto operator<=>(const SampleId&, const SampleId&) = default;
-};
-
-struct Counters {
-    uint64_t camera_rays = 0, bounce_rays = 0, shadow_rays = 0;
-    uint64_t background_only_samples = 0;   // samples without a traced ray; see SamplingPlan::background_only
-    uint64_t dropped = 0;                   // samples that were not finite
-    std::optional<SampleId> first_dropped;  // the first one in order of x, y, sample
-
-    void drop(const SampleId& id)
-    {
-        ++dropped;
-        if (!first_dropped || id < *first_dropped) first_dropped = id;
-    }
-    Counters& operator+=(const Counters& o)
-    {
-        camera_rays += o.camera_rays, bounce_rays += o.bounce_rays, shadow_rays += o.shadow_rays;
-        background_only_samples += o.background_only_samples, dropped += o.dropped;
-        if (o.first_dropped && (!first_dropped || *o.first_dropped < *first_dropped)) first_dropped = o.first_dropped;
-        return *this;
-    }
-};
 
 // Working memory of a thread, reused from tile to tile.
 struct Workspace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/workspace.h"
+#include "render/counters.h"
 
 namespace lancer {
 

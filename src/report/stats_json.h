@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/film.h"
-#include "render/workspace.h"
+#include "render/counters.h"
 #include "report/metrics/statistics.h"
 #include "report/outliers.h"
 #include "scene/description/render_settings.h"

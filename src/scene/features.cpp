@@ -8,7 +8,7 @@ namespace {
 // Materials in use, with the parts of mixes.
 std::vector<bool> used_materials(const Scene& scene)
 {
-    std::vector<bool> used(scene.materials.size());
+    std::vector<bool> used(scene.traits.size());
     for (const uint32_t m : scene.sphere_material) used[m] = true;
     for (const uint32_t m : scene.plane_material) used[m] = true;
     for (const MeshShading& mesh : scene.shading) {
@@ -27,7 +27,7 @@ std::vector<bool> used_materials(const Scene& scene)
 void add_material(const Scene& scene, uint32_t id, Features& f)
 {
     const bool is_mix = !scene.mix_of.empty() && scene.mix_of[id] != Scene::none;
-    const MaterialType type = std::visit([](const auto& m) { return m.type; }, scene.materials[id]);
+    const MaterialType type = scene.type_of(id);
     f.add(feature_of(is_mix ? MaterialType::mix : type));
     const MaterialTraits& traits = scene.traits[id];
     f.add(Feature::textures, traits.reads_uv);

@@ -5,6 +5,7 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
+#include "materials/material.h"
 #include "scene/through_glass.h"
 
 namespace lancer {

@@ -2,11 +2,19 @@
 
 #include <algorithm>
 
+#include "materials/material.h"
 #include "scene/build/scene_builder.h"
 #include "scene/environment/background.h"
 #include "scene/environment/environment.h"
 
 namespace lancer {
+
+Scene::Scene() = default;
+Scene::Scene(const Scene&) = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(const Scene&) = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
 
 SceneBuilder Scene::begin(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
                           const RasterSource& images)
@@ -18,6 +26,11 @@ Scene Scene::build(const SceneDescription& description, const RenderSettings& se
                    const RasterSource& images)
 {
     return begin(description, settings, diagnostics, images).finish_by_value(diagnostics);
+}
+
+MaterialType Scene::type_of(uint32_t material) const
+{
+    return std::visit([](const auto& m) { return m.type; }, materials[material]);
 }
 
 bool Scene::has_emitters() const

@@ -13,7 +13,10 @@
 #include "core/ranked_bitset.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
-#include "materials/material.h"
+#include "materials/material_variant.h"
+#include "materials/medium.h"
+#include "materials/phong.h"
+#include "materials/traits.h"
 #include "scene/corner_normals.h"
 #include "scene/corner_table.h"
 #include "scene/description/description.h"
@@ -56,6 +59,14 @@ class SceneBuilder;
 
 struct Scene {
     static constexpr uint32_t none = UINT32_MAX;
+
+    // They stand in scene.cpp, which knows the materials.
+    Scene();
+    Scene(const Scene&);
+    Scene(Scene&&) noexcept;
+    Scene& operator=(const Scene&);
+    Scene& operator=(Scene&&) noexcept;
+    ~Scene();
 
     Geometry geometry;
     std::vector<MeshShading> shading;     // parallel to geometry.meshes
@@ -124,6 +135,8 @@ struct Scene {
     static Scene build(const SceneDescription& description, const RenderSettings& settings, Diagnostics& diagnostics,
                        const RasterSource& images = {});
 
+    // Of a material that is no mix.
+    MaterialType type_of(uint32_t material) const;
     uint32_t material_of(const Hit& hit) const
     {
         if (hit.kind == Kind::sphere) return sphere_material[hit.primitive];

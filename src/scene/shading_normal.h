@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/lanes/vec.h"
-#include "materials/material.h"
+#include "materials/traits.h"
 
 namespace lancer {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/frame.h"
+#include "materials/material.h"
 #include "scene/scene.h"
 
 namespace lancer {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/lanes/row_table.h"
+#include "materials/material.h"
 #include "scene/features.h"
 #include "scene/flat_table.h"
 #include "scene/scene.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "integrators/view.h"
 #include "support/shoot.h"
 #include "support/stage.h"
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "materials/material.h"
 #include "render/estimators/background_only.h"
 #include "render/kernel/tinted_shadows.h"
 #include "support/render.h"

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "materials/material.h"
 #include "support/stage.h"
 
 namespace lancer {

@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "materials/material.h"
 #include "support/random.h"
 #include "support/scenes/wide_cases.h"
 #include "support/stage.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "materials/material.h"
 #include "support/scenes/scenes.h"
 
 namespace lancer {

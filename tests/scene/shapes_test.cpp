@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "materials/material.h"
 #include "support/random.h"
 #include "support/rasters.h"
 #include "support/shoot.h"

@@ -1,6 +1,7 @@
 // Which glass is taken for thin sheets, and which never.
 #include <gtest/gtest.h>
 
+#include "materials/material.h"
 #include "support/scenes/scenes.h"
 
 namespace lancer {

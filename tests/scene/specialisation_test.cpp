@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "materials/material.h"
 #include "scene/features.h"
 #include "support/stage.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "materials/material.h"
 #include "scene/build/scene_builder.h"
 #include "support/scenes/scenes.h"
 

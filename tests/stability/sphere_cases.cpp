@@ -2,6 +2,7 @@
 
 #include "core/frame.h"
 #include "core/parallel.h"
+#include "materials/material.h"
 #include "stability/exact.h"
 #include "stability/pictures.h"
 #include "support/addressed.h"

@@ -7,6 +7,7 @@
 #include "app/prepare.h"
 #include "core/names.h"
 #include "core/parallel.h"
+#include "integrators/view.h"
 #include "scene/camera.h"
 
 namespace lancer {

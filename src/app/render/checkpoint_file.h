@@ -10,7 +10,7 @@
 #include "app/render/recipe.h"
 #include "core/film.h"
 #include "io/file_content.h"
-#include "render/workspace.h"
+#include "render/counters.h"
 #include "report/metrics/error_estimate.h"
 #include "report/stats_json.h"
 

@@ -33,7 +33,7 @@ void describe_run(const RenderOptions& options, const Prepared& prepared, const 
                    .spheres = scene.geometry.spheres.size(),
                    .planes = scene.geometry.planes.size(),
                    .lights = scene.lights.lights.size(),
-                   .materials = scene.materials.size(),
+                   .materials = scene.material_names.size(),
                    .accelerator_bytes = renderer.accelerator().stats().bytes,
                    .hidden_lights = prepared.hidden_lights,
                    .added_light = prepared.added.light,

@@ -3,8 +3,8 @@
 // shading normal alone decides what is inside; instead of total reflection the ray continues along the surface.
 #pragma once
 
+#include "core/sampler.h"
 #include "integrators/path_actions.h"
-#include "integrators/view.h"
 
 namespace lancer {
 

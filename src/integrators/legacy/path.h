@@ -50,8 +50,7 @@ struct LegacyPath {
         const Vertex v{s, surface, sampler, static_cast<float>(offset * view.scene.normalisation.scale)};
         if (sphere_of(view.scene, surface.light)) return diffuse(view, v, {1, 1, 1}, actions);
         // Purely diffuse surfaces need only the colour.
-        if (const Lambert* matt = lambert(view.scene, surface.material); matt && matt->albedo.texture == no_texture)
-            return diffuse(view, v, matt->albedo.value * surface.vertex_color, actions);
+        if (const std::optional<Color> albedo = view.plain_albedo(surface)) return diffuse(view, v, *albedo, actions);
         // The original had one kind of reflection per object: here the largest part. Its textures were not filtered.
         ShadingPoint point = view.scene.shading_point(surface);
         point.uv_width = 0;
@@ -82,11 +81,6 @@ private:
         if (light == Scene::none) return nullptr;
         const auto* sphere = std::get_if<SphereLight>(&scene.lights.lights[light]);
         return sphere ? &scene.geometry.spheres[sphere->sphere] : nullptr;
-    }
-    static const Lambert* lambert(const Scene& scene, uint32_t material)
-    {
-        if (!scene.mix_of.empty() && scene.mix_of[material] != Scene::none) return nullptr;
-        return std::get_if<Lambert>(&scene.materials[material]);
     }
     // Intensity of a sphere light in units of the file: 4 pi^2 R^2 times too large.
     static Color seen(const Scene& scene, const Surface& surface)

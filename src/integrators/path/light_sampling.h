@@ -4,8 +4,8 @@
 
 #include "core/frame.h"
 #include "core/sampler.h"
+#include "integrators/path/sampling_plan.h"
 #include "integrators/path_actions.h"
-#include "integrators/view.h"
 #include "materials/bsdf.h"
 #include "scene/description/render_settings.h"
 #include "scene/through_glass.h"

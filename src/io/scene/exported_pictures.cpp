@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "materials/fresnel.h"
+#include "materials/material.h"
 #include "materials/thin_sheet.h"
 #include "scene/environment/environment.h"
 #include "scene/shading_normal.h"

@@ -18,7 +18,7 @@ inline const NumberRule& rule_of(ParameterRange range, const NumberRule& positiv
         case ParameterRange::positive:
             return positive;
         case ParameterRange::quarter_turn:
-            return quarter_turn;
+            return up_to_quarter_turn;
         case ParameterRange::nonzero_vector:
         case ParameterRange::finite:
         case ParameterRange::million:

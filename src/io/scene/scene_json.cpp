@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/names.h"
+#include "materials/material.h"
 #include "scene/description/material.h"
 #include "scene/description/render_options.h"
 #include "scene/environment/environment.h"

@@ -2,6 +2,7 @@
 
 #include "core/frame.h"
 #include "integrators/path/transport.h"
+#include "materials/material.h"
 #include "render/aov.h"
 
 namespace lancer {

@@ -19,7 +19,7 @@ constexpr double least_albedo = 0.02;  // what is darker shows no light
 
 bool lets_through(const Scene& scene, const Hit& hit)
 {
-    const auto type = std::visit([](const auto& m) { return m.type; }, scene.materials[scene.material_of(hit)]);
+    const MaterialType type = scene.type_of(scene.material_of(hit));
     return type == MaterialType::glass || type == MaterialType::interface;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "integrators/view.h"
 #include "render/estimators/arrivals.h"
 #include "render/estimators/stop_rule.h"
 

@@ -6,11 +6,13 @@
 
 #include "integrators/path/path.h"
 #include "render/workspace.h"
-#include "scene/wide_scene.h"
 
 namespace lancer {
 
 class ArrivalListener;
+struct View;       // integrators/view.h
+struct WideScene;  // scene/wide_scene.h
+enum class Shading;
 
 // The events of one sample, for `lancer pixel` and tests. Every function must be set; the last one may be left out.
 struct PathListener {

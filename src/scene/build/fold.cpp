@@ -1,4 +1,5 @@
 #include "scene/build/fold.h"
+#include "materials/material.h"
 
 #include <algorithm>
 #include <map>

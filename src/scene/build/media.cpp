@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/names.h"
+#include "materials/material.h"
 
 namespace lancer {
 

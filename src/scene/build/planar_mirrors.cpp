@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/frame.h"
+#include "materials/material.h"
 
 namespace lancer {
 namespace {

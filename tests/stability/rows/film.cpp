@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "materials/material.h"
 #include "stability/counted_render.h"
 #include "support/random.h"
 #include "support/scenes/scenes.h"
