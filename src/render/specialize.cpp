@@ -1,9 +1,10 @@
-#include "materials/material.h"
 #include "render/specialize.h"
-#include "integrators/view.h"
-#include "scene/wide_scene.h"
 
 #include <algorithm>
+
+#include "integrators/view.h"
+#include "materials/material.h"
+#include "scene/wide_scene.h"
 
 namespace lancer {
 namespace {

@@ -1,10 +1,11 @@
 #include "scene/build/fold.h"
-#include "materials/material.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
+
+#include "materials/material.h"
 
 namespace lancer {
 namespace {
