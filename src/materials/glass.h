@@ -222,18 +222,20 @@ struct Glass {
                                                   parameter("absorption"),
                                                   parameter("priority")};
 
-    GlassBsdf at(const ShadingPoint& p) const
+    GlassBsdf at(const ShadingPoint& p) const { return with(p, p.base(tint), p.eval(roughness)); }
+    // With another tint and roughness than its own; of the point the side and the index count.
+    GlassBsdf with(const ShadingPoint& p, Color color, float rough) const
     {
         // Facets deflect transmitted light by about alpha times (index - 1). Where float cannot distinguish that from 0
         // the boundary is treated as smooth.
-        const float alpha = alpha_of_roughness(p.eval(roughness));
+        const float alpha = alpha_of_roughness(rough);
         if (thin) {
             const bool spreads = double{alpha} * spread_of_sheet(double{ior}) >= double{least_alpha};
-            return made(p.base(tint), double{ior}, spreads ? alpha : 0, p.front);
+            return made(color, double{ior}, spreads ? alpha : 0, p.front);
         }
         const float n = p.inner_over_outer(ior);
         const bool bends = alpha * std::min(1.0f, std::abs(n - 1)) >= least_alpha;
-        return made(p.base(tint), p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, p.front);
+        return made(color, p.front ? double{n} : 1 / double{n}, bends ? alpha : 0, p.front);
     }
     static constexpr bool mirrors() { return true; }
     // Of the medium inside, where there is one; over that around it, or with a priority by itself.

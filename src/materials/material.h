@@ -13,6 +13,7 @@
 #include "materials/metal.h"
 #include "materials/mirror.h"
 #include "materials/plastic.h"
+#include "materials/principled.h"
 #include "materials/traits.h"
 #include "materials/translucent.h"
 

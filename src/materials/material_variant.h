@@ -13,7 +13,8 @@ struct Metal;
 struct Glass;
 struct Plastic;
 struct Interface;
+struct Principled;
 
-using Material = std::variant<Lambert, Translucent, Mirror, Metal, Glass, Plastic, Interface>;
+using Material = std::variant<Lambert, Translucent, Mirror, Metal, Glass, Plastic, Interface, Principled>;
 
 }  // namespace lancer

@@ -42,8 +42,10 @@ struct MaterialTraits {
         parameter("shadow_catcher", &MaterialTraits::catches_shadows)};
     uint16_t medium = no_medium;  // medium behind the surface, index in Scene::media
     bool mirrors = false;         // it has a lobe around the mirror direction
-    bool reads_uv = false;        // some parameter, those of the BSDF included, has a texture
+    bool has_tangent = false;     // its facets have a direction: its points have a tangent
+    bool reads_uv = false;        // some parameter, those of the BSDF included, has a texture, or it has a tangent
 
+    bool needs_tangents() const { return tilts() || has_tangent; }
     bool tilts() const { return bump != no_texture || normal_map != no_texture; }
     bool has_holes() const { return opacity.texture != no_texture || opacity.value < 1; }
 };

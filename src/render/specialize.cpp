@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "integrators/view.h"
-#include "materials/material.h"
 #include "scene/wide_scene.h"
 
 namespace lancer {
@@ -27,12 +26,8 @@ void with_wide_kernel(Shading shading, const F& f)
 // glass, shadows that are caught.
 bool needs_scalar_loop(const Film& film, const Scene& scene)
 {
-    const auto is_clear = [](const Material& any) {
-        return std::holds_alternative<Glass>(any) || std::holds_alternative<Interface>(any);
-    };
     return film.layers.size() > 0 || film.aov_layout.has(AovSum::caught) ||
-           (film.aov_layout.has(AovSum::through) &&
-            std::any_of(scene.materials.begin(), scene.materials.end(), is_clear));
+           (film.aov_layout.has(AovSum::through) && scene.lets_through());
 }
 
 }  // namespace

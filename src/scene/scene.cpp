@@ -33,6 +33,21 @@ MaterialType Scene::type_of(uint32_t material) const
     return std::visit([](const auto& m) { return m.type; }, materials[material]);
 }
 
+bool Scene::lets_through(uint32_t material) const
+{
+    const Material& any = materials[material];
+    const Principled* const principled = std::get_if<Principled>(&any);
+    return std::holds_alternative<Glass>(any) || std::holds_alternative<Interface>(any) ||
+           (principled && principled->transmission.value > 0);
+}
+
+bool Scene::lets_through() const
+{
+    for (uint32_t i = 0; i < materials.size(); ++i)
+        if (lets_through(i)) return true;
+    return false;
+}
+
 bool Scene::has_emitters() const
 {
     return !delta_lights.empty() ||
@@ -66,7 +81,8 @@ ShadingPoint Scene::shading_point(const Surface& s) const
             .uv_along = s.uv_along,
             .textures = textures.data(),
             .vertex_color = s.vertex_color,
-            .eta = s.eta};
+            .eta = s.eta,
+            .tangent = s.tangent};
 }
 
 uint32_t Scene::scattering_material(uint32_t material, const ShadingPoint& point, float u) const

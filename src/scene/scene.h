@@ -137,6 +137,9 @@ struct Scene {
 
     // Of a material that is no mix.
     MaterialType type_of(uint32_t material) const;
+    // Whether some light goes through it, refracted or straight on; of any material.
+    bool lets_through(uint32_t material) const;
+    bool lets_through() const;
     uint32_t material_of(const Hit& hit) const
     {
         if (hit.kind == Kind::sphere) return sphere_material[hit.primitive];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/frame.h"
+
 namespace lancer {
 namespace {
 
@@ -48,6 +50,15 @@ Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, cons
     if (traits.normal_map != no_texture) ns = from_map(traits, point, tangents, ns);
     if (traits.bump != no_texture) ns = bumped(traits, point, tangents, ns);
     return ns;
+}
+
+Vec2 local_tangent(const std::optional<Tangents>& tangents, Vec3 ns)
+{
+    if (!tangents) return {1, 0};
+    const Frame frame(ns);
+    const Vec2 along{dot(tangents->u, frame.x), dot(tangents->u, frame.y)};
+    const float size = std::sqrt(along.x * along.x + along.y * along.y);
+    return size > 0 ? Vec2{along.x / size, along.y / size} : Vec2{1, 0};
 }
 
 Vec3 keep_reflection_outside(Vec3 n, Vec3 ns, Vec3 wo)

@@ -15,6 +15,11 @@ struct Tangents {
     Vec2 unit{1, 1};  // length of a unit step in u and in v, units of the file
 };
 
+// The direction of a surface's tangent in the local frame of a shading normal, as cosine and sine: that of texture
+// coordinates, along u, where there are some, else an axis of the frame. The one place that says what anisotropic
+// facets lie along.
+Vec2 local_tangent(const std::optional<Tangents>& tangents, Vec3 ns);
+
 // The perturbed normal. ns: unit, on the front side. point: uv and footprint.
 Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& tangents, Vec3 ns);
 

@@ -214,7 +214,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
                 s.uv = weighed(*uvs, hit.uv);
                 s.uv_width = width * uv_per_length(*uvs, placed.area);
-                if (scene.traits[s.material].tilts()) tangents = triangle_tangents(scene, hit, *uvs);
+                if (scene.traits[s.material].needs_tangents()) tangents = triangle_tangents(scene, hit, *uvs);
             }
         }
     }
@@ -232,14 +232,16 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     s.origin = offset_origin(s.p, s.p_error, s.n, s.n);
     s.side = s.n;
     // In legacy mode normals stay as they are.
-    if (scene.legacy) return s;
-    if (s.ns == s.n) return s;
-    turn_to_ray(s.ns, wo);
-    if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
-    if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
-        s.origin = offset_origin(shading_origin(scene, hit, s.p), s.p_error, s.n, s.n);
-        s.side = s.ns;
+    if (!scene.legacy && !(s.ns == s.n)) {
+        turn_to_ray(s.ns, wo);
+        if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
+        if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
+            s.origin = offset_origin(shading_origin(scene, hit, s.p), s.p_error, s.n, s.n);
+            s.side = s.ns;
+        }
     }
+    if (traits.has_tangent) [[unlikely]]
+        s.tangent = local_tangent(tangents, s.ns);
     return s;
 }
 

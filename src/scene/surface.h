@@ -30,6 +30,7 @@ struct Surface {
     float eta = 0;                // relative index of refraction from the media of the ray; 0: from the material
     Vec3 ns_front{};              // shading normal on the front side, not faced forward or limited
     Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
+    Vec2 tangent{1, 0};           // see local_tangent(); only set if the material has a tangent
     uint32_t leaf_hint = Ray::no_leaf_hint;  // Ray::leaf_hint of rays that start here
 };
 

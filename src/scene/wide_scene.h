@@ -30,7 +30,7 @@ struct WideScene {
     };
     // Flags of triangles.
     static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8,
-                              is_fixed = 1u << 16,  // straight: no normal map; fixed: see Fixed::is
+                              is_fixed = 1u << 16,  // straight: no normal map, no tangent; fixed: see Fixed::is
         is_mirroring = 1u << 24;                    // MaterialTraits::mirrors
     // Flags of BSDFs.
     static constexpr uint32_t is_non_lambert = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16,

@@ -189,7 +189,7 @@ TYPED_TEST(MaterialLaws, LobesAreWhereTheyAreSaidToBe)
 TYPED_TEST(MaterialLaws, TheDiffusePartIsAPartAndEvenAllRound)
 {
     Random random(7);
-    for_each_bsdf<TypeParam>([&](const std::string& name, const auto&, const Place& p, const auto& bsdf) {
+    for_each_bsdf<TypeParam>([&](const std::string& name, const auto& sample, const Place& p, const auto& bsdf) {
         for (int i = 0; i < 300; ++i) {
             Vec3 wi = random.unit_vector();
             if (const auto s = bsdf.sample(p.wo, random.unit(), random.unit2()); i % 2 == 0 && s) wi = s->wi;
@@ -198,7 +198,9 @@ TYPED_TEST(MaterialLaws, TheDiffusePartIsAPartAndEvenAllRound)
             for (const auto channel : channels) {
                 ASSERT_GE(some.*channel, 0) << name;
                 ASSERT_LE(some.*channel, all.*channel * (1 + rounding)) << name;
-                ASSERT_NEAR(some.*channel, turned.*channel, rounding * some.*channel) << name;
+                if (!sample.uneven) {
+                    ASSERT_NEAR(some.*channel, turned.*channel, rounding * some.*channel) << name;
+                }
             }
             if (wi.z < 0) {
                 ASSERT_EQ(some, Color{}) << name;
@@ -258,6 +260,7 @@ TYPED_TEST(MaterialLaws, SmoothLobesAreReciprocal)
 {
     Random random(5);
     for (const Sample<TypeParam>& s : samples<TypeParam>()) {
+        if (s.one_way) continue;
         int lit = 0;
         for (int i = 0; i < 20000; ++i) {
             const bool front = i % 2 == 0;
@@ -294,6 +297,7 @@ TYPED_TEST(MaterialLaws, DeltaLobesAreReciprocal)
     Random random(6);
     for_each_bsdf<TypeParam>(
         [&](const std::string& name, const Sample<TypeParam>& sample, const Place& p, const auto& bsdf) {
+            if (sample.one_way) return;
             for (int i = 0; i < 50; ++i) {
                 const auto there = bsdf.sample(p.wo, random.unit(), random.unit2());
                 if (!there || !there->delta) continue;

@@ -23,6 +23,8 @@ struct Sample {
     double tolerance = 0;    // of the albedo, where tables take part in it
     bool narrow = false;     // has a smooth lobe too narrow for the cells of the laws; lobes_test looks at it closely
     bool sheds = false;      // loses what a lobe sends below the horizon, however little that is
+    bool one_way = false;    // scales what is below a layer by what that lets through as seen from wo alone
+    bool uneven = false;     // its diffuse part depends on the azimuth
 };
 
 template <class M>
@@ -164,6 +166,11 @@ inline std::vector<Sample<Plastic>> samples<Plastic>()
     return all;
 }
 
+// Tables included. change: of a white one.
+Principled make_principled(const std::function<void(MaterialDescription&)>& change);
+template <>
+std::vector<Sample<Principled>> samples<Principled>();
+
 template <>
 inline std::vector<Sample<Interface>> samples<Interface>()
 {
@@ -210,6 +217,7 @@ inline std::vector<Sample<Interface>> samples<Interface>()
 template <class B>
 float eta_through(const B& bsdf)
 {
+    if constexpr (requires { bsdf.index_beyond(); }) return bsdf.index_beyond();
     if constexpr (requires { bsdf.thin; })
         if (bsdf.thin) return 1;
     if constexpr (requires { bsdf.eta; })
@@ -222,7 +230,9 @@ float eta_through(const B& bsdf)
 template <class B>
 float alpha_of(const B& bsdf)
 {
-    if constexpr (requires { bsdf.alpha; })
+    if constexpr (requires { bsdf.alpha.along; })
+        return bsdf.alpha.along;
+    else if constexpr (requires { bsdf.alpha; })
         return bsdf.alpha;
     else
         return 1;

@@ -119,6 +119,7 @@ void add_special(Json& json, const Metal& metal)
     json["eta"] = json_of(metal.conductor->eta), json["k"] = json_of(metal.conductor->k);
 }
 void add_special(Json& json, const Glass& glass) { json["thin"] = glass.thin; }
+void add_special(Json& json, const Principled& principled) { json["thin"] = principled.is_thin(); }
 template <class M>
 void add_special(Json&, const M&)
 {

@@ -124,6 +124,7 @@ struct ShadingPoint {
     const Texture* textures = nullptr;  // the scene's textures
     Color vertex_color{1, 1, 1};        // of the mesh; a factor of the base colour
     float eta = 0;                      // relative index from the media; 0: that of the material
+    Vec2 tangent{1, 0};                 // cosine and sine in the local frame; only set if the material has a tangent
 
     // Index behind the geometric normal over index in front of it. said: the material's own index.
     float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }

@@ -1,7 +1,6 @@
 #include "render/estimators/own_light.h"
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 #include "core/frame.h"
@@ -17,12 +16,6 @@ constexpr int most_panes = 8;          // that a ray passes
 constexpr double least_share = 0.25;   // of a sky's light, for a place to count as lit
 constexpr double least_albedo = 0.02;  // what is darker shows no light
 
-bool lets_through(const Scene& scene, const Hit& hit)
-{
-    const MaterialType type = scene.type_of(scene.material_of(hit));
-    return type == MaterialType::glass || type == MaterialType::interface;
-}
-
 // The first surface that is not of glass, seen straight through what is; no hit: the sky.
 struct Sight {
     Hit hit;
@@ -33,7 +26,7 @@ Sight look(const Renderer& renderer, Ray ray)
     const Scene& scene = renderer.scene();
     for (int pane = 0;; ++pane) {
         const Hit hit = renderer.accelerator().closest(ray);
-        if (!hit || pane == most_panes || !lets_through(scene, hit)) return {hit, ray};
+        if (!hit || pane == most_panes || !scene.lets_through(scene.material_of(hit))) return {hit, ray};
         ray.org = ray_origin(surface_at(scene, ray, hit), ray.dir);
     }
 }

@@ -18,7 +18,9 @@ void fill_parameters(M& material, const MaterialDescription& description, const 
         if constexpr (has_member<decltype(p)>) {
             auto& member = std::invoke(p.member, material);
             const auto& said = row.value_of(description);
-            if constexpr (has_map<decltype(row)>)
+            if constexpr (has_map<decltype(row)> && std::is_same_v<decltype(said), const std::optional<float>&>)
+                member = {said.value_or(0.0f), id_of(row.map_of(description))};
+            else if constexpr (has_map<decltype(row)>)
                 member = {said, id_of(row.map_of(description))};
             else if constexpr (std::is_same_v<decltype(said), const TextureUse&>)
                 member = id_of(said);

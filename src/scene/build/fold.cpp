@@ -48,7 +48,7 @@ void mark_texture_readers(Scene& scene)
 {
     for (uint32_t id = 0; id < scene.materials.size(); ++id) {
         MaterialTraits& traits = scene.traits[id];
-        traits.reads_uv = traits.tilts();
+        traits.reads_uv = traits.needs_tangents();
         for_params(scene, id, [&](const auto& p) { traits.reads_uv = traits.reads_uv || p.texture != no_texture; });
         if (scene.mix_of.empty() || scene.mix_of[id] == Scene::none) continue;
         const Mix& mix = scene.mixes[scene.mix_of[id]];

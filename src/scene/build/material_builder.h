@@ -37,6 +37,7 @@ private:
     void finish(Metal& metal, const MaterialDescription& description);
     void finish(Glass& glass, const MaterialDescription& description);
     void finish(Plastic& plastic, const MaterialDescription& description);
+    void finish(Principled& principled, const MaterialDescription& description);
     void finish(Interface& interface, const MaterialDescription& description);
 
     struct GlassKind {
@@ -46,10 +47,19 @@ private:
     };
 
     MaterialOptions options_;
+    // need(table) asks for what the material needs of it.
+    template <class Need>
+    void add_losses(Glass& glass, const MaterialDescription& description, const Need& need);
+    template <class Need>
+    std::shared_ptr<const AlbedoTable> coat_of(float ior, const Need& need);
+    template <class Need>
+    std::shared_ptr<const AlbedoTable> reflectors(const Need& need);
+
     // Tables that rough materials share.
     std::map<float, std::shared_ptr<AlbedoTable>> coats_;  // per index of refraction
     std::shared_ptr<AlbedoTable> reflectors_;              // of metals, if there is one
     std::map<GlassKind, std::shared_ptr<GlassLosses>> glasses_;
+    std::shared_ptr<const FuzzTable> fuzz_;
 };
 
 }  // namespace lancer

@@ -115,7 +115,8 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     MaterialTraits traits;
     fill_parameters(traits, m, id_of);
     traits.mirrors = std::visit([](const auto& b) { return b.mirrors(); }, bsdf);
-    traits.reads_uv = reads_textures(m);
+    if (const auto* principled = std::get_if<Principled>(&bsdf)) traits.has_tangent = principled->is_anisotropic();
+    traits.reads_uv = reads_textures(m) || traits.has_tangent;
     traits.medium = add_medium(m, bsdf, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
@@ -132,6 +133,7 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
     for (const uint32_t part : {first, second}) {
         traits.reads_uv = traits.reads_uv || scene_.traits[part].reads_uv;
         traits.mirrors = traits.mirrors || scene_.traits[part].mirrors;
+        traits.has_tangent = traits.has_tangent || scene_.traits[part].has_tangent;
         if (const uint16_t medium = scene_.traits[part].medium; medium != no_medium && matters(scene_.media[medium]))
             diagnostics_.error(m.where, "material " + in_quotes(scene_.material_names[part]) +
                                             " has a 'priority' or 'absorption' and cannot be a part of the mix " +
@@ -143,8 +145,9 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
     return id;
 }
 
-uint32_t MaterialTable::add(const MaterialDescription& m)
+uint32_t MaterialTable::add(const MaterialDescription& said)
 {
+    const MaterialDescription m = plainest(said);
     // Meshes that share a material file bring the same materials repeatedly.
     for (const auto& [known, id] : added_[m.name]) {
         if (!(known == m)) continue;
@@ -178,7 +181,8 @@ uint32_t MaterialTable::make(const MaterialDescription& m)
     if (m.type == MaterialType::translucent) warn_of_gain(m, diagnostics_);
     const std::optional<float> usual = default_description(m.type).metallic;
     const float metallic = m.metallic.value_or(usual.value_or(0));
-    if (!usual || (metallic == *usual && !m.metallic_map)) return add_plain(m, builder_.make(m, id_of));
+    if (!usual || m.type == MaterialType::principled || (metallic == *usual && !m.metallic_map))
+        return add_plain(m, builder_.make(m, id_of));
     MaterialDescription part = m;
     part.emission = {};
     for (TextureUse* use : {&part.emission_map, &part.bump_map, &part.normal_map, &part.opacity_map}) use->reset();

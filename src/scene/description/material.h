@@ -32,19 +32,48 @@ struct MaterialDescription {
     // Albedo (lambert, plastic, of what a translucent sheet reflects), F0 (metal), tint (mirror, glass); in [0, 1].
     Color base_color{0.8f, 0.8f, 0.8f};
     TextureUse base_color_map{};
-    Color transmittance{0.4f, 0.4f, 0.4f};  // translucent: albedo of what it lets through; in [0, 1]
+    Color transmittance{0.4f, 0.4f, 0.4f};  // translucent: albedo of what it lets through; principled: tint; in [0, 1]
     TextureUse transmittance_map{};
-    float ior = 1.5f;                   // glass, plastic: index of refraction inside over outside, > 0
-    std::optional<bool> thin{};         // glass: a sheet without an inside; nothing: its shape decides
-    Color absorption{};                 // glass, interface: of what is inside, per unit of length, >= 0
-    std::optional<int32_t> priority{};  // glass, interface: over other media in the same place
-    float roughness = 0;                // metal, glass, plastic: perceptual, in [0, 1]; GGX alpha is its square
+    float ior = 1.5f;                   // glass, plastic, principled: index of refraction inside over outside, > 0
+    std::optional<bool> thin{};         // glass, principled: a sheet without an inside; nothing: its shape decides
+    Color absorption{};                 // glass, interface, principled: of what is inside, per unit of length, >= 0
+    std::optional<int32_t> priority{};  // likewise: over other media in the same place
+    float roughness = 0;  // metal, glass, plastic, principled: perceptual, in [0, 1]; GGX alpha is its square
     TextureUse roughness_map{};
     std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
-    std::optional<float> metallic{};  // metal, plastic: part of metal in a mix of both, in [0, 1]
+    std::optional<float> metallic{};  // metal, plastic, principled: part of metal in a mix of both, in [0, 1]
     TextureUse metallic_map{};
-    Color specular{1, 1, 1};  // plastic: tint of the coat's reflection; in [0, 1]
-    float opacity = 1;        // part of the rays that are stopped, in [0, 1]
+    Color specular{1, 1, 1};  // plastic, principled: tint of the reflection; in [0, 1]
+    // principled, see materials/principled.h; weights, roughness and colours in [0, 1]
+    float base_weight = 1;        // factor of base_color
+    float diffuse_roughness = 0;  // of the diffuse body
+    float specular_weight = 1;    // of the reflection of the base
+    float anisotropy = 0;         // of its facets: 0: the same in all directions
+    TextureUse anisotropy_map{};
+    float anisotropy_rotation = 0;  // of their tangent, part of a turn
+    TextureUse anisotropy_rotation_map{};
+    float transmission = 0;  // part of the dielectric that is clear; tint of each refraction: transmittance
+    TextureUse transmission_map{};
+    float transmission_depth = 0;  // length on which what is inside absorbs all but transmittance; 0: it is a tint
+    float coat = 0;
+    TextureUse coat_map{};
+    Color coat_color{1, 1, 1};
+    float coat_roughness = 0;
+    TextureUse coat_roughness_map{};
+    float coat_ior = 1.6f;     // > 0
+    float coat_darkening = 1;  // by light that the coat sends back to the base
+    float fuzz = 0;
+    TextureUse fuzz_map{};
+    Color fuzz_color{1, 1, 1};
+    TextureUse fuzz_color_map{};
+    float fuzz_roughness = 0.5f;
+    TextureUse fuzz_roughness_map{};
+    float film = 0;
+    TextureUse film_map{};
+    float film_thickness = 500;  // nanometres, >= 0
+    TextureUse film_thickness_map{};
+    float film_ior = 1.4f;  // > 0
+    float opacity = 1;      // part of the rays that are stopped, in [0, 1]
     TextureUse opacity_map{};
     TextureUse bump_map{};        // heights
     float bump_scale = 1;         // slope of a step from black to white between neighbouring texels; a factor on waves
@@ -157,6 +186,28 @@ inline constexpr std::tuple all{
     number("reflexion", member_of(&M::phong, &Phong::reflexion), unit),
     number("refraction", member_of(&M::phong, &Phong::refraction), unit),
     number("outside_ior", member_of(&M::phong, &Phong::outside_ior), positive),
+    number("base_weight", &M::base_weight, unit),
+    number("diffuse_roughness", &M::diffuse_roughness, unit),
+    number("specular_weight", &M::specular_weight, unit),
+    mapped("anisotropy", &M::anisotropy, unit, "anisotropy_texture", &M::anisotropy_map, TextureRole::number),
+    mapped("anisotropy_rotation", &M::anisotropy_rotation, unit, "anisotropy_rotation_texture",
+           &M::anisotropy_rotation_map, TextureRole::number),
+    mapped("transmission", &M::transmission, unit, "transmission_texture", &M::transmission_map, TextureRole::number),
+    number("transmission_depth", &M::transmission_depth, not_negative),
+    mapped("coat", &M::coat, unit, "coat_texture", &M::coat_map, TextureRole::number),
+    number("coat_color", &M::coat_color, unit),
+    mapped("coat_roughness", &M::coat_roughness, unit, "coat_roughness_texture", &M::coat_roughness_map,
+           TextureRole::number),
+    number("coat_ior", &M::coat_ior, positive),
+    number("coat_darkening", &M::coat_darkening, unit),
+    mapped("fuzz", &M::fuzz, unit, "fuzz_texture", &M::fuzz_map, TextureRole::number),
+    mapped("fuzz_color", &M::fuzz_color, unit, "fuzz_color_texture", &M::fuzz_color_map, TextureRole::color),
+    mapped("fuzz_roughness", &M::fuzz_roughness, unit, "fuzz_roughness_texture", &M::fuzz_roughness_map,
+           TextureRole::number),
+    mapped("film", &M::film, unit, "film_texture", &M::film_map, TextureRole::number),
+    mapped("film_thickness", &M::film_thickness, not_negative, "film_thickness_texture", &M::film_thickness_map,
+           TextureRole::number),
+    number("film_ior", &M::film_ior, positive),
     mapped("opacity", &M::opacity, unit, "opacity_texture", &M::opacity_map, TextureRole::opacity),
     image("bump_texture", &M::bump_map, TextureRole::heights),
     number("bump_scale", &M::bump_scale, finite),
@@ -203,6 +254,9 @@ bool has_parameter(MaterialType type, std::string_view key);
 
 // A material of a type that says nothing of itself.
 MaterialDescription default_description(MaterialType type);
+// What is principled but says no more than a plainer type can say, as that type; any other as it is. The picture of the
+// plainer type is what is meant.
+MaterialDescription plainest(const MaterialDescription& material);
 // Makes it one of another type, which begins with its own defaults: a number with a texture is then 1. The base colour
 // and all textures stay, as does what materials of all types have: a mesh file knows these best.
 void change_type(MaterialDescription& material, MaterialType type);

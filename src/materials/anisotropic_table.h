@@ -1,0 +1,56 @@
+// Table of the light that anisotropic GGX facets lose by shadowing and masking: what AlbedoTable is for isotropic ones,
+// by cosine and azimuth. Computed by a fixed quadrature, so that the bits are always the same.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "materials/albedo_table.h"
+#include "materials/anisotropic.h"
+
+namespace lancer {
+
+class AnisotropicTable {
+    static constexpr uint32_t cosines = 25, azimuths = 9;
+
+    // Of one roughness and anisotropy: losses row by row, at even steps of the root of the cosine and of the azimuth of
+    // a quarter turn, and their mean.
+    struct Slice {
+        std::array<float, cosines * azimuths> loss{};
+        float mean = 0;
+        float at(float cos, float x, float y) const;
+    };
+
+public:
+    // kind: reflector or coat; eta as for AlbedoTable.
+    AnisotropicTable(FacetKind kind, double eta) : kind_(kind), eta_(eta) {}
+    // From now on at() answers for this pair, and only for it. Roughness above 0; a few milliseconds.
+    void need(float roughness, float anisotropy);
+    // The same for every pair: some sixty times as long.
+    void need_all();
+
+    // The losses of one pair; the table must outlive it.
+    class At {
+    public:
+        // As AlbedoTable::Row::loss(). w: unit, along the tangent frame, z > 0.
+        float loss(Vec3 w) const;
+        // 1 - the hemispherical albedo.
+        float mean_missing() const;
+
+    private:
+        friend AnisotropicTable;
+        std::array<const Slice*, 4> slices_{};  // low and high roughness, each of low and high anisotropy
+        float rough_ = 0, stretched_ = 0;       // weights of the high ones
+    };
+    At at(float roughness, float anisotropy) const;
+
+private:
+    Slice make(float roughness, float anisotropy) const;
+
+    FacetKind kind_;
+    double eta_;
+    uint32_t roughnesses_ = 1, anisotropies_ = 1;
+    std::vector<Slice> slices_;  // those of one roughness one behind the other
+};
+
+}  // namespace lancer

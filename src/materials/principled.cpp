@@ -1,0 +1,64 @@
+#include "materials/principled.h"
+
+namespace lancer {
+namespace {
+
+float in_unit(float x) { return std::min(1.0f, std::max(0.0f, x)); }
+
+}  // namespace
+
+PrincipledBsdf Principled::at(const ShadingPoint& p) const
+{
+    PrincipledBsdf b;
+    b.material = this;
+    b.front = p.front, b.media_eta = p.eta;
+    b.base = p.base(base);
+    b.metallic = in_unit(p.eval(metallic)), b.transmission = in_unit(p.eval(transmission));
+    // Seen from inside of a body, coat and fuzz are on the far side.
+    const bool is_inside = !p.front && b.transmission > 0 && !tables->glass.thin;
+    if (!is_inside) {
+        b.coat = in_unit(p.eval(coat)), b.fuzz = tables->fuzz ? in_unit(p.eval(fuzz)) : 0;
+        if (b.coat > 0 && tables->coat) b.coat_alpha = alpha_of_roughness(p.eval(coat_roughness));
+        if (b.fuzz > 0) b.fuzz_color = p.eval(fuzz_color), b.fuzz_roughness = in_unit(p.eval(fuzz_roughness));
+    }
+    b.roughness =
+        roughness_under_coat(in_unit(p.eval(roughness)), b.coat, b.coat_alpha > 0 ? std::sqrt(b.coat_alpha) : 0);
+    b.anisotropy = anisotropy.value > 0 ? in_unit(p.eval(anisotropy)) : 0;
+    b.alpha = alphas_of(b.roughness, b.anisotropy);
+    if (!b.alpha.is_even()) {
+        // Turned about the front's normal.
+        const SinCos sc = sin_cos_2pi(in_unit(p.eval(rotation)));
+        const float sin = p.front ? sc.sin : -sc.sin;
+        b.turn = {p.tangent.x * sc.cos - p.tangent.y * sin, p.tangent.y * sc.cos + p.tangent.x * sin};
+    }
+    b.film = in_unit(p.eval(film));
+    if (b.film > 0) b.film_thickness = std::max(0.0f, p.eval(film_thickness));
+    if (b.transmission > 0) b.transmittance = p.eval(transmittance);
+    b.finish();
+    return b;
+}
+
+// Of its parts, each as the type of material that is like it.
+Phong Principled::phong(const ShadingPoint& p) const
+{
+    const float rough = highlight_of(p.eval(roughness)), shininess = shininess_of(std::max(0.1f, rough));
+    const float f0 = fresnel_dielectric(1.0f, tables->dielectric_ior).reflectance;
+    const Color color = p.base(base);
+    const float diffusion = 1 / (1 + f0 * (1 - rough));
+    const Phong body{.diffuse = color * (1 - f0),
+                     .specular = specular * f0,
+                     .shininess = shininess,
+                     .diffusion = diffusion,
+                     .reflexion = diffusion * (1 - rough)};
+    const Phong metal{
+        .specular = color * specular_weight, .shininess = shininess, .diffusion = rough, .reflexion = 1 - rough};
+    Phong dielectric = body;
+    if (const float through = in_unit(p.eval(transmission)); through > 0) {
+        Phong glass = tables->glass.phong(p);
+        glass.diffuse *= p.eval(transmittance);
+        dielectric = mix(through, body, glass);
+    }
+    return mix(in_unit(p.eval(metallic)), dielectric, metal);
+}
+
+}  // namespace lancer
