@@ -22,7 +22,8 @@ struct Fuzz {
         const Vec3 sum = wo + wi;
         const float flat2 = (sum.x * sum.x + sum.y * sum.y) / dot(sum, sum);  // squared sine of the half vector
         const float exponent = 1 / alpha(), density = (2 + exponent) * (1 / (2 * pi));
-        return density * std::pow(std::min(1.0f, flat2), 0.5f * exponent) / (4 * (wo.z + wi.z - wo.z * wi.z));
+        return density * std::pow(std::min(1.0f, flat2), 0.5f * exponent) /
+               std::max(1e-7f, 4 * (wo.z + wi.z - wo.z * wi.z));
     }
     // The exponent of the sine is 1 / alpha. The smoothest fuzz has fibres that all but stand upright.
     float alpha() const { return std::max(least_root * least_root, roughness * roughness); }

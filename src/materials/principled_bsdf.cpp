@@ -63,7 +63,7 @@ struct PrincipledBsdf::Lobes {
 void PrincipledBsdf::finish()
 {
     const float body = part_of_body(), inside = part_of_glass();
-    const bool reflects = metallic > 0 || body > 0;
+    const bool reflects = metallic > 0 || (body > 0 && !is_black(material->specular));
     has_smooth = (fuzz > 0 && !is_black(fuzz_color)) || (coat > 0 && coat_alpha > 0) || (body > 0 && !is_black(base)) ||
                  (reflects && alpha.along > 0);
     if (!(inside > 0)) return;
@@ -237,7 +237,8 @@ Color PrincipledBsdf::diffuse(const Lobes& s, Vec3 wi) const
         if (alpha.along > 0 && !alpha.is_even())
             lost = s.wide_dielectric.loss(to_float(to_tangent(unit_in_double(wi))));
         const float r = fresnel_dielectric(std::min(1.0f, wi.z), material->tables->dielectric_ior).reflectance;
-        through *= mix(1.0f, (1 - r * (1 - lost)) / s.mean_through, both_ways);
+        const float back = (1 - r * (1 - lost)) / s.mean_through;
+        through *= both_ways < 1 ? mix(1.0f, back, both_ways) : back;
     }
     const float part = part_of_body();
     if (!(rough > 0)) return base * through * (part * pdf_cosine_hemisphere(wi.z));

@@ -1,6 +1,7 @@
 // What MTL materials become: docs/scene-format.md, "Materials of an OBJ file", row by row.
 #include <cmath>
 
+#include "materials/anisotropic.h"
 #include "obj_test_support.h"
 
 namespace lancer {
@@ -147,9 +148,29 @@ TEST_F(MtlMaterial, PhysicalKeysAreTakenAsTheyAre)
     EXPECT_EQ(scaled.roughness, .5f);
     EXPECT_EQ(scaled.metallic, .25f);
     EXPECT_THAT(warnings(), IsEmpty());
-    material("Pr .5\nPs 0\nPc 0.5\nPcr .03\naniso 0\nanisor 0\nmap_Ps a.png\nmap_Ks a.png");
-    EXPECT_THAT(warnings(), ElementsAre("a.mtl:4: warning: statement 'Pc' and 'map_Ps' is not supported; ignored",
-                                        "a.mtl:9: warning: map_Ks beside Pr or Pm ignored"));
+    material("Pr .5\nmap_Ks a.png");
+    EXPECT_THAT(warnings(), ElementsAre("a.mtl:4: warning: map_Ks beside Pr or Pm ignored"));
+}
+
+TEST_F(MtlMaterial, LayersOfThePhysicalKeysArePrincipled)
+{
+    EXPECT_EQ(material("Pr .5\nPs 0\nPc 0\nPcr .03\naniso 0\nanisor 0\nmap_Pc a.png").type, MaterialType::plastic);
+    const auto coated = material("Pr .5\nPc .25\nPcr .03\nmap_Ps b.png");
+    EXPECT_EQ(coated.type, MaterialType::principled);
+    EXPECT_EQ(coated.coat, .25f);
+    EXPECT_EQ(coated.coat_roughness, .03f);
+    EXPECT_EQ(coated.fuzz, 1);
+    ASSERT_TRUE(coated.fuzz_map);
+    EXPECT_EQ(relative(coated.fuzz_map->file), "b.png");
+    EXPECT_EQ(coated.roughness, .5f);
+    // Disney's alphas: the squared roughness times and over sqrt(1 - 0.9 aniso).
+    const auto brushed = material("Pm 1\nPr .5\naniso .5\nanisor .25");
+    EXPECT_EQ(brushed.metallic, 1.0f);
+    EXPECT_EQ(brushed.anisotropy_rotation, .25f);
+    const AlphaPair alpha = alphas_of(brushed.roughness, brushed.anisotropy);
+    EXPECT_NEAR(alpha.along, .25f / std::sqrt(.55f), 1e-5f);
+    EXPECT_NEAR(alpha.across, .25f * std::sqrt(.55f), 1e-5f);
+    EXPECT_THAT(warnings(), IsEmpty());
 }
 
 TEST_F(MtlMaterial, OpacityIsDOrWhatTrLeaves)

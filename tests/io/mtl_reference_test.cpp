@@ -51,6 +51,11 @@ void expect_same(const std::string& text, const std::string& file)
         number(a.d, b.dissolve);
         number(a.pr, b.roughness);
         number(a.pm, b.metallic);
+        number(a.ps, b.sheen);
+        number(a.pc, b.clearcoat_thickness);
+        number(a.pcr, b.clearcoat_roughness);
+        number(a.aniso, b.anisotropy);
+        number(a.anisor, b.anisotropy_rotation);
         EXPECT_EQ(a.illum ? a.illum.value : b.illum, b.illum) << place;
         map(MtlMapKind::kd, b.diffuse_texname);
         map(MtlMapKind::ks, b.specular_texname);

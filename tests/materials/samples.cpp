@@ -45,8 +45,15 @@ std::vector<Sample<Principled>> samples<Principled>()
     const auto white = [](const std::string& name, double tolerance, const std::function<void(D&)>& change) {
         const Principled p = make_principled(change);
         const bool one_way = p.coat.value > 0 || p.fuzz.value > 0 || p.film.value > 0 || p.diffuse_roughness > 0;
-        return Sample<Principled>{name,  p,     true,    p.transmission.value > 0, tolerance,
-                                  false, false, one_way, p.diffuse_roughness > 0};
+        return Sample<Principled>{name,
+                                  p,
+                                  true,
+                                  p.transmission.value > 0,
+                                  tolerance,
+                                  false,
+                                  false,
+                                  one_way,
+                                  p.diffuse_roughness > 0 || p.anisotropy.value > 0};
     };
     const auto dyed = [&](const std::string& name, const std::function<void(D&)>& change) {
         Sample<Principled> s = white(name, 0.01, [&](D& m) {

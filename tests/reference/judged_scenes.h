@@ -116,6 +116,37 @@ inline SceneDescription plastic_scene()
     worn.metallic = 0.4f;
     return on_stage(rough, coated, worn);
 }
+inline SceneDescription principled_scene()
+{
+    const auto principled = [](Color base, const auto& change) {
+        MaterialDescription m = default_description(MaterialType::principled);
+        m.base_color = base;
+        change(m);
+        return m;
+    };
+    SceneDescription d = on_stage(
+        principled({0.8f, 0.5f, 0.2f},
+                   [](auto& m) {
+                       m.coat = 0.9f, m.coat_color = {0.9f, 0.6f, 0.5f}, m.metallic = 0.5f, m.roughness = 0.6f;
+                       m.specular = {0.6f, 0.9f, 1};
+                   }),
+        principled({0.3f, 0.1f, 0.4f},
+                   [](auto& m) {
+                       m.fuzz = 0.8f, m.fuzz_color = {0.9f, 0.7f, 0.6f}, m.diffuse_roughness = 0.6f, m.roughness = 0.7f;
+                   }),
+        principled({0.4f, 0.6f, 0.3f}, [](auto& m) {
+            m.coat = 0.7f, m.coat_roughness = 0.6f, m.roughness = 0.5f, m.specular_weight = 0.7f;
+        }));
+    d.materials.push_back(principled({0.9f, 0.7f, 0.4f}, [](auto& m) {
+        m.name = "d", m.film = 0.8f, m.film_thickness = 420, m.film_ior = 1.8f, m.roughness = 0.6f, m.metallic = 0.3f;
+    }));
+    d.materials.push_back(principled({0.2f, 0.2f, 0.3f}, [](auto& m) {
+        m.name = "e", m.film = 1, m.film_thickness = 300, m.roughness = 0, m.metallic = 0.6f;
+    }));
+    d.spheres.push_back(sphere_of({-0.2, 0.7, -0.4}, 0.35, "d"));
+    d.spheres.push_back(sphere_of({0.9, 0.75, -0.4}, 0.3, "e"));
+    return d;
+}
 inline SceneDescription interfaces_scene()
 {
     MaterialDescription lacquer = make_lambert("", {0.5f, 0.1f, 0.1f});

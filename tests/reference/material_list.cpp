@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "reference/principled.h"
 #include "scene/build/shapes.h"
 #include "scene/description/presets.h"
 
@@ -30,8 +31,9 @@ const Texture* MaterialList::texture(const lancer::TextureUse& use)
     return world_.textures.back().get();
 }
 
-size_t MaterialList::add(const MaterialDescription& m)
+size_t MaterialList::add(const MaterialDescription& said)
 {
+    const MaterialDescription m = lancer::plainest(said);
     Material material;
     material.what = m;
     material.opacity = texture(m.opacity_map);
@@ -68,6 +70,10 @@ size_t MaterialList::add(const MaterialDescription& m)
             smooth.kind = Bsdf::Kind::metal, smooth.color = grey(1);
             smooth.conductor = {rgb(*m.eta), rgb(*m.k)};
             material.mean_of_conductor = under_even_light([&](double cos) { return smooth.facet_reflectance(cos); });
+        }
+        if (m.type == MaterialType::principled) {
+            if (material.roughness) throw std::invalid_argument("the reference knows no textured roughness");
+            material.principled = std::make_shared<PrincipledModel>(m);
         }
         if (is_plastic) {
             if (material.roughness) throw std::invalid_argument("the reference knows no textured roughness of plastic");

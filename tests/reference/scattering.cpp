@@ -1,6 +1,7 @@
 #include "reference/scattering.h"
 
 #include "reference/fresnel.h"
+#include "reference/principled.h"
 
 namespace reference {
 namespace {
@@ -98,6 +99,7 @@ bool Bsdf::only_delta() const
     switch (kind) {
         case Kind::lambert:
         case Kind::translucent:
+        case Kind::principled:
             return false;
         case Kind::plastic:
             return alpha == 0 && black(color);
@@ -129,6 +131,7 @@ Rgb Bsdf::eval_once(Vec wo, Vec wi) const
     if (kind == Kind::sheet) return alpha > 0 ? eval_sheet(wo, wi) : Rgb{};
     if (kind == Kind::translucent) return (wi.z > 0 ? diffuse : through) * (std::abs(wi.z) / pi);
     if (wi.z <= 0) return {};
+    if (kind == Kind::principled) return principled->eval(wo, wi, color);
     const double lambertian = wi.z / pi;
     if (kind == Kind::lambert) return color * lambertian;
     if (kind == Kind::interface) {
@@ -208,6 +211,8 @@ std::optional<Scattered> Bsdf::sample_once(Vec wo, Random& random) const
             return sample_plastic(wo, random);
         case Kind::interface:
             return sample_interface(wo, random);
+        case Kind::principled:
+            return sample_principled(wo, random);
         default:
             return sample_facets(wo, random);
     }
@@ -267,6 +272,17 @@ std::optional<Scattered> Bsdf::sample_sheet(Vec wo, Random& random) const
     const double seen = facets.both_seen(wo, above) * (1 + facets.lambda(wo));
     return Scattered{{above.x, above.y, passes ? -above.z : above.z},
                      Rgb{std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)} * (2 * seen)};
+}
+
+// What is sharp, and the rest by the cosine: one half of the samples each where there is both.
+std::optional<Scattered> Bsdf::sample_principled(Vec wo, Random& random) const
+{
+    const Rgb sharp = principled->mirror(wo, color);
+    const double chance = black(sharp) ? 0 : 0.5;
+    if (random.next() < chance) return Scattered{{-wo.x, -wo.y, wo.z}, sharp * 2, true};
+    const Vec wi = cosine_direction(random);
+    if (!(wi.z > 0)) return {};
+    return Scattered{wi, principled->eval(wo, wi, color) * (pi / wi.z / (1 - chance))};
 }
 
 // Each lobe by itself: the mean over the choice is their sum.

@@ -38,6 +38,8 @@ private:
     double mean_ = 0, index_, alpha_;
 };
 
+class PrincipledModel;
+
 struct Scattered {
     Vec wi;
     Rgb weight;  // f |cos| over the density
@@ -47,7 +49,7 @@ struct Scattered {
 
 // What a place scatters with; which members count depends on the kind.
 struct Bsdf {
-    enum class Kind { lambert, translucent, mirror, metal, glass, sheet, plastic, interface };
+    enum class Kind { lambert, translucent, mirror, metal, glass, sheet, plastic, interface, principled };
     Kind kind = Kind::lambert;
     Rgb color{};       // albedo, tint, F0
     double alpha = 0;  // 0: smooth
@@ -58,6 +60,7 @@ struct Bsdf {
     Rgb diffuse{}, gloss{}, mirror{}, through{};    // interface; translucent: diffuse and through
     double shininess = 0;
     bool refracts = false;
+    const PrincipledModel* principled = nullptr;
     EvenLobes even{};  // metal, glass, sheet: of multiple scattering
 
     bool only_delta() const;
@@ -75,6 +78,7 @@ private:
     Rgb eval_sheet(Vec wo, Vec wi) const;
     std::optional<Scattered> sample_sheet(Vec wo, Random& random) const;
     std::optional<Scattered> sample_plastic(Vec wo, Random& random) const;
+    std::optional<Scattered> sample_principled(Vec wo, Random& random) const;
     std::optional<Scattered> sample_interface(Vec wo, Random& random) const;
 };
 

@@ -185,6 +185,10 @@ Bsdf bsdf_at(const World& world, const Surface& s, double index, Random& random)
             b.coat = rgb(what.specular);
             b.coat_albedo = m->coat.get();
             break;
+        case lancer::MaterialType::principled:
+            b.kind = Bsdf::Kind::principled;
+            b.principled = m->principled.get();
+            break;
         case lancer::MaterialType::interface: {
             b.kind = Bsdf::Kind::interface;
             const lancer::Phong& p = what.phong;

@@ -22,7 +22,8 @@ struct Material {
     size_t first = 0, second = 0;              // mix
     bool mirrors = false;                      // it, or a part of it, has a lobe about the mirror direction
     std::shared_ptr<const CoatAlbedo> coat{};  // plastic
-    Rgb mean_of_conductor{};                   // metal by its indices: its mean reflectance
+    std::shared_ptr<const PrincipledModel> principled{};
+    Rgb mean_of_conductor{};  // metal by its indices: its mean reflectance
     bool has_holes() const { return opacity || what.opacity < 1; }
     bool is_mix() const { return what.type == lancer::MaterialType::mix; }
     // What a body of it is filled with.

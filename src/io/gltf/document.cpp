@@ -24,9 +24,11 @@ uint32_t little_endian_at(std::string_view bytes, size_t at)
 // compression that other members of the file stand for.
 constexpr std::string_view known_extensions[] = {"KHR_draco_mesh_compression",
                                                  "KHR_lights_punctual",
+                                                 "KHR_materials_anisotropy",
                                                  "KHR_materials_clearcoat",
                                                  "KHR_materials_emissive_strength",
                                                  "KHR_materials_ior",
+                                                 "KHR_materials_iridescence",
                                                  "KHR_materials_pbrSpecularGlossiness",
                                                  "KHR_materials_sheen",
                                                  "KHR_materials_specular",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/description/as_principled.h"
+
 namespace lancer {
 namespace {
 
@@ -46,7 +48,7 @@ public:
             describe_glossiness();
         else
             describe_metallic();
-        describe_coats();
+        if (!extension("KHR_materials_unlit")) describe_layers();
         describe_opacity();
         describe_normals();
         return std::move(made_);
@@ -131,7 +133,8 @@ private:
         m_.roughness = in_unit(number(pbr_, "roughnessFactor", 1));
         m_.roughness_map = use(both, Encoding::linear, Channel::green);
         const float metallic = in_unit(number(pbr_, "metallicFactor", 1));
-        if (describe_transmission()) return;
+        if (metallic > 0 && is_partly_clear()) m_.metallic_map = use(both, Encoding::linear, Channel::blue);
+        if (describe_transmission(metallic)) return;
         if (metallic > 0) m_.metallic_map = use(both, Encoding::linear, Channel::blue);
         if (metallic == 1 && !m_.metallic_map) {
             m_.type = MaterialType::metal;
@@ -163,20 +166,33 @@ private:
                 doc_.warn(*specular, std::string(key) + " is not used: the factor alone is");
     }
 
-    // Glass, if more light passes than not.
-    bool describe_transmission()
+    const JsonValue* transmission() const { return extension("KHR_materials_transmission"); }
+    // What lets a part of the light through, is principled; what lets all through, is glass.
+    bool is_partly_clear() const
     {
-        const JsonValue* const t = extension("KHR_materials_transmission");
-        if (!t) return false;
-        const double factor = number(t, "transmissionFactor", 0);
-        if (factor > 0 && doc_.object(*t, "transmissionTexture"))
-            doc_.warn(*t, "transmissionTexture is not used: the factor alone is");
-        if (factor > 0 && factor < 1)
-            doc_.warn(*t, "a transmission between 0 and 1 is glass from 0.5 on, and none below");
-        if (factor < 0.5) return false;
-        m_.type = MaterialType::glass;
+        const double factor = number(transmission(), "transmissionFactor", 0);
+        return factor > 0 && (factor < 1 || doc_.object(*transmission(), "transmissionTexture"));
+    }
+    bool describe_transmission(float metallic)
+    {
+        const double factor = number(transmission(), "transmissionFactor", 0);
+        if (!(factor > 0)) return false;
+        const Color tint = root_of(m_.base_color);  // light crosses two faces
         m_.ior = ior();
-        m_.base_color = root_of(m_.base_color);  // light crosses two faces
+        if (is_partly_clear()) {
+            m_.type = MaterialType::plastic;
+            m_.metallic = metallic;
+            describe_dielectric(m_.ior);
+            describe_specular();
+            as_principled(m_);
+            m_.transmission = in_unit(factor);
+            m_.transmission_map =
+                use(textures_.info(transmission(), "transmissionTexture"), Encoding::linear, Channel::red);
+            m_.transmittance = tint, m_.transmittance_map = m_.base_color_map;
+        } else {
+            m_.type = MaterialType::glass;
+            m_.base_color = tint;
+        }
         const JsonValue* const volume = extension("KHR_materials_volume");
         m_.thin = !volume || number(volume, "thicknessFactor", 0) <= 0;
         if (!*m_.thin) describe_volume(*volume);
@@ -227,31 +243,78 @@ private:
         if (f0 > 0) m_.specular = specular / f0;
     }
 
-    // A clear coat on what is no metal takes the place of the base's own reflection.
-    void describe_coats()
+    // Layers that no plainer material has. Of textures of directions the strength alone is used.
+    void describe_layers() { describe_coat(), describe_sheen(), describe_anisotropy(), describe_iridescence(); }
+
+    void describe_coat()
     {
         const JsonValue* const coat = extension("KHR_materials_clearcoat");
         const double strength = number(coat, "clearcoatFactor", 0);
-        const bool is_plastic = m_.type == MaterialType::plastic && m_.metallic.value_or(0) == 0;
-        if (strength > 0 && is_plastic && strength >= 0.5) {
-            m_.roughness = in_unit(number(coat, "clearcoatRoughnessFactor", 0));
-            m_.roughness_map.reset();
-            m_.ior = 1.5f;
-            if (strength < 1 || doc_.object(*coat, "clearcoatTexture") ||
-                doc_.object(*coat, "clearcoatRoughnessTexture") || doc_.object(*coat, "clearcoatNormalTexture"))
-                doc_.warn(*coat, "a clear coat is whole and even: its textures, and a factor below 1, are not used");
-        } else if (strength > 0) {
-            doc_.warn(*coat, "a clear coat on metal, or of a factor below 0.5, is not used");
-        }
+        if (!(strength > 0) || !as_principled(m_)) return;
+        m_.coat = in_unit(strength);
+        m_.coat_map = use(textures_.info(coat, "clearcoatTexture"), Encoding::linear, Channel::red);
+        m_.coat_roughness = in_unit(number(coat, "clearcoatRoughnessFactor", 0));
+        m_.coat_roughness_map =
+            use(textures_.info(coat, "clearcoatRoughnessTexture"), Encoding::linear, Channel::green);
+        m_.coat_ior = 1.5f, m_.coat_darkening = 0;
+        if (doc_.object(*coat, "clearcoatNormalTexture"))
+            doc_.warn(*coat, "clearcoatNormalTexture is not used: a coat has the normals of its base");
+    }
+
+    void describe_sheen()
+    {
         const JsonValue* const sheen = extension("KHR_materials_sheen");
         const auto color = sheen ? doc_.numbers<3>(*sheen, "sheenColorFactor") : std::nullopt;
-        if (color && !is_black(color_of(*color))) doc_.warn(*sheen, "sheen is not used");
+        if (!color || is_black(color_of(*color)) || !as_principled(m_)) return;
+        const Color tint = in_unit(color_of(*color));
+        m_.fuzz = max_component(tint);
+        m_.fuzz_color = tint / m_.fuzz;
+        m_.fuzz_color_map = use(textures_.info(sheen, "sheenColorTexture"), Encoding::of_file, Channel::color);
+        m_.fuzz_roughness = in_unit(number(sheen, "sheenRoughnessFactor", 0));
+        m_.fuzz_roughness_map = use(textures_.info(sheen, "sheenRoughnessTexture"), Encoding::linear, Channel::alpha);
+    }
+
+    // Its wider alpha is that of the roughness and the strength, its narrower one that of the roughness.
+    void describe_anisotropy()
+    {
+        const JsonValue* const brushed = extension("KHR_materials_anisotropy");
+        const double strength = std::clamp(number(brushed, "anisotropyStrength", 0), 0.0, 1.0);
+        if (!(strength > 0) || !as_principled(m_)) return;
+        const double alpha = static_cast<double>(m_.roughness) * static_cast<double>(m_.roughness);
+        const double wide = alpha + (1 - alpha) * strength * strength, aspect = wide > 0 ? alpha / wide : 1;
+        m_.anisotropy = in_unit(1 - aspect);
+        m_.anisotropy_map = use(textures_.info(brushed, "anisotropyTexture"), Encoding::linear, Channel::blue);
+        m_.roughness = in_unit(std::sqrt(wide * std::sqrt((1 + aspect * aspect) / 2)));
+        constexpr double turn = 6.283185307179586;
+        const double turns = number(brushed, "anisotropyRotation", 0) / turn;
+        m_.anisotropy_rotation = in_unit(turns - std::floor(turns));
+        if (m_.anisotropy_map)
+            doc_.warn(*brushed, "the directions of an anisotropyTexture are not used: its strength alone is");
+    }
+
+    void describe_iridescence()
+    {
+        const JsonValue* const film = extension("KHR_materials_iridescence");
+        const double factor = number(film, "iridescenceFactor", 0);
+        if (!(factor > 0) || !as_principled(m_)) return;
+        const auto size = [&](std::string_view key, double usual) {
+            return static_cast<float>(std::clamp(number(film, key, usual), 0.0, 1e5));
+        };
+        m_.film = in_unit(factor);
+        m_.film_map = use(textures_.info(film, "iridescenceTexture"), Encoding::linear, Channel::red);
+        m_.film_ior = std::max(1.0f, size("iridescenceIor", 1.3));
+        m_.film_thickness = size("iridescenceThicknessMaximum", 400);
+        m_.film_thickness_map =
+            use(textures_.info(film, "iridescenceThicknessTexture"), Encoding::linear, Channel::green);
+        if (!m_.film_thickness_map || !(m_.film_thickness > 0)) return;
+        const float least = size("iridescenceThicknessMinimum", 100) / m_.film_thickness;
+        m_.film_thickness_map->use.gain = 1 - least, m_.film_thickness_map->use.bias = least;
     }
 
     void describe_opacity()
     {
         const std::string* const mode = doc_.text(json_, "alphaMode");
-        if (!mode || *mode == "OPAQUE" || m_.type == MaterialType::glass) return;
+        if (!mode || *mode == "OPAQUE" || m_.type == MaterialType::glass || m_.transmission == 1) return;
         const auto alpha = static_cast<float>(std::clamp(factor_[3], 0.0, 1.0));
         m_.opacity_map = use(base_info_, Encoding::linear, Channel::alpha);
         if (*mode == "MASK") {

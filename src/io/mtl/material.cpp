@@ -5,6 +5,7 @@
 
 #include "core/names.h"
 #include "io/mtl/kind.h"
+#include "scene/description/as_principled.h"
 
 namespace lancer {
 namespace {
@@ -54,6 +55,7 @@ public:
                 describe_classic();
                 break;
         }
+        describe_layers();
         describe_opacity();
         m_.bump_map = texture(MtlMapKind::bump, Encoding::linear, Channel::red);
         if (m_.bump_map) {
@@ -125,7 +127,7 @@ private:
         if (e_.d && e_.tr && std::abs(e_.d.value + e_.tr.value - 1) > 0.01f)
             warn(e_.tr.line, "d and Tr contradict each other; d is used");
         m_.opacity_map = texture(MtlMapKind::d, Encoding::linear, Channel::automatic);
-        if (m_.type == MaterialType::glass) return;
+        if (m_.type == MaterialType::glass || m_.transmission > 0) return;
         m_.opacity = stopped_part(e_);
         // A material with Tr 1 alone would not be seen at all; programs that write it mean the opposite.
         if (!e_.d && e_.tr.value == 1)
@@ -222,6 +224,43 @@ private:
     {
         m_.roughness_map = texture(MtlMapKind::pr, Encoding::linear, Channel::red);
         m_.roughness = e_.pr ? e_.pr.value : m_.roughness_map ? 1 : e_.ns ? roughness_of_exponent() : usual_roughness;
+    }
+
+    // A number with its texture, which stands alone if there is no number.
+    struct Weight {
+        float value;
+        TextureUse map;
+    };
+    Weight weight(const MtlValue<float>& number, MtlMapKind kind)
+    {
+        Weight w{number.value, {}};
+        if (number && number.value == 0) return w;
+        w.map = texture(kind, Encoding::linear, Channel::red);
+        if (!number && w.map) w.value = 1;
+        return w;
+    }
+
+    // Sheen, clear coat and anisotropy of the physical keys, in the sense of Blender's Principled BSDF.
+    void describe_layers()
+    {
+        const Weight sheen = weight(e_.ps, MtlMapKind::ps), coat = weight(e_.pc, MtlMapKind::pc);
+        const Weight brushed = weight(e_.aniso, MtlMapKind::aniso);
+        if (!(sheen.value > 0 || coat.value > 0 || brushed.value > 0) || !as_principled(m_)) return;
+        m_.fuzz = sheen.value, m_.fuzz_map = sheen.map;
+        m_.coat = coat.value, m_.coat_map = coat.map;
+        if (coat.value > 0) {
+            const Weight rough = weight(e_.pcr, MtlMapKind::pcr);
+            m_.coat_roughness = rough.value, m_.coat_roughness_map = rough.map;
+            m_.coat_ior = usual_ior, m_.coat_darkening = 0;
+        }
+        if (!(brushed.value > 0)) return;
+        // Disney's alphas are those of the roughness times and over the root of this.
+        const float aspect = 1 - 0.9f * brushed.value;
+        m_.anisotropy = 0.9f * brushed.value, m_.anisotropy_map = brushed.map;
+        if (!m_.anisotropy_map)
+            m_.roughness = std::min(1.0f, m_.roughness * std::sqrt(std::sqrt(0.5f * (aspect + 1 / aspect))));
+        const Weight turned = weight(e_.anisor, MtlMapKind::anisor);
+        m_.anisotropy_rotation = turned.value, m_.anisotropy_rotation_map = turned.map;
     }
 
     float roughness_of_exponent() const

@@ -41,6 +41,11 @@ constexpr std::array number_keys{
     NumberKey{"Tr", &MtlEntry::tr, 0, 1, "Tr outside [0, 1] clamped"},
     NumberKey{"Pr", &MtlEntry::pr, 0, 1, "Pr outside [0, 1] clamped"},
     NumberKey{"Pm", &MtlEntry::pm, 0, 1, "Pm outside [0, 1] clamped"},
+    NumberKey{"Ps", &MtlEntry::ps, 0, 1, "Ps outside [0, 1] clamped"},
+    NumberKey{"Pc", &MtlEntry::pc, 0, 1, "Pc outside [0, 1] clamped"},
+    NumberKey{"Pcr", &MtlEntry::pcr, 0, 1, "Pcr outside [0, 1] clamped"},
+    NumberKey{"aniso", &MtlEntry::aniso, 0, 1, "aniso outside [0, 1] clamped"},
+    NumberKey{"anisor", &MtlEntry::anisor, 0, 1, "anisor outside [0, 1] clamped"},
 };
 
 // MeshLab writes the alpha of a face under this name: what others call d.
@@ -51,9 +56,13 @@ struct MapKey {
     MtlMapKind kind;
 };
 constexpr std::array map_keys{
-    MapKey{"map_Kd", MtlMapKind::kd},   MapKey{"map_Ks", MtlMapKind::ks},     MapKey{"map_Ke", MtlMapKind::ke},
-    MapKey{"map_d", MtlMapKind::d},     MapKey{"map_opacity", MtlMapKind::d}, MapKey{"map_Pr", MtlMapKind::pr},
-    MapKey{"map_Pm", MtlMapKind::pm},   MapKey{"map_bump", MtlMapKind::bump}, MapKey{"bump", MtlMapKind::bump},
+    MapKey{"map_Kd", MtlMapKind::kd},       MapKey{"map_Ks", MtlMapKind::ks},
+    MapKey{"map_Ke", MtlMapKind::ke},       MapKey{"map_d", MtlMapKind::d},
+    MapKey{"map_opacity", MtlMapKind::d},   MapKey{"map_Pr", MtlMapKind::pr},
+    MapKey{"map_Pm", MtlMapKind::pm},       MapKey{"map_Ps", MtlMapKind::ps},
+    MapKey{"map_Pc", MtlMapKind::pc},       MapKey{"map_Pcr", MtlMapKind::pcr},
+    MapKey{"map_aniso", MtlMapKind::aniso}, MapKey{"map_anisor", MtlMapKind::anisor},
+    MapKey{"map_bump", MtlMapKind::bump},   MapKey{"bump", MtlMapKind::bump},
     MapKey{"norm", MtlMapKind::normal},
 };
 
@@ -62,12 +71,10 @@ constexpr std::array map_keys_of_principled{MapKey{"map_Ns", MtlMapKind::pr}, Ma
                                             MapKey{"refl", MtlMapKind::pm}};
 
 // What would be seen if it were supported; a value of 0 asks for nothing.
-constexpr std::array<std::string_view, 19> unsupported{
-    "Ps",     "Pc",     "aniso",  "Km",   "Kt",   "map_Ps",   "map_Pc", "map_Pcr",   "map_aniso", "map_anisor",
-    "map_Ns", "map_Tf", "map_Tr", "disp", "refl", "map_disp", "decal",  "map_decal", "map_refl"};
-// What a path tracer computes by itself, what says how others should draw, and details of Pc and aniso, which ask for
-// nothing alone.
-constexpr std::array<std::string_view, 6> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness", "Pcr", "anisor"};
+constexpr std::array<std::string_view, 11> unsupported{"Km",   "Kt",       "map_Ns", "map_Tf",    "map_Tr",  "disp",
+                                                       "refl", "map_disp", "decal",  "map_decal", "map_refl"};
+// What a path tracer computes by itself, and what says how others should draw.
+constexpr std::array<std::string_view, 4> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness"};
 
 // Programs write keys in any case, and no two differ in case alone.
 bool is_key(std::string_view word, std::string_view name)

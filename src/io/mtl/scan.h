@@ -22,7 +22,7 @@ struct MtlValue {
     explicit operator bool() const { return line != 0; }
 };
 
-enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, bump, normal };
+enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, ps, pc, pcr, aniso, anisor, bump, normal };
 
 struct MtlEntry {
     std::string name;  // with what may be a comment behind it
@@ -34,6 +34,7 @@ struct MtlEntry {
     MtlValue<float> ns;                               // finite, >= 0
     MtlValue<float> ni;                               // in [0.001, 10]
     MtlValue<float> d, tr, pr, pm;                    // in [0, 1]
+    MtlValue<float> ps, pc, pcr, aniso, anisor;       // in [0, 1]
     MtlValue<int> illum;                              // 0 to 10
     std::vector<std::pair<MtlMapKind, MtlMap>> maps;  // each kind at most once
 
