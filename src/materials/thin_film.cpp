@@ -29,35 +29,36 @@ float cos_beyond(float cos, float index)
     return std::sqrt(std::max(0.0f, 1 - (1 - cos) * (1 + cos) / (index * index)));
 }
 
-// The cosine of the phase of each order of reflection, averaged over a band. path: difference of optical paths.
+// The cosine of the phase of each order of reflection in the middle of a band, and by how much its mean over the band
+// is less; what fades of the orders beyond counts as the first of them. path: difference of optical paths.
 struct Fringes {
-    float cosine[orders];
+    float cosine[orders], fade[orders + 1];
 
     Fringes(float path, float wave_number, float width)
     {
         const float turns = path * wave_number, sigma = 2 * pi * width * path;
         for (int m = 1; m <= orders; ++m) {
-            const float fade = std::exp(-0.5f * sigma * sigma * static_cast<float>(m * m));
             const float t = turns * static_cast<float>(m);
-            cosine[m - 1] = fade * sin_cos_2pi(t - std::floor(t)).cos;
+            cosine[m - 1] = sin_cos_2pi(t - std::floor(t)).cos;
         }
+        for (int m = 1; m <= orders + 1; ++m) fade[m - 1] = std::exp(-0.5f * sigma * sigma * static_cast<float>(m * m));
     }
 };
 
-// The series for real amplitudes: |a + (1 - a^2) b e / (1 + a b e)|^2 with the phase e, as its Fourier series.
+// The square of the sum of amplitudes, |a + (1 - a^2) b e / (1 + a b e)|^2 with the phase e, by its Fourier series.
 float of_polarisation(float a, float b, const Fringes& fringes)
 {
-    const float ab = a * b, a2 = a * a, b2 = b * b;
-    const float denominator = 1 - ab * ab;
+    const float q = a * b, passed = (1 - a * a) * (1 - b * b), denominator = 1 - q * q;
     if (!(denominator > 1e-6f)) return 1;
-    const float constant = (a2 + b2 - 2 * ab * ab) / denominator;
-    const float factor = 2 * (1 - a2) * (1 - b2) / denominator;
-    float sum = constant, power = 1;
+    const float constant = 1 - passed / denominator, factor = 2 * passed / denominator;
+    float faded = constant, sharp = constant, power = 1;
     for (int m = 0; m < orders; ++m) {
-        power *= -ab;
-        sum -= factor * power * fringes.cosine[m];
+        power *= -q;
+        const float order = factor * power * fringes.cosine[m];
+        faded -= order * fringes.fade[m], sharp -= order;
     }
-    return std::clamp(sum, 0.0f, 1.0f);
+    const float all = 1 - passed / (1 + q * q + 2 * q * fringes.cosine[0]);
+    return std::clamp(faded + fringes.fade[orders] * (all - sharp), 0.0f, 1.0f);
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ TEST_F(SceneMistakes, UnknownChoices)
            {"[camera]\nup = \"x\"", "2:6: error: unknown up 'x' in [camera]; known: y, z"},
            {"[material.a]\ntype = \"galss\"\nior = 2",
             "2:8: error: unknown type 'galss' in [material.a]; did you mean 'glass'? known: lambert, translucent, "
-            "mirror, metal, glass, plastic, interface, mix"},
+            "mirror, metal, glass, plastic, interface, principled, mix"},
            {"[material.a]\nemission_sides = \"back\"",
             "2:18: error: unknown emission_sides 'back' in [material.a]; known: front, both"},
            {"[[light]]\ntype = \"area\"",
@@ -212,9 +212,11 @@ TEST_F(SceneMistakes, UnknownChoices)
 TEST_F(SceneMistakes, KeysOfAnotherType)
 {
     check({{"[material.a]\nior = 1.5",
-            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'lambert'"},
+            "2:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface' or 'principled', not "
+            "'lambert'"},
            {"[material.a]\ntype = \"mirror\"\nior = 1.5",
-            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface', not 'mirror'"},
+            "3:7: error: 'ior' in [material.a] needs type 'glass' or 'plastic' or 'interface' or 'principled', not "
+            "'mirror'"},
            {"[camera]\naperture = 0.1", "2:12: error: 'aperture' in [camera] needs type 'thin_lens', not 'pinhole'"},
            {"[camera]\ntype = \"pinhole\"\nfocus = 1",
             "3:9: error: 'focus' in [camera] needs type 'thin_lens', not 'pinhole'"},
@@ -323,7 +325,7 @@ s.toml:5:7: error: 'spp' in [render] must be from 1 to 2147483647, not 0
 s.toml:6:1: error: [[light]] of type 'point' needs 'position'
 s.toml:8:13: error: 'intensity' in [[light]] must be finite, not nan
 s.toml:10:7: error: 'fov' in [camera] must be greater than 0 and less than 180, not 200
-s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, translucent, mirror, metal, glass, plastic, interface, mix)");
+s.toml:12:8: error: unknown type 'lamber' in [material.glass]; did you mean 'lambert'? known: lambert, translucent, mirror, metal, glass, plastic, interface, principled, mix)");
 }
 
 TEST_F(SceneMistakes, NamesCannotForgeLinesOrColours)

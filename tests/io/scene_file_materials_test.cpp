@@ -408,13 +408,14 @@ TEST_F(SceneMaterials, MistakesAreNamed)
 {
     const std::vector<std::pair<const char*, const char*>> mistakes{
         {"[material.a]\nroughness = 0.5",
-         "2:13: error: 'roughness' in [material.a] needs type 'metal' or 'glass' or 'plastic', not 'lambert'"},
+         "2:13: error: 'roughness' in [material.a] needs type 'metal' or 'glass' or 'plastic' or 'principled', not "
+         "'lambert'"},
         {"[material.a]\ntype = \"mix\"\nfirst = \"b\"\nbase_color = 1\n[material.b]",
          "1:1: error: [material.a] of type 'mix' needs 'second'\n"
          "s.toml:4:14: error: 'base_color' in [material.a] needs type 'lambert' or 'translucent' or 'mirror' or "
-         "'metal' or 'glass' or 'plastic' or 'interface', not 'mix'"},
+         "'metal' or 'glass' or 'plastic' or 'interface' or 'principled', not 'mix'"},
         {"[material.a]\ntransmittance = 0.5",
-         "2:17: error: 'transmittance' in [material.a] needs type 'translucent', not 'lambert'"},
+         "2:17: error: 'transmittance' in [material.a] needs type 'translucent' or 'principled', not 'lambert'"},
         {"[material.a]\ntype = \"mix\"\nfirst = \"a\"\nsecond = \"bb\"\n[material.b]",
          "4:10: error: unknown material 'bb'; did you mean 'b'? known: a, b, white_plastic, red_plastic, bronze, "
          "emerald, glass, black_matter, sand, mirror, blue_water, grey_matter, steel, ruby, grey_metallic"},
@@ -465,7 +466,8 @@ TEST_F(SceneMaterials, MistakesAreNamed)
          "3:12: error: 'material' in [[material_override]] takes the place of a material as a whole: no other key than "
          "'match' can stand beside it"},
         {"[[material_override]]\nmatch = \"*\"\ntype = \"mirror\"\nior = 2",
-         "4:7: error: 'ior' in [[material_override]] needs type 'glass' or 'plastic' or 'interface', not "
+         "4:7: error: 'ior' in [[material_override]] needs type 'glass' or 'plastic' or 'interface' or 'principled', "
+         "not "
          "'mirror'"}};
     for (const auto& [text, message] : mistakes) EXPECT_EQ(problems(text), "s.toml:" + std::string(message)) << text;
 }

@@ -136,6 +136,12 @@ SceneDescription all_materials()
     d.materials.push_back(make_gauze("gauze", {0.7f, 0.6f, 0.3f}, 0.5f));
     d.materials.back().type = MaterialType::plastic;
     d.materials.push_back(make_translucent("paper", {0.3f, 0.4f, 0.5f}, {0.6f, 0.5f, 0.3f}));
+    MaterialDescription layered = default_description(MaterialType::principled);
+    layered.name = "layered";
+    layered.coat = layered.fuzz = layered.film = 0.5f, layered.transmission = 0.3f, layered.metallic = 0.3f;
+    layered.anisotropy = 0.7f;
+    d.materials.push_back(layered);
+    d.spheres.push_back(sphere_of({0.8, -0.4, 1.1}, 0.2, "layered"));
     d.spheres.push_back(sphere_of({-0.3, -0.4, 1}, 0.2, "paper"));
     d.spheres.push_back(sphere_of({-0.8, -0.3, 0.9}, 0.2, "mirror"));
     d.spheres.push_back(sphere_of({0.3, -0.3, 0.8}, 0.2, "glass"));
@@ -203,6 +209,11 @@ SceneDescription pictured_materials()
     half.roughness_map = picture_of("waves", Encoding::linear, Channel::red);
     d.meshes.push_back(make_mesh(
         make_mapped_quad({-0.5, -0.6, 0.9}, {0.6, -0.6, 0.8}, {0.6, 0.3, 0.8}, {-0.5, 0.3, 0.9}, {2, 3}, half)));
+    MaterialDescription brushed = default_description(MaterialType::principled);
+    brushed.name = "brushed", brushed.metallic = 1.0f, brushed.anisotropy = 0.8f, brushed.roughness = 0.6f;
+    brushed.roughness_map = picture_of("waves", Encoding::linear, Channel::red);
+    d.meshes.push_back(make_mesh(
+        make_mapped_quad({-1.7, -0.7, 0.6}, {-0.9, -0.7, 0.8}, {-0.9, 0, 0.5}, {-1.7, 0, 0.4}, {1, 1}, brushed)));
     MaterialDescription leaf = make_translucent("leaf", {0.9f, 0.9f, 0.9f}, {0.5f, 0.6f, 0.3f});
     leaf.base_color_map = leaf.transmittance_map = picture_of("colours", Encoding::srgb);
     leaf.bump_map = heights_of("waves");
