@@ -253,13 +253,33 @@ def dielectric(nodes, ior, roughness, normal):
     return nodes.add("BsdfPrincipled", inputs, distribution="GGX").outputs[0]
 
 
+def principled(nodes, m, normal):
+    """The Principled BSDF. That of Blender 3 is an older model: its sheen lies on top without taking light away, its clear
+    coat is a lobe of a quarter of the strength, and it has no film."""
+    ior, n = m["ior"], "" if not IS_4 else " Weight"
+    inputs = {"Base Color": nodes.color(m, "base_color", "texture"), "Normal": normal, "IOR": ior,
+              "Metallic": nodes.number(m, "metallic", "metallic_texture"),
+              "Roughness": nodes.number(m, "roughness", "roughness_texture"),
+              "Anisotropic": min(1, m["anisotropy"] / 0.9), "Anisotropic Rotation": m["anisotropy_rotation"],
+              "Transmission" + n: m["transmission"], ("Coat" if IS_4 else "Clearcoat") + n: m["coat"],
+              ("Coat" if IS_4 else "Clearcoat") + " Roughness": m["coat_roughness"], "Sheen" + n: m["fuzz"]}
+    if IS_4:
+        inputs.update({"Specular IOR Level": 0.5 * m["specular_weight"], "Coat IOR": m["coat_ior"],
+                       "Coat Tint": tuple(m["coat_color"]), "Sheen Tint": tuple(m["fuzz_color"]),
+                       "Sheen Roughness": m["fuzz_roughness"]})
+    else:
+        inputs["Specular"] = m["specular_weight"] * ((ior - 1) / (ior + 1)) ** 2 / 0.08
+        inputs["Sheen Tint"] = 0
+    return nodes.add("BsdfPrincipled", inputs, distribution="MULTI_GGX").outputs[0]
+
+
 def mix(nodes, m, normal, materials):
     parts = (surface(nodes, materials[m[key]], normal, materials) for key in ("first", "second"))
     return nodes.mixed(nodes.number(m, "weight", "weight_texture"), *parts)
 
 
 KINDS = {"lambert": lambert, "translucent": translucent, "mirror": mirror, "metal": metal, "glass": glass,
-         "plastic": plastic}
+         "plastic": plastic, "principled": principled}
 
 
 def surface(nodes, m, normal, materials):

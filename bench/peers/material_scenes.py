@@ -77,6 +77,13 @@ MATERIALS = {
     "plastic_coloured_coat": of("plastic", base_color=[0.7, 0.4, 0.2], roughness=0.5, specular=[1, 0.5, 0.2]),
     "plastic_texture": of("plastic", texture="pieces", roughness_texture="numbers") + PIECES,
     "metallic_texture": of("plastic", base_color=GOLD, roughness=0.4, metallic_texture="numbers") + PIECES,
+    "principled_half_metal": of("principled", base_color=GOLD, metallic=0.5, roughness=0.5, fuzz=1e-4),
+    "principled_half_clear": of("principled", base_color=[0.7, 0.4, 0.2], transmission=0.5, roughness=0.4),
+    "principled_coat": of("principled", base_color=[0.7, 0.4, 0.2], roughness=0.6, coat=1, coat_ior=1.5, coat_darkening=0),
+    "principled_coat_rough": of("principled", base_color=GOLD, metallic=1, roughness=0.6, coat=1, coat_ior=1.5,
+                                coat_roughness=0.4, coat_darkening=0),
+    "principled_fuzz": of("principled", base_color=[0.2, 0.1, 0.4], roughness=0.7, fuzz=0.8),
+    "principled_anisotropic": of("principled", base_color=GOLD, metallic=1, roughness=0.5, anisotropy=0.72),
     "mix": of("mix", first="gold", second="matt", weight=0.3) + "[material.gold]\n" + of("metal", base_color=GOLD)
            + "[material.matt]\n" + of("lambert", base_color=0.3),
     "mix_texture": of("mix", first="gold", second="matt", weight_texture="lines") + PIECES + "[material.gold]\n"

@@ -8,7 +8,9 @@ from array import array
 # Of materials; what else there may be is not understood, and no peer may go past it.
 MATERIAL_KEYS = {
     "name", "type", "base_color", "texture", "transmittance", "transmittance_texture", "roughness", "roughness_texture", "ior",
-    "thin", "eta", "k", "specular", "coat", "sheet", "first", "second", "weight", "weight_texture", "emission",
+    "thin", "eta", "k", "specular", "metallic", "metallic_texture", "diffuse_roughness", "specular_weight", "anisotropy",
+    "anisotropy_rotation", "transmission", "coat", "coat_color", "coat_roughness", "coat_ior", "coat_darkening", "fuzz",
+    "fuzz_color", "fuzz_roughness", "film", "film_thickness", "film_ior", "sheet", "first", "second", "weight", "weight_texture", "emission",
     "emission_texture", "emission_both_sides", "opacity", "opacity_texture", "normal_texture", "bumps"}
 NO_NORMAL = NO_UV = 0xFFFFFFFF
 

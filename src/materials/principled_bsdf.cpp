@@ -47,7 +47,7 @@ private:
 
 struct PrincipledBsdf::Lobes {
     Vec3 wo;
-    Vec3d o;                        // unit, along the tangent where facets are anisotropic
+    Vec3d o, along;                 // unit; along: in the frame of the tangent, where facets are anisotropic
     float fuzz_scale = 0;           // of Fuzz::eval(), with the part that is covered
     float under_fuzz = 1;           // factor of all below
     Color under_coat = white;       // likewise; with that of the fuzz
@@ -162,7 +162,7 @@ void PrincipledBsdf::add_base(Lobes& s) const
 {
     const PrincipledTables& tables = *material->tables;
     const bool is_rough = alpha.along > 0, is_wide = !alpha.is_even();
-    const Vec3 o = to_float(s.o);
+    const Vec3 o = to_float(s.along);
     if (metallic < 1) {
         float lost = 0;
         s.mean_through = tables.mean_through;
@@ -209,7 +209,8 @@ void PrincipledBsdf::choose(Lobes& s) const
 
 PrincipledBsdf::Lobes PrincipledBsdf::seen_from(Vec3 wo) const
 {
-    Lobes s{.wo = wo, .o = to_tangent(unit_in_double(wo))};
+    const Vec3d unit = unit_in_double(wo);
+    Lobes s{.wo = wo, .o = unit, .along = to_tangent(unit)};
     if (fuzz > 0) {
         const FuzzTable& table = *material->tables->fuzz;
         const float albedo = fuzz * table.albedo(wo.z, {fuzz_roughness});
@@ -251,7 +252,7 @@ BsdfValue PrincipledBsdf::eval_lobes(const Lobes& s, Vec3 wi) const
     if (wi.z > 0) {
         f.pdf = s.diffuse_chance * pdf_cosine_hemisphere(wi.z);
         if (fuzz > 0) f.f_cos += fuzz_color * (s.fuzz_scale * Fuzz{fuzz_roughness}.eval(s.wo, wi) * wi.z);
-        const Vec3d i = unit_in_double(wi), o = unit_in_double(s.wo);
+        const Vec3d i = unit_in_double(wi), o = s.o;
         if (coat > 0 && coat_alpha > 0) {
             const FacetReflection facets = eval_facets(Ggx{double{coat_alpha}}, o, i);
             const float r = fresnel_dielectric(static_cast<float>(facets.cos_h), material->coat_ior).reflectance;
@@ -265,7 +266,7 @@ BsdfValue PrincipledBsdf::eval_lobes(const Lobes& s, Vec3 wi) const
             const FacetReflection facets =
                 alpha.is_even()
                     ? eval_facets(Ggx{double{alpha.along}}, o, i)
-                    : eval_facets(StretchedGgx{double{alpha.along}, double{alpha.across}}, s.o, to_tangent(i));
+                    : eval_facets(StretchedGgx{double{alpha.along}, double{alpha.across}}, s.along, to_tangent(i));
             const auto cos = static_cast<float>(facets.cos_h);
             Color r{};
             if (metallic > 0) r += metal_reflectance(cos) * metallic;
@@ -300,7 +301,7 @@ void PrincipledBsdf::add_glass(const Lobes& s, Vec3 wi, BsdfValue& f) const
         // Of single scattering, at the facet that turns wo to wi; the rest is as without a film.
         GlassBsdf once = g;
         once.multiple = {};
-        const Vec3d o = unit_in_double(s.wo), i = unit_in_double(wi);
+        const Vec3d o = s.o, i = unit_in_double(wi);
         const Vec3d sum = through ? o + g.eta * i : o + i;
         const double cos = std::min(1.0, std::abs(dot(o, sum)) / length(sum));
         const Color single = once.eval(s.wo, wi).f_cos;
@@ -373,7 +374,7 @@ std::optional<BsdfSample> PrincipledBsdf::sample(Vec3 wo, float u, Vec2 v) const
     if (at < s.diffuse_chance || !(smooth_coat + smooth_facets + smooth_glass > 0)) {
         wi = square_to_cosine_hemisphere(v);
     } else if (at -= s.diffuse_chance; at < smooth_coat || !(smooth_facets + smooth_glass > 0)) {
-        wi = sample_facets(Ggx{double{coat_alpha}}, unit_in_double(wo), v);
+        wi = sample_facets(Ggx{double{coat_alpha}}, s.o, v);
     } else if (at -= smooth_coat; at < smooth_facets || !(smooth_glass > 0)) {
         wi = sample_base(s, v);
     } else {
@@ -391,8 +392,8 @@ std::optional<BsdfSample> PrincipledBsdf::sample(Vec3 wo, float u, Vec2 v) const
 std::optional<Vec3> PrincipledBsdf::sample_base(const Lobes& s, Vec2 v) const
 {
     if (alpha.is_even()) return sample_facets(Ggx{double{alpha.along}}, s.o, v);
-    const Vec3d h = StretchedGgx{double{alpha.along}, double{alpha.across}}.sample_visible(s.o, v);
-    const Vec3d wi = mirrored(s.o, h);
+    const Vec3d h = StretchedGgx{double{alpha.along}, double{alpha.across}}.sample_visible(s.along, v);
+    const Vec3d wi = mirrored(s.along, h);
     const double c = double{turn.x}, n = double{turn.y};
     const Vec3 back = to_float(Vec3d{c * wi.x - n * wi.y, n * wi.x + c * wi.y, wi.z});
     if (!(back.z > 0)) return {};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/frame.h"
 #include "support/random.h"
 #include "support/shoot.h"
 #include "support/stage.h"
@@ -38,6 +39,28 @@ SceneDescription facing_quad(MaterialDescription m, Vec2 uv = {1, 1})
     SceneDescription d;
     d.meshes.push_back(make_mesh(make_mapped_quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, uv, std::move(m))));
     return d;
+}
+
+// Along u of the texture coordinates, seen from either side; only where a material asks for it.
+TEST(Tangent, IsAlongU)
+{
+    MaterialDescription brushed = default_description(MaterialType::principled);
+    brushed.name = "brushed", brushed.metallic = 1.0f;
+    for (const float anisotropy : {0.0f, 0.5f})
+        for (const Vec2 uv : {Vec2{1, 1}, Vec2{-2, 3}})
+            for (const double side : {3.0, -3.0}) {
+                brushed.anisotropy = anisotropy;
+                const Stage stage(facing_quad(brushed, uv));
+                const Vec3 org = stage.to_scene({0.3, 0.2, side});
+                const auto s = stage.look(org, stage.to_scene({0.3, 0.2, 0}) - org);
+                ASSERT_TRUE(s);
+                if (anisotropy == 0) {
+                    EXPECT_EQ(s->tangent, (Vec2{1, 0}));
+                    continue;
+                }
+                const Vec3 along = Frame(s->ns).to_world({s->tangent.x, s->tangent.y, 0});
+                expect_near(along, {uv.x < 0 ? -1.0f : 1.0f, 0, 0}, 1e-5f);
+            }
 }
 
 TEST(NormalMap, FlatOneLeavesTheNormal)
