@@ -1,7 +1,5 @@
 #include "render/specialize.h"
 
-#include <algorithm>
-
 #include "integrators/view.h"
 #include "scene/wide_scene.h"
 
