@@ -5,10 +5,11 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/install-deps.sh [--list | --fuzz | --package]
+usage: scripts/install-deps.sh [--list | --fuzz | --package | --site]
   --list     print the packages and install nothing
   --fuzz     also what scripts/fuzz.sh needs
   --package  also what scripts/release.sh needs
+  --site     only what scripts/site.sh needs
 LANCER_SKIP_DEPS=1 takes it as read that everything is installed.
 END
 }
@@ -38,6 +39,7 @@ case ${1-} in
     '') ;;
     --fuzz) packages+=(clang libclang-rt-dev zlib1g-dev) ;;
     --package) packages+=(git dpkg-dev) ;;
+    --site) packages=(mkdocs) ;;
     --list) printf '%s\n' "${packages[@]}"; exit 0 ;;
     -h | --help) usage; exit 0 ;;
     *) printf "install-deps: error: unknown option '%s'\n" "$1" >&2; usage >&2; exit 2 ;;

@@ -6,19 +6,14 @@ set -euo pipefail
 source=$(cd -- "$1" && pwd)
 cd -- "$source"
 export LC_ALL=C
+slug=$(<scripts/slug.awk)
 pages=(README.md CONTRIBUTING.md CHANGELOG.md)
 while IFS= read -r page; do pages+=("$page"); done < <(
     find docs scenes bench tests -name '*.md' | sort)
 
 # Lines "anchor PAGE ANCHOR" and "link PAGE:LINE TARGET". What stands in fences and between back quotes is code.
 read_page() {
-    awk -v page="$1" '
-        function slug(text) {
-            gsub(/\]\([^)]*\)/, "", text); gsub(/`/, "", text)
-            text = tolower(text)
-            gsub(/[^a-z0-9_ \200-\377-]/, "", text); gsub(/ /, "-", text)
-            return text
-        }
+    awk -v page="$1" "$slug"'
         /^ *(```|~~~)/ { fenced = !fenced; next }
         fenced { next }
         /^#+ / {
