@@ -36,6 +36,7 @@ auto with_warnings(const Diagnostics& diagnostics, F&& f)
 // --turntable: about the middle of what there is to see, or what the camera looks at.
 void turn_camera(Prepared& p, const SceneChoice& choice)
 {
+    p.metered = *p.description.camera;
     if (choice.turntable == 0) return;
     SceneDescription without_lamps = p.description;
     without_lamps.lights.clear();

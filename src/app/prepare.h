@@ -19,6 +19,7 @@ struct Prepared {
     RenderSettings settings;  // resolved
     unsigned threads = 1;
     SceneDescription description;         // with a camera
+    CameraDescription metered;            // what --exposure auto looks at: of a turntable its first view
     Completed added;                      // what the scene did not say
     PictureMemory memory;                 // what pictures may take
     std::shared_ptr<ImageSource> images;  // reads the pictures of the scene beside everything else

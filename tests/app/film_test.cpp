@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/run_program.h"
+#include "io/image/png.h"
 
 namespace lancer {
 namespace {
@@ -203,6 +204,27 @@ TEST_F(Filmed, ATurntableBeginsWithTheScenesOwnView)
     EXPECT_TRUE(same_pixels(image("m.2.exr"), image("m.exr")));
     ASSERT_EQ(run({"render", "quad.obj", "--size", "24x16", "-s", "4", "-q", "-o", "own.exr"}).code, 0);
     EXPECT_TRUE(same_pixels(image("m.0.exr"), image("own.exr")));
+}
+
+// Frames that were metered one by one would flicker.
+TEST_F(Filmed, ATurntableHasTheExposureOfItsFirstView)
+{
+    // Two walls at a right angle to each other, one white and one nearly black.
+    write("walls.mtl", "newmtl white\nKd 0.9 0.9 0.9\nnewmtl black\nKd 0.02 0.02 0.02\n");
+    write("walls.obj",
+          "mtllib walls.mtl\nv -1 0 1\nv 1 0 1\nv 1 2 1\nv -1 2 1\nv -1 0 -1\nv 1 0 -1\nv 1 2 -1\nv -1 2 -1\n"
+          "usemtl white\nf 1 2 3 4\nusemtl black\nf 6 5 8 7\n");
+    const Arguments turn{"walls.obj", "--turntable", "2", "--view", "front", "--size", "24x16", "-s", "4", "-q", "-o"};
+    ASSERT_EQ(run(Arguments{"film"} + turn + Arguments{"w.#.png"}).code, 0);
+    ASSERT_EQ(run(Arguments{"render"} + turn + Arguments{"w.png", "--frame", "1"}).code, 0);
+    const auto exposure = [&](const std::string& name) {
+        for (const auto& [key, value] : read_png_info(file(name)).metadata)
+            if (key == "exposure") return to_string(value);
+        return std::string("none");
+    };
+    EXPECT_EQ(exposure("w.1.png"), exposure("w.0.png"));
+    EXPECT_EQ(exposure("w.png"), exposure("w.0.png"));
+    EXPECT_EQ(read_png(file("w.1.png")).pixels, read_png(file("w.png")).pixels);
 }
 
 // The camera path of the course's program: its bubbles, recorded as key frames.

@@ -449,8 +449,7 @@ void Run::choose_curve(const Renderer& renderer)
     curve_.exposure_stops = exposure.stops;
     if (!exposure.is_automatic || (options_.shard.is_whole() && !has_display_output(options_))) return;
     timed("choose exposure", [&] {
-        curve_.exposure_stops =
-            auto_exposure(renderer, *prepared_.description.camera, settings_.size, pixel_grid(settings_));
+        curve_.exposure_stops = auto_exposure(renderer, prepared_.metered, settings_.size, pixel_grid(settings_));
     });
     if (!options_.quiet)
         print_note("PNG, PPM and JPEG: --exposure " + shortest(curve_.exposure_stops) + ", chosen from the picture");

@@ -51,8 +51,8 @@ DisplayCurve ViewRun::curve_of(const Prepared& prepared, const Renderer& rendere
     curve.tonemap = options_.tonemap.value_or(output.tonemap.value_or(usual_tonemap(prepared.settings)));
     const Exposure exposure = options_.exposure.value_or(
         output.exposure.value_or(usual_exposure(options_.picture.scene.file, prepared.settings)));
-    curve.exposure_stops = exposure.is_automatic ? auto_exposure(renderer, *prepared.description.camera,
-                                                                 prepared.settings.size, pixel_grid(prepared.settings))
+    curve.exposure_stops = exposure.is_automatic ? auto_exposure(renderer, prepared.metered, prepared.settings.size,
+                                                                 pixel_grid(prepared.settings))
                                                  : exposure.stops;
     return curve;
 }
