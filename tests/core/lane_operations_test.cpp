@@ -116,9 +116,9 @@ std::vector<double> doubles()
 template <class Lanes, class T, class F>
 void for_pairs(const std::vector<T>& x, const F& f)
 {
-    const uint32_t mode = float_mode();
-    for (const uint32_t flush : {0u, flush_to_zero | denormals_are_zero}) {
-        set_float_mode((mode & ~(flush_to_zero | denormals_are_zero)) | flush);
+    const uint64_t mode = float_mode();
+    for (const uint64_t flush : {uint64_t{0}, flush_bits}) {
+        set_float_mode((mode & ~flush_bits) | flush);
         for (size_t i = 0; i < x.size(); ++i)
             for (size_t j = 0; j < x.size(); ++j) f(take<Lanes>(x, i), take<Lanes>(x, j));
     }
@@ -412,9 +412,9 @@ TEST(LaneOperations, MemoryHoldsTheLanesInOrder)
 
 TEST(LaneOperations, DenormalsAreZeroWhereThatIsSet)
 {
-    const uint32_t mode = float_mode();
+    const uint64_t mode = float_mode();
     const volatile float tiny = std::numeric_limits<float>::min();
-    set_float_mode(mode & ~(flush_to_zero | denormals_are_zero));
+    set_float_mode(mode & ~flush_bits);
     EXPECT_FALSE(flushes_denormals());
     EXPECT_NE(tiny * 0.5f, 0);
     set_flush_denormals();
