@@ -265,7 +265,7 @@ TEST_F(Filmed, WrongUseIsTold)
         expect_words(said.err, message);
     };
     fails({"film", "scene.toml"}, 2, "the scene has no [animation]; --turntable N turns the camera around it");
-    fails({"film", "film.toml", "-o", "f.exr"}, 2, "'f.exr' has no #### for the number");
+    fails({"film", "film.toml", "-o", "f.exr"}, 2, "'f.exr' has no #### for the number; did you mean 'f.####.exr'?");
     fails({"film", "film.toml", "--stats", "s.json"}, 2, "'s.json' has no #### for the number");
     fails({"film", "film.toml", "--frames", "5-9"}, 2, "the film has the frames 1 to 8");
     fails({"film", "film.toml", "--frame", "5"}, 2, "--frames A-B");

@@ -26,7 +26,7 @@ std::string with_numbers(std::string text, const Shard& shard)
     return text;
 }
 
-// Frames must not overwrite each other.
+// Frames must not overwrite each other: a.png is refused, with the name that a.####.png would be.
 void require_numbers(const RenderOptions& o, bool of_scenes)
 {
     std::vector<std::string> names = o.outputs;
@@ -34,9 +34,13 @@ void require_numbers(const RenderOptions& o, bool of_scenes)
     if (of_scenes) names.push_back(o.picture.scene.file);
     for (const std::string& name : {o.checkpoint, o.stats, o.error_log, o.write_scene})
         if (!name.empty()) names.push_back(name);
-    for (const std::string& name : names)
-        if (name.find('#') == std::string::npos)
-            fail_usage((of_scenes ? "--frames: " : "lancer film: ") + in_quotes(name) + " has no #### for the number");
+    for (const std::string& name : names) {
+        if (name.find('#') != std::string::npos) continue;
+        const auto ending = std::filesystem::path(name).extension();
+        const std::string better = std::filesystem::path(name).replace_extension(".####" + ending.string());
+        fail_usage((of_scenes ? "--frames: " : "lancer film: ") + in_quotes(name) +
+                   " has no #### for the number; did you mean " + in_quotes(better) + "?");
+    }
 }
 
 // The output of a shard is its checkpoint. given: the options that were.
