@@ -1,5 +1,7 @@
 // The only file compiled for any x86-64: it says what is missing before an instruction of the rest can fail. main() is
-// called after it.
+// called after it. On arm64 all is compiled for every processor of that kind, and there is nothing to check.
+#if defined(__x86_64__)
+
 #include <cstdlib>
 
 #include <unistd.h>
@@ -18,3 +20,5 @@ __attribute__((constructor(101))) void check_cpu()
 }
 
 }  // namespace
+
+#endif

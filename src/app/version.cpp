@@ -30,7 +30,9 @@ std::string compiler_text()
 std::string instruction_text()
 {
     const std::string lanes = native::is_portable ? ", portable lanes" : "";
-#ifdef __AVX512F__
+#if defined(__aarch64__)
+    return "arm64" + lanes;
+#elif defined(__AVX512F__)
     return "AVX-512" + lanes;
 #else
     return "x86-64-v3 (AVX2, FMA)" + lanes;

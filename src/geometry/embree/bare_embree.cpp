@@ -109,10 +109,14 @@ const char* name_of(Way way) { return way == Way::single ? "single" : way == Way
 // Embree takes the best that it and the CPU have, whatever it is asked for.
 std::string widest_isa()
 {
+#if defined(__x86_64__)
     __builtin_cpu_init();
     if (__builtin_cpu_supports("avx512f") && has_native_16("avx512")) return "avx512";
     if (__builtin_cpu_supports("avx2")) return "avx2";
     return __builtin_cpu_supports("avx") ? "avx" : "sse4.2";
+#else
+    return "avx2";  // whatever Embree has of it by the instructions that there are
+#endif
 }
 
 bool has_native_16(const std::string& isa) { return property_of(isa, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0; }
