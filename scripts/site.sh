@@ -158,7 +158,8 @@ nav:
     - What was tried: docs/benchmarks/tried.md
     - Unused features: docs/benchmarks/features.md
     - Startup: docs/benchmarks/startup.md
-    - Other renderers: bench/peers/README.md
+    - Beside others: docs/beside-others.md
+    - Their pictures of one scene: bench/peers/README.md
   - Source:
     - Architecture: docs/architecture.md
     - Contributing: CONTRIBUTING.md

@@ -50,8 +50,13 @@ program sbatch <<'END'
 cat >/dev/null
 echo 1
 END
-for name in blender gnuplot oiiotool oidnDenoise convert ffmpeg; do
-    if [[ $name != blender ]] && type -P "$name" >/dev/null; then continue; fi  # blender takes seconds to start
+program blender <<'END'
+#!/bin/sh
+for script; do :; done
+exec test -s "$script"
+END
+for name in gnuplot oiiotool oidnDenoise convert ffmpeg; do
+    if type -P "$name" >/dev/null; then continue; fi
     program "$name" <<'END'
 #!/bin/sh
 cat >/dev/null
@@ -116,7 +121,8 @@ run_page() {
                     look_up "${words[@]}"
                 fi
                 ;;
-            *.sh) (cd "$folder" && bash -e "$block" >/dev/null 2>"$block.log" </dev/null) || tail -n 3 "$block.log" >>"$FAULTS" ;;
+            *.sh) (cd "$folder" && bash -e "$block" >/dev/null 2>"$block.log" </dev/null) ||
+                { echo 'a command fails:' && tail -n 3 "$block.log"; } >>"$FAULTS" ;;
         esac
         echo "$block" >>"$blocks/count"
         if [[ -s $FAULTS ]]; then

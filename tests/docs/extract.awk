@@ -29,10 +29,9 @@ function finish_paragraph(  text, code) {
         } else if ((language == "" || language == "sh") && body ~ /(^|\n|do +|[|;] *|[a-z0-9] )lancer +[^\n:]/ &&
                    body !~ /\[OPTION\]|(^|\n)lancer: /) {
             finish("sh", body, fenced)
-        } else if (has_command && language == "") {
-            finish("sh", body, fenced)   # what follows a file of the page, such as python3 NAME
+        } else if (language == "" && body ~ /^(python3|blender) /) {
+            finish("sh", body, fenced)   # runs a file that the page gave
         }
-        has_command = saved != ""
         fenced = 0; saved = ""
     }
     next
