@@ -57,6 +57,8 @@ def differences(scene, folder, blender, trusts_normals):
         found.append("rough glass reflects by Fresnel's law of the surface, not of its facets")
     if number < (4, 3) and "metal" in kinds:
         found.append("metal has the Fresnel curve of the Principled BSDF")
+    if "principled" in kinds:
+        found.append("layers of the Principled BSDF are those of Blender's own model")
     if any(m.get("thin") and is_rough(m) for m in materials):
         found.append("rough sheets of glass spread what they let through by another lobe")
     if scene["planes"]:

@@ -261,7 +261,8 @@ def principled(nodes, m, normal):
               "Metallic": nodes.number(m, "metallic", "metallic_texture"),
               "Roughness": nodes.number(m, "roughness", "roughness_texture"),
               "Anisotropic": min(1, m["anisotropy"] / 0.9), "Anisotropic Rotation": m["anisotropy_rotation"],
-              "Transmission" + n: m["transmission"], ("Coat" if IS_4 else "Clearcoat") + n: m["coat"],
+              "Transmission" + n: m["transmission"],
+              ("Coat" if IS_4 else "Clearcoat") + n: m["coat"] if IS_4 else min(1, 4 * m["coat"]),
               ("Coat" if IS_4 else "Clearcoat") + " Roughness": m["coat_roughness"], "Sheen" + n: m["fuzz"]}
     if IS_4:
         inputs.update({"Specular IOR Level": 0.5 * m["specular_weight"], "Coat IOR": m["coat_ior"],
