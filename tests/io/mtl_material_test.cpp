@@ -149,7 +149,7 @@ TEST_F(MtlMaterial, PhysicalKeysAreTakenAsTheyAre)
     EXPECT_EQ(scaled.metallic, .25f);
     EXPECT_THAT(warnings(), IsEmpty());
     material("Pr .5\nmap_Ks a.png");
-    EXPECT_THAT(warnings(), ElementsAre("a.mtl:4: warning: map_Ks beside Pr or Pm ignored"));
+    EXPECT_THAT(warnings(), ElementsAre("a.mtl:3: warning: map_Ks beside Pr or Pm ignored"));
 }
 
 TEST_F(MtlMaterial, LayersOfThePhysicalKeysArePrincipled)

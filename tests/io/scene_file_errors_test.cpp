@@ -46,7 +46,7 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
           "transmittance, transmittance_texture, roughness, roughness_texture, metallic, metallic_texture, ior, thin, "
-          "absorption, priority, eta, k, specular, first, second, weight and 17 more"},
+          "absorption, priority, eta, k, specular, first, second, weight and 45 more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, inner_angle, outer_angle, center, radius, radiance, file, scale, rotate, "
