@@ -257,9 +257,13 @@ def principled(nodes, m, normal):
     """The Principled BSDF. That of Blender 3 is an older model: its sheen lies on top without taking light away, its clear
     coat is a lobe of a quarter of the strength, and it has no film."""
     ior, n = m["ior"], "" if not IS_4 else " Weight"
+    roughness = nodes.number(m, "roughness", "roughness_texture")
+    if m["anisotropy"] > 0 and "roughness_texture" not in m:  # whose alphas are the squared roughness times and over a root
+        aspect = 1 - m["anisotropy"]
+        roughness = m["roughness"] / (0.5 * (aspect + 1 / max(aspect, 0.1))) ** 0.25
     inputs = {"Base Color": nodes.color(m, "base_color", "texture"), "Normal": normal, "IOR": ior,
               "Metallic": nodes.number(m, "metallic", "metallic_texture"),
-              "Roughness": nodes.number(m, "roughness", "roughness_texture"),
+              "Roughness": roughness,
               "Anisotropic": min(1, m["anisotropy"] / 0.9), "Anisotropic Rotation": m["anisotropy_rotation"],
               "Transmission" + n: m["transmission"],
               ("Coat" if IS_4 else "Clearcoat") + n: m["coat"] if IS_4 else min(1, 4 * m["coat"]),

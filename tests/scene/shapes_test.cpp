@@ -245,9 +245,9 @@ TEST(Bubble, InsideOut)
         Scene::build(d, d.render, diagnostics);
         ADD_FAILURE();
     } catch (const Error& e) {
-        EXPECT_STREQ(
-            e.what(),
-            "s.toml:7:1: error: a bubble must be of a material of type glass or interface; 'chalk' is another");
+        EXPECT_STREQ(e.what(),
+                     "s.toml:7:1: error: a bubble must be of a material of type glass or interface or principled; "
+                     "'chalk' is another");
     }
 }
 

@@ -59,6 +59,7 @@ std::vector<Wave> default_waves(bool legacy)
 std::optional<MaterialDescription> inside_out(MaterialDescription m)
 {
     if (!has_parameter(m.type, "absorption") || m.thin.value_or(false)) return {};
+    if (m.type == MaterialType::principled && m.transmission == 0) return {};
     if (has_parameter(m.type, "outside_ior"))
         std::swap(m.phong.inside_ior, m.phong.outside_ior);
     else
