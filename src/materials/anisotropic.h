@@ -65,8 +65,8 @@ struct StretchedGgx {
     }
 };
 
-// As eval_facets() of isotropic facets.
-inline FacetReflection eval_facets(const StretchedGgx& ggx, Vec3d wo, Vec3d wi)
+// As eval_facets(). Its name is another, so that a pair of braces with one alpha means isotropic facets.
+inline FacetReflection eval_stretched(const StretchedGgx& ggx, Vec3d wo, Vec3d wi)
 {
     const Vec3d sum = wo + wi;
     const double d = ggx.density(sum);

@@ -35,7 +35,7 @@ double loss_of_stretched(const StretchedGgx& ggx, Vec3d wo, const F& reflectance
             const Vec3d wi = mirrored(wo, h);
             weights += weight;
             if (!(wi.z > 0)) continue;
-            const FacetReflection f = eval_facets(ggx, wo, wi);
+            const FacetReflection f = eval_stretched(ggx, wo, wi);
             sum += weight * (f.f_cos / f.pdf) * (reflectance(std::min(1.0, dot(wo, h))) / smooth);
         }
     }

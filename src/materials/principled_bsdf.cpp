@@ -266,7 +266,7 @@ BsdfValue PrincipledBsdf::eval_lobes(const Lobes& s, Vec3 wi) const
             const FacetReflection facets =
                 alpha.is_even()
                     ? eval_facets(Ggx{double{alpha.along}}, o, i)
-                    : eval_facets(StretchedGgx{double{alpha.along}, double{alpha.across}}, s.along, to_tangent(i));
+                    : eval_stretched(StretchedGgx{double{alpha.along}, double{alpha.across}}, s.along, to_tangent(i));
             const auto cos = static_cast<float>(facets.cos_h);
             Color r{};
             if (metallic > 0) r += metal_reflectance(cos) * metallic;

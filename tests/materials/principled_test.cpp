@@ -95,7 +95,7 @@ TEST(Anisotropy, KeepsTheMeanOfTheSquaredAlphas)
 TEST(Anisotropy, OfNoneIsThatOfIsotropicFacets)
 {
     const Vec3d wo = normalize(Vec3d{0.3, 0.5, 0.7}), wi = normalize(Vec3d{-0.6, 0.1, 0.4});
-    const FacetReflection a = eval_facets(Ggx{0.3}, wo, wi), b = eval_facets(StretchedGgx{0.3, 0.3}, wo, wi);
+    const FacetReflection a = eval_facets(Ggx{0.3}, wo, wi), b = eval_stretched(StretchedGgx{0.3, 0.3}, wo, wi);
     EXPECT_NEAR(a.f_cos, b.f_cos, 1e-12);
     EXPECT_NEAR(a.pdf, b.pdf, 1e-12);
     EXPECT_EQ(a.cos_h, b.cos_h);
