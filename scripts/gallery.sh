@@ -8,7 +8,7 @@ usage: scripts/gallery.sh [--quick] [--out FOLDER] [--only PICTURE]... [PART...]
   --quick       half the size, a sixteenth of the samples
   --out FOLDER  where to (build/gallery); docs/pictures/gallery makes the documentation's pictures anew
   --only NAME   only this picture; may be given several times
-  PART...       of course, student, legacy, depth, faults (all but faults)
+  PART...       of rooms, course, student, legacy, depth, faults (all but faults)
 Prints the CPU seconds of rendering and the command of each picture. LANCER names the program (build/release/lancer).
 `faults` builds the program six times in build/mutations, with each of the patches of tests/mutations that it draws.
 END
@@ -32,11 +32,11 @@ while (($#)); do
             ;;
         --only) only+=("${2:?--only needs a name}"); shift 2 ;;
         -h | --help) usage; exit 0 ;;
-        course | student | legacy | depth | faults) parts+=("$1"); shift ;;
+        rooms | course | student | legacy | depth | faults) parts+=("$1"); shift ;;
         *) echo "gallery.sh: error: unknown part '$1'" >&2; usage >&2; exit 2 ;;
     esac
 done
-((${#parts[@]})) || parts=(course student legacy depth)
+((${#parts[@]})) || parts=(rooms course student legacy depth)
 lancer=${LANCER:-build/release/lancer}
 [[ -x $lancer ]] || fail "no program '$lancer'; build it, or set LANCER to its path"
 mkdir -p "$out"
@@ -45,7 +45,8 @@ trap 'rm -f "$figures"' EXIT
 
 wanted() { ((${#only[@]} == 0)) || [[ " ${only[*]} " == *" $1 "* ]]; }
 
-# draw PICTURE WxH SPP SCENE [OPTION...]
+# draw PICTURE WxH SPP SCENE [OPTION...]: a PNG, or what `ending` says
+ending=png
 draw() {
     local picture=$1 size=$2 spp=$3 scene=$4 seconds
     wanted "$picture" || return 0
@@ -54,11 +55,20 @@ draw() {
         spp=$((spp < 16 ? 1 : spp / 16))
     fi
     local command=(render "scenes/$scene.toml" --size "$size" -s "$spp" "${@:5}")
-    "$lancer" "${command[@]}" -t 1 -q --stats "$figures" -o "$out/$picture.png" >/dev/null </dev/null
+    "$lancer" "${command[@]}" -t 1 -q --stats "$figures" -o "$out/$picture.$ending" >/dev/null </dev/null
     seconds=$(awk -F'[:, ]+' '
         /"name": "render"/ { rendering = 1 }
         rendering && /"cpu_s"/ { printf $3 < 1 ? "%.2f" : "%.1f", $3; exit }' "$figures")
     printf '%-28s %7s s  lancer %s\n' "$picture" "$seconds" "${command[*]}"
+}
+
+draw_rooms() {
+    local name ending=jpg
+    for name in room bathroom atrium still_life still_life_textured forest; do
+        draw "own-${name//_/-}" 400x225 16 "$name" --denoise
+    done
+    draw own-environment 400x225 32 environment --denoise
+    draw own-materials 400x225 32 materials --denoise
 }
 
 # The course's scenes with the numbers of their lights as the course meant them: colours that do not fade.
