@@ -105,6 +105,9 @@ std::vector<Feature> features()
         {"media", worn([](MaterialDescription& m) {
              m.type = MaterialType::glass, m.absorption = {1, 1, 1};
          })},
+        {"scattering", worn([](MaterialDescription& m) {
+             m.type = MaterialType::glass, m.scattering = {1, 1, 1};
+         })},
         {"mirror", material(MaterialType::mirror)},
         {"metal", material(MaterialType::metal, 0.3f)},
         {"glass", material(MaterialType::glass)},

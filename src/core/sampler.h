@@ -17,7 +17,21 @@ namespace lancer {
 
 // Each purpose has a group of three numbers: (u, v) by get2 and w by get1. get2 computes an even group and the next one
 // together, as most callers use both.
-enum class Dim : uint32_t { pixel, lens, light, bsdf, roulette, mix, alpha, shadow_alpha, mirror, mirrored_light };
+enum class Dim : uint32_t {
+    pixel,
+    lens,
+    light,
+    bsdf,
+    roulette,
+    mix,
+    alpha,
+    shadow_alpha,
+    mirror,
+    mirrored_light,
+    flight,        // where a medium scatters a path
+    near_light,    // which light is sampled along a ray, and where on the ray
+    along_the_ray  // where on that light
+};
 
 namespace sobol {
 

@@ -22,7 +22,7 @@ struct PathState {
     Color importance{-1, -1, -1};  // see SamplingPlan::importance_at()
     float pdf = 0;               // density of the BSDF's sample per solid angle, over the rate of light sampling there
     uint32_t cell = 0;           // of the ray's origin, if lights are chosen by place; see LightChoice
-    Vec3 normal;                 // shading normal at the ray's origin
+    Vec3 normal;                 // shading normal at the ray's origin; 0 where a medium scattered
     RayCone cone;                // ray cone, for texture filtering
     MediumStack media;           // media around the ray; only in scenes that have media
     float eta_scale = 1;         // product of eta^2 over refractions; throughput times eta_scale is energy
@@ -30,7 +30,7 @@ struct PathState {
     uint32_t branch = 0;         // part of the sampler's address; rays of one path differ in it
     uint32_t sample = 0;         // likewise: the sample's index until the path splits, then see SamplingPlan::parts
     uint32_t part = 0;           // first part of the random numbers that the path uses when it splits
-    uint32_t depth = 0;          // number of surface vertices before this ray
+    uint32_t depth = 0;          // number of vertices before this ray: at surfaces, and where a medium scattered
     bool specular = true;        // sampled from a delta lobe or by the camera
     bool light_sampled = false;  // light sampling at its origin could have found what it hits
     PathSegment segment = PathSegment::view;  // segment of the path
@@ -38,7 +38,16 @@ struct PathState {
     bool has_split = false;                   // the path has passed the vertex where it splits
     uint8_t mirror = 0;                       // that the ray has hit: Scene::mirror_at(), if the integrator uses it
     // > 0: the ray comes from a mirror by way of which its last vertex sampled lights; the distance between these.
+    // < 0: the ray has passed surfaces that are not there; minus the distance from its last vertex.
     float mirror_distance = 0;
+
+    bool has_passed() const { return mirror_distance < 0; }
+    // Distance of the ray's origin from the last vertex.
+    float passed_distance() const { return has_passed() ? -mirror_distance : 0; }
+    // The last vertex, as light sampling there knew it.
+    Vec3 vertex() const { return has_passed() ? ray.org + ray.dir * mirror_distance : ray.org; }
+    // Whether the last vertex is one where a medium scattered: it has no normal.
+    bool is_from_medium() const { return normal == Vec3{}; }
 };
 
 // The radiance of a sample, summed in double: on a path of 1e5 vertices float would lose 2e-5.
@@ -64,6 +73,7 @@ struct ShadowEnds {
     uint32_t light = Scene::none;                 // id in Scene::lights; none: the sky, or nobody said
     PathSegment segment = PathSegment::indirect;  // that the shadow ray is
     uint32_t share = 0;                           // see PathTrails::of_shadow(), if the film has layers of lobes
+    bool from_medium = false;                     // it starts where a medium scatters
 };
 
 // The queues that PathActions fills for a whole batch. They are reused from batch to batch, so that no ray allocates
@@ -79,7 +89,8 @@ struct Queue {
         Color radiance;  // if nothing more is in between
         Color light;     // what is left of the light's own colour, likewise
         ShadowEnds ends;
-        MediumStack media{};  // that it is in
+        MediumStack media{};        // that it is in
+        bool passes_sheets = true;  // else it ends at all surfaces but those that are not there
     };
     struct MirroredShadow {
         Ray ray;         // to the mirror
@@ -139,12 +150,28 @@ public:
         queue_.shadows.push_back({radiance_if_unoccluded, ends(light)});
     }
     // As shadow(), but surfaces in between attenuate the light by the integrator's through() instead of blocking it.
-    // light: the light's own radiance, for is_spent().
-    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light, uint32_t to = Scene::none)
+    // light: the light's own radiance, for is_spent(). passes_sheets: see Queue::TintedShadow.
+    void tinted_shadow(const Ray& ray, Color radiance_if_unoccluded, Color light, uint32_t to = Scene::none,
+                       bool passes_sheets = true)
     {
         if (is_black(radiance_if_unoccluded)) return;
         if (!is_traceable(ray)) return invalidate();
-        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, ends(to)});
+        queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light, ends(to), {}, passes_sheets});
+    }
+    // A shadow ray from a place in a medium, where `media` are; tinted: as tinted_shadow().
+    void medium_shadow(const Ray& ray, Color radiance_if_unoccluded, const LightSample& light, const MediumStack& media,
+                       bool tinted)
+    {
+        if (is_black(radiance_if_unoccluded)) return;
+        if (!is_traceable(ray)) return invalidate();
+        ShadowEnds to = ends(light.light);
+        to.from_medium = true;
+        if (tinted) {
+            queue_.tinted_shadows.push_back({ray, radiance_if_unoccluded, light.radiance, to, media, light.delta});
+            return;
+        }
+        queue_.shadow_rays.push_back(ray);
+        queue_.shadows.push_back({radiance_if_unoccluded, to});
     }
     // A shadow ray by way of a mirror.
     void mirrored_shadow(const Ray& to_mirror, Color radiance_if_unoccluded, const LightSample& light, uint8_t mirror)

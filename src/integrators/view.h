@@ -175,6 +175,9 @@ struct View {
         return pdf > 0 ? pdf / static_cast<float>(scene.lights.pick.share_from(scene.lights.deltas)) : 0;
     }
     bool has_media() const { return !scene.media.empty(); }
+    // Whether a vertex of that normal is one where a medium scattered. The wide kernel keeps no normals that it can do
+    // without, but has no media.
+    bool is_of_medium(Vec3 normal) const { return scene.scatters && normal == Vec3{}; }
     // Ray::key for the stochastic alpha test; 0 in scenes without cut-outs.
     uint32_t alpha_key(const Sampler& sampler, uint32_t bounce, Dim dim) const
     {
@@ -191,11 +194,18 @@ struct View {
     {
         return sampler.key(bounce, dim);
     }
-    // Density with which sample_light() finds what a ray hits. cell: light_cell() of the surface that it left.
+    // Samples a light as seen from a place in a medium, whose choice LightChoice does not know.
+    std::optional<LightSample> sample_light_in_medium(Vec3 place, const Sampler& sampler, uint32_t bounce) const
+    {
+        return lancer::sample_light_from(scene, place, sampler.get1(bounce, Dim::light),
+                                         sampler.get2(bounce, Dim::light));
+    }
+    // Density with which sample_light() finds what a ray hits; from a place in a medium, whose normal is 0, with which
+    // sample_light_in_medium() does. cell: light_cell() of the surface that it left.
     float pdf_light(Vec3 from, Vec3 normal, Vec3 wi, const Surface& at, uint32_t cell) const
     {
         if (at.light == Scene::none) return 0;
-        if (plan.light_choice.chooses())
+        if (plan.light_choice.chooses() && !is_of_medium(normal))
             return lancer::pdf_light(scene, from, wi, at, plan.light_choice.probability(cell, at.light));
         return lancer::pdf_light(scene, from, normal, wi, at);
     }
@@ -205,10 +215,11 @@ struct View {
         const Vec3 image = s.ray.org - s.ray.dir * s.mirror_distance;
         return lancer::pdf_light(scene, image, s.normal, s.ray.dir, at) / static_cast<float>(scene.mirrors.size());
     }
+    // The same of a ray that leaves the scene.
     float pdf_environment(Vec3 normal, Vec3 wi, uint32_t cell) const
     {
         const LightChoice& choice = plan.light_choice;
-        if (!choice.chooses()) return lancer::pdf_environment(scene, normal, wi);
+        if (!choice.chooses() || is_of_medium(normal)) return lancer::pdf_environment(scene, normal, wi);
         const float whole = choice_of_sky(cell);
         return (whole > 0 ? lancer::pdf_environment(scene, normal, wi, whole) : 0) + choice.pdf_of_tiles(cell, wi);
     }

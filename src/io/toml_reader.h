@@ -37,6 +37,7 @@ inline constexpr NumberRule not_zero{[](double x) { return x != 0; }, "other tha
 inline constexpr NumberRule above_zero{[](double x) { return x > 0; }, "greater than 0"};
 inline constexpr NumberRule zero_or_more{[](double x) { return x >= 0; }, "0 or greater"};
 inline constexpr NumberRule half_turn{[](double x) { return x > 0 && x < 180; }, "greater than 0 and less than 180"};
+inline constexpr NumberRule below_one{[](double x) { return x >= -0.999 && x <= 0.999; }, "from -0.999 to 0.999"};
 inline constexpr NumberRule up_to_quarter_turn{[](double x) { return x >= 0 && x <= 90; }, "from 0 to 90"};
 inline constexpr NumberRule reflectance{[](double x) { return x >= 0 && x <= 1; }, "from 0 to 1"};
 // These are stored as float.

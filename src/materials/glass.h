@@ -214,13 +214,17 @@ struct Glass {
     bool fresnel = true;                          // false: it only refracts where it is smooth
     bool thin = false;                            // a sheet without an inside; the same from both sides
     std::shared_ptr<const GlassLosses> losses{};  // of ior and roughness: with multiple scattering
-    // What absorbs and has a priority is the medium inside. Whether it is thin may be left to the shape.
+    // What absorbs, scatters and has a priority is the medium inside. Whether it is thin may be left to the shape.
     static constexpr auto parameters = std::tuple{parameter("base_color", &Glass::tint, Color{1, 1, 1}),
                                                   parameter("roughness", &Glass::roughness),
                                                   parameter("ior", &Glass::ior),
                                                   parameter("thin"),
                                                   parameter("absorption"),
-                                                  parameter("priority")};
+                                                  parameter("priority"),
+                                                  parameter("scattering"),
+                                                  parameter("scattering_anisotropy"),
+                                                  parameter("subsurface_color"),
+                                                  parameter("subsurface_radius")};
 
     GlassBsdf at(const ShadingPoint& p) const { return with(p, p.base(tint), p.eval(roughness)); }
     // With another tint and roughness than its own; of the point the side and the index count.

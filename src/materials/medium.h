@@ -1,6 +1,6 @@
-// Media inside transparent objects and the stack of media around a ray (nested dielectrics). Where objects overlap, the
-// one with the highest priority is present, and the surfaces of the others are ignored. Schmidt and Budge, "Simple
-// Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002.
+// Media inside transparent objects, which absorb and scatter, and the stack of media around a ray (nested dielectrics).
+// Where objects overlap, the one with the highest priority is present, and the surfaces of the others are ignored.
+// Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/color.h"
+#include "materials/phase_function.h"
 
 namespace lancer {
 
@@ -18,15 +19,31 @@ struct Medium {
     Color absorption{};                 // sigma_a per scene unit, >= 0
     float ior = 1;                      // without a priority: relative to the surroundings
     std::optional<int32_t> priority{};  // none: its surface is never ignored
+    Color scattering{};                 // sigma_s per scene unit, >= 0
+    HenyeyGreenstein phase{};
+    // Its surface is of index 1 and clear, and is ignored where nothing bends light there: paths and shadow rays pass.
+    bool is_bare = false;
+    bool is_dense = false;  // free flights in it are short beside the scene
+    bool is_dark = false;   // light samples from inside would all end at its surface, as no light is inside
+
+    bool scatters() const { return !is_black(scattering); }
+    Color extinction() const { return absorption + scattering; }
+    // The part of what leaves the ray that is scattered, of each channel; 0 where nothing leaves it.
+    Color albedo() const
+    {
+        const auto part = [](float s, float a) { return s > 0 ? s / (s + a) : 0; };
+        return {part(scattering.r, absorption.r), part(scattering.g, absorption.g), part(scattering.b, absorption.b)};
+    }
 };
 
 inline constexpr uint16_t no_medium = UINT16_MAX;
 
-// Beer-Lambert transmittance over a distance in scene units; 1 without absorption.
+// Beer-Lambert transmittance over a distance in scene units: the part that is neither absorbed nor scattered.
 inline Color transmittance(const Medium& medium, float distance)
 {
     const auto part = [distance](float sigma) { return sigma > 0 ? std::exp(-sigma * distance) : 1; };
-    return {part(medium.absorption.r), part(medium.absorption.g), part(medium.absorption.b)};
+    const Color sigma = medium.extinction();
+    return {part(sigma.r), part(sigma.g), part(sigma.b)};
 }
 
 // The stack of objects that a ray has entered and not left, as medium ids. It drops the oldest entry on overflow.
@@ -75,11 +92,6 @@ public:
         }
         return c;
     }
-    Color transmittance(std::span<const Medium> media, float distance) const
-    {
-        const uint16_t id = current(media).id;
-        return id == no_medium ? Color{1, 1, 1} : lancer::transmittance(media[id], distance);
-    }
 
     friend bool operator==(const MediumStack&, const MediumStack&) = default;
 
@@ -91,7 +103,7 @@ private:
 struct Boundary {
     MediumStack here, beyond;
     float eta = 0;        // relative index; 0: that of the material
-    bool absent = false;  // the same medium on both sides: the surface is ignored
+    bool absent = false;  // the same medium on both sides, or nothing but media: the surface is ignored
 };
 // id: medium behind the surface, or none; front: the ray would enter it.
 inline Boundary cross(std::span<const Medium> media, const MediumStack& in, uint16_t id, bool front)
@@ -102,10 +114,14 @@ inline Boundary cross(std::span<const Medium> media, const MediumStack& in, uint
         c.beyond.enter(id);
     else if (!c.beyond.leave(id))
         c.here.enter_first(id);
-    if (!media[id].priority) return c;
+    const Medium& m = media[id];
+    if (!m.priority) {
+        c.absent = m.is_bare;
+        return c;
+    }
     const MediumStack::Current before = c.here.current(media), after = c.beyond.current(media);
     c.eta = after.ior / before.ior;
-    c.absent = before.id == after.id;
+    c.absent = before.id == after.id || (m.is_bare && c.eta == 1);
     return c;
 }
 

@@ -54,7 +54,7 @@ struct Principled {
     float film_ior = 1.4f;
     std::shared_ptr<const PrincipledTables> tables{};
 
-    // Base weight and depth are factors of others; what absorbs and has a priority is the medium inside.
+    // Base weight and depth are factors of others; what absorbs, scatters and has a priority is the medium inside.
     static constexpr auto parameters =
         std::tuple{parameter("base_color", &Principled::base),
                    parameter("base_weight"),
@@ -72,6 +72,10 @@ struct Principled {
                    parameter("thin"),
                    parameter("absorption"),
                    parameter("priority"),
+                   parameter("scattering"),
+                   parameter("scattering_anisotropy"),
+                   parameter("subsurface_color"),
+                   parameter("subsurface_radius"),
                    parameter("coat", &Principled::coat),
                    parameter("coat_color", &Principled::coat_color),
                    parameter("coat_roughness", &Principled::coat_roughness),

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "integrators/media.h"
 #include "materials/material.h"
 #include "render/blocks.h"
 #include "render/denoise/features.h"
@@ -118,8 +119,7 @@ AovLayout layout_of(const std::vector<Aov>& which)
 
 void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
-    if (follows_) w_.queued = QueueSizes(w_.queue);
-    if (!is_counted(s)) return;
+    if (!is_from_camera(s)) return;
     if (!film_.sets.empty()) add_features(s, surface);
     const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
@@ -134,10 +134,31 @@ void AovListener::vertex(const PathState& s, const Surface& surface) const
         double* const uv = sum_of(id, AovSum::uv);
         uv[0] += double{surface.uv.x}, uv[1] += double{surface.uv.y};
     }
-    if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{surface.t};
-    if (wants(AovSum::z)) *sum_of(id, AovSum::z) += double{surface.t * dot(s.ray.dir, axis_)};
-    if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
+    add_distance(s, s.passed_distance() + surface.t);
     if (wants(AovSum::material) && id.sample == 0) *sum_of(id, AovSum::material) = surface.material + 1.0;
+}
+
+void AovListener::add_distance(const PathState& s, float distance) const
+{
+    const SampleId& id = w_.slots[s.slot];
+    const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
+    if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{distance};
+    if (wants(AovSum::z)) *sum_of(id, AovSum::z) += double{distance * dot(s.ray.dir, axis_)};
+    if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
+}
+
+void AovListener::scattered(const PathState& s, float t, const Medium& medium, const Surface* end) const
+{
+    if (!is_from_camera(s)) return;
+    if (end && !is_skipped(scene_, s.media, *end)) return vertex(s, *end);
+    const SampleId& id = w_.slots[s.slot];
+    const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
+    const Color albedo = medium.albedo();
+    if (wants(AovSum::albedo)) add(sum_of(id, AovSum::albedo), albedo);
+    if (wants(AovSum::flat)) add(sum_of(id, AovSum::flat), albedo);
+    if (wants(AovSum::normal)) add(sum_of(id, AovSum::normal), -s.ray.dir);
+    if (wants(AovSum::position)) add(sum_of(id, AovSum::position), s.ray.org + s.ray.dir * t);
+    add_distance(s, s.passed_distance() + t);
 }
 
 void AovListener::add_features(const PathState& s, const Surface& surface) const

@@ -48,9 +48,10 @@ public:
     }
     void ray(const PathState& s, const Hit& hit) const
     {
-        if (!is_counted(s)) return;
+        if (!is_from_camera(s)) return;
+        if (film_.hides_background && !hit && !scene_.scatters) w_.has_missed[s.slot] = 1;
+        if (s.has_passed()) return;
         count(w_.slots[s.slot]);
-        if (film_.hides_background && !hit) w_.has_missed[s.slot] = 1;
         if (!film_.mattes.empty() && hit) add_to_mattes(w_.slots[s.slot], hit);
     }
     void background_only(const SampleId& id) const { count(id); }
@@ -80,18 +81,25 @@ public:
     }
     bool hides_sky(const PathState& s) const
     {
-        // Camera rays are hidden with their samples: Workspace::has_missed.
-        if (!sees_through_glass_ || is_counted(s) || !is_straight(s)) return false;
+        // Camera rays are hidden with their samples: Workspace::has_missed; but not where media may have brought light.
+        if (is_from_camera(s)) return film_.hides_background && scene_.scatters;
+        if (!sees_through_glass_ || !is_straight(s)) return false;
         w_.alpha.add_background(s);
         return true;
     }
     template <class V, class Integrator>
     void left(const V& view, const Integrator& integrator, const PathState& s, const Surface& surface,
-              const Sampler& sampler) const
+              const Sampler& sampler, const QueueSizes& queued) const
     {
         if (follows_)
-            w_.trails.follow(view, integrator, s, index_of(s), surface, sampler, w_.queued, film_.layers.has_lobes,
+            w_.trails.follow(view, integrator, s, index_of(s), surface, sampler, queued, film_.layers.has_lobes,
                              w_.queue);
+    }
+    // AOVs are of the surface behind a medium; where there is none, or it is not there, of the place in the medium.
+    void scattered(const PathState& s, float t, const Medium& medium, const Surface* end) const;
+    void left_medium(const PathState& s, const QueueSizes& queued) const
+    {
+        if (follows_) w_.trails.follow_medium(index_of(s), queued, w_.queue);
     }
     void begin_samples() const
     {
@@ -111,7 +119,7 @@ public:
     void end_block(uint32_t end) const;
 
 private:
-    static bool is_counted(const PathState& s) { return s.depth == 0; }  // camera rays
+    static bool is_from_camera(const PathState& s) { return s.depth == 0; }
     void count(const SampleId& id) const
     {
         if (film_.aov_layout.has(AovSum::samples)) ++*sum_of(id, AovSum::samples);
@@ -132,11 +140,12 @@ private:
     }
     SampleSet& set_of(const SampleId& id) const { return film_.set_of(film_.index(id.x, id.y), id.sample); }
     void add_features(const PathState& s, const Surface& surface) const;
+    void add_distance(const PathState& s, float distance) const;
     void add_alpha() const;
     // Whether the camera sees what the ray meets, as it is or through smooth glass.
     bool is_straight(const PathState& s) const
     {
-        return sees_through_glass_ ? w_.trails.of(index_of(s)).is_straight : is_counted(s);
+        return sees_through_glass_ ? w_.trails.of(index_of(s)).is_straight : is_from_camera(s);
     }
     // The sums of the sample's pixel, which must lie in the film.
     double* sum_of(const SampleId& id, AovSum sum) const

@@ -34,6 +34,7 @@ std::string bias_ledger(const RenderSettings& settings, const LedgerEvents& even
     for (const IntegratorBias& bias : biases_of(settings.integrator)) add(std::string(bias.entry));
     for (const RenderOption& option : render_options())
         if (is_biased(settings, option)) add(entry_of(settings, option));
+    if (events.no_scattering) add("no_scattering");
     if (clamps_samples(settings)) add("clamp");
     if (!events.stopped_by.empty()) add("stopped_by_" + events.stopped_by);
     if (events.dropped) add("dropped=" + std::to_string(events.dropped));
@@ -61,6 +62,8 @@ std::vector<LedgerEntry> all_ledger_entries()
     for (const RenderOption& option : render_options())
         if (!option.bias.effect.empty())
             all.push_back({shown_entry_of(option), std::string(option.bias.when), std::string(option.bias.effect)});
+    all.push_back({"no_scattering", "`whitted`, `random-decision`, `ao`, in scenes with media that scatter",
+                   "media only absorb: what they would scatter goes straight on"});
     all.push_back({"clamp", "`legacy` and a classic integrator", "samples count at most 1 in each channel"});
     all.push_back({"stopped_by_time, stopped_by_error", "`--time`, `--error`",
                    "the render ended by its clock or by its estimated error, which look at the samples that count"});

@@ -16,6 +16,7 @@ struct LedgerEvents {
     uint64_t dropped = 0;    // samples that were not finite
     bool denoised = false;
     bool caught_shadows = false;  // alpha has those on surfaces that catch them
+    bool no_scattering = false;   // media would scatter, but the integrator only lets them absorb
 };
 
 // The entries of a picture, separated by commas; "none" if there are none. settings: resolved.

@@ -42,6 +42,16 @@ public:
         });
     }
 
+    // Follows what has been queued in a medium that scatters, which counts as transmission.
+    void follow_medium(size_t state, const QueueSizes& before, Queue& queue)
+    {
+        PathTrail trail = now_[state];
+        if (trail.lobes.rest == Lobe::none) trail.lobes = {.rest = Lobe::transmission};
+        trail.is_straight = false;
+        next_.resize(next_.size() + queue.next.size() - before.next, trail);
+        add_shadows(before, queue, [&](Vec3) { return trail.lobes; });
+    }
+
 private:
     static bool is_behind(const Surface& surface, Vec3 dir) { return dot(dir, surface.side) < 0; }
 
@@ -57,9 +67,14 @@ private:
             added.is_straight = trail.is_straight && n.specular && is_behind(surface, n.ray.dir);
             added.lobes = share(n.ray.dir, n.specular);
         }
+        add_shadows(before, queue, [&](Vec3 dir) { return share(dir, false); });
+    }
+    template <class Share>
+    void add_shadows(const QueueSizes& before, Queue& queue, const Share& share)
+    {
         const auto add_shadow = [&](Vec3 dir, ShadowEnds& ends) {
             ends.share = static_cast<uint32_t>(shadow_shares_.size());
-            shadow_shares_.push_back(share(dir, false));
+            shadow_shares_.push_back(share(dir));
         };
         for (size_t i = before.shadows; i < queue.shadows.size(); ++i)
             add_shadow(queue.shadow_rays[i].dir, queue.shadows[i].ends);

@@ -30,8 +30,8 @@ struct Workspace {
     std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
     std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
     std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any
+    std::vector<float> flights;       // of states: where a medium scatters them, if some medium does
     PathTrails trails;                // of states, if the listener follows them
-    QueueSizes queued;                // before the last vertex, likewise
     AlphaSamples alpha;               // of slots, if the film has AovSum::through or caught
     bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
@@ -56,11 +56,16 @@ struct NoListener {
     }
     // Whether the background that a ray has reached is not part of the picture.
     static bool hides_sky(const PathState&) { return false; }
-    // After the integrator's turn at a vertex, or behind a surface that it was not called for.
+    // After the integrator's turn at a vertex, or behind a surface that it was not called for. The queue held that much
+    // before.
     template <class V, class Integrator>
-    void left(const V&, const Integrator&, const PathState&, const Surface&, const Sampler&) const
+    void left(const V&, const Integrator&, const PathState&, const Surface&, const Sampler&, const QueueSizes&) const
     {
     }
+    // A medium scatters the path at t on its ray, which would have met the surface, or none. Instead of vertex().
+    void scattered(const PathState&, float, const Medium&, const Surface*) const {}
+    // After the integrator's turn in a medium that scatters, whether the path was scattered or not.
+    void left_medium(const PathState&, const QueueSizes&) const {}
     void added(const PathState&, const Hit&, Color) const {}  // by a ray that hit something, or nothing
     void shadow(const ShadowEnds&, const Ray&, Color, bool /*occluded*/) const {}
     // A shadow ray by way of a mirror: the part that was stopped, or the last one.

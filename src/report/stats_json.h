@@ -30,7 +30,8 @@ struct RunStats {
         std::string added_light;     // of a bare mesh: which light it was given or not, and why
         std::vector<std::string> warnings;
         std::vector<UnusedFeature> unused_features;
-        bool catches_shadows = false;  // what some material does, in a picture with alpha
+        bool catches_shadows = false;     // what some material does, in a picture with alpha
+        bool ignores_scattering = false;  // what media would do, if the integrator followed it
     };
     struct SettingsUsed {
         RenderSettings render;  // resolved

@@ -68,13 +68,14 @@ std::string name_of(Feature feature)
                                "legacy"};
     constexpr auto place = [](Feature f) { return static_cast<size_t>(f); };
     static_assert(before.size() == place(Feature::materials));
-    static_assert(place(Feature::media) + 1 == place(Feature::lights));
+    static_assert(place(Feature::media) + 2 == place(Feature::lights));
     static_assert(place(Feature::triangle_lights) + after.size() == place(Feature::count));
     if (feature < Feature::materials) return before[place(feature)];
     if (feature == feature_of(MaterialType::mix)) return "mixes";
     if (feature < Feature::media)
         return std::string(enum_names<MaterialType>[place(feature) - place(Feature::materials)]);
     if (feature == Feature::media) return "media";
+    if (feature == Feature::scattering) return "scattering";
     if (feature < Feature::triangle_lights)
         return std::string(enum_names<LightType>[place(feature) - place(Feature::lights)]) + " lights";
     return after[place(feature) - place(Feature::triangle_lights)];
@@ -95,6 +96,7 @@ Features features_of(const Scene& scene)
         if (used[id]) add_material(scene, id, f);
     f.add(Feature::cut_outs, scene.geometry.alpha_test.passes_through != nullptr);
     f.add(Feature::media, !scene.media.empty());
+    f.add(Feature::scattering, scene.scatters);
     for (const Light& light : scene.lights.lights) add_light(light, f);
     f.add(Feature::constant_sky, !is_black(scene.environment));
     f.add(Feature::sky_map, scene.environment_map != nullptr);

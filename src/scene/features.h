@@ -29,6 +29,7 @@ enum class Feature {
     cut_outs,
     materials,  // the first of one for each MaterialType
     media = materials + enum_names<MaterialType>.size(),
+    scattering,  // by media
     // lights
     lights,  // the first of one for each LightType but the environment
     triangle_lights = lights + enum_names<LightType>.size() - 1,

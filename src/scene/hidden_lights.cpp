@@ -28,7 +28,10 @@ bool is_sharp(const Scene& scene, uint32_t material, const ShadingPoint& point, 
 class Search {
 public:
     Search(const Scene& scene, const Accelerator& accel)
-        : scene_(scene), accel_(accel), lights_(scene.delta_lights.size())
+        : scene_(scene),
+          accel_(accel),
+          lights_(scene.delta_lights.size()),
+          has_asked_(scene.scatters && scene.fog.medium != no_medium)  // fog samples light wherever it is
     {
         for (uint32_t i = 0; i < lights_.size(); ++i) left_.push_back(i);
     }
@@ -68,6 +71,7 @@ private:
             if (!hit) return;
             has_hit_ = true;
             const Surface surface = surface_at(scene_, ray, hit);
+            if (is_bare(surface)) has_asked_ = true;  // light is sampled inside
             const ShadingPoint point = scene_.shading_point(surface);
             const uint32_t id = scene_.scattering_material(surface.material, point, sampler.get1(depth, Dim::mix));
             const Frame frame(surface.ns);
@@ -85,6 +89,12 @@ private:
             ray = {.org = ray_origin(surface, wi), .dir = wi};
             if (!is_traceable(ray)) return;
         }
+    }
+    // Whether shadow rays pass the surface of a body: see Medium::is_bare.
+    bool is_bare(const Surface& surface) const
+    {
+        const uint16_t medium = scene_.media.empty() ? no_medium : scene_.traits[surface.material].medium;
+        return medium != no_medium && scene_.media[medium].is_bare;
     }
     // Shadow rays from a surface to all lights that are left.
     void ask(const Surface& from, bool transmits, uint32_t key)
@@ -124,7 +134,7 @@ private:
             const Hit hit = accel_.closest(ray);
             if (!hit) return way;
             const Surface met = surface_at(scene_, ray, hit);
-            if (!is_black(through_glass(scene_, ray, met))) {
+            if (is_bare(met) || !is_black(through_glass(scene_, ray, met))) {
                 ray.org = ray_origin(met, ray.dir);
                 continue;
             }
@@ -140,7 +150,7 @@ private:
     std::vector<Found> lights_;
     std::vector<uint32_t> left_;  // lights that no shadow ray has reached
     uint32_t rays_ = 0;
-    bool has_asked_ = false, has_hit_ = false;
+    bool has_asked_, has_hit_ = false;
 };
 
 bool has_sharp_materials(const Scene& scene)

@@ -20,6 +20,7 @@
 #include "scene/corner_normals.h"
 #include "scene/corner_table.h"
 #include "scene/description/description.h"
+#include "scene/fog.h"
 #include "scene/lights/groups.h"
 #include "scene/lights/light.h"
 #include "scene/placement.h"
@@ -81,8 +82,13 @@ struct Scene {
     std::vector<uint32_t> mix_of;  // index in `mixes` of each material, or none; empty if there are no mixes
     std::vector<Mix> mixes;
     std::vector<Texture> textures;
-    std::vector<Medium> media;  // media inside transparent materials; empty if none has a priority or absorbs
-    MediumStack camera_media;   // media around the camera
+    std::vector<Medium>
+        media;  // inside transparent materials, and fog; empty if none has a priority, absorbs or scatters
+    MediumStack camera_media;         // media around the camera
+    Fog fog;                          // around all bodies
+    bool scatters = false;            // some medium scatters
+    bool passes_bare = false;         // some medium has a surface that shadow rays pass: Medium::is_bare
+    bool ignores_scattering = false;  // the integrator knows absorption alone: media that would scatter do not
 
     LightTable lights;
     LightGroups light_groups;

@@ -148,6 +148,28 @@ TEST_F(GltfMaterials, TransmissionIsASheetOrABody)
     EXPECT_THAT(warnings(), IsEmpty());
 }
 
+TEST_F(GltfMaterials, AVolumeMayScatter)
+{
+    const auto body = [&](const std::string& scatter) {
+        return material(
+            "\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1},"
+            "\"KHR_materials_volume\":{\"thicknessFactor\":1,\"attenuationDistance\":2,"
+            "\"attenuationColor\":[0.1353352832366127,0.1353352832366127,1]},"
+            "\"KHR_materials_volume_scatter\":{" +
+            scatter + "}}");
+    };
+    const MaterialDescription milk = body("\"multiscatterColor\":[0.9,0.5,0.25],\"scatterAnisotropy\":0.5");
+    EXPECT_EQ(milk.subsurface_color, (Color{0.9f, 0.5f, 0.25f}));
+    EXPECT_NEAR(milk.subsurface_radius.r, 1, 1e-6);
+    EXPECT_NEAR(milk.subsurface_radius.b, 1e6f, 1);
+    EXPECT_EQ(milk.scattering_anisotropy, 0.5f);
+    EXPECT_TRUE(is_black(milk.absorption));
+    const MaterialDescription clear = body("\"multiscatterColor\":[0,0,0]");
+    EXPECT_FALSE(clear.subsurface_color);
+    EXPECT_NEAR(clear.absorption.r, 1, 1e-6);
+    EXPECT_THAT(warnings(), IsEmpty());
+}
+
 TEST_F(GltfMaterials, APartOfTransmissionIsPrincipled)
 {
     const MaterialDescription m =

@@ -57,6 +57,8 @@ std::string range_of(ParameterRange range, bool is_color)
             return "greater than 0";
         case ParameterRange::quarter_turn:
             return "0 to 90";
+        case ParameterRange::below_one:
+            return "-0.999 to 0.999";
         case ParameterRange::nonzero_vector:
             return "not zero";
         case ParameterRange::finite:

@@ -46,7 +46,8 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
           "transmittance, transmittance_texture, roughness, roughness_texture, metallic, metallic_texture, ior, thin, "
-          "absorption, priority, eta, k, specular, first, second, weight and 45 more"},
+          "absorption, priority, scattering, scattering_anisotropy, subsurface_color, subsurface_radius, eta, k and 48 "
+          "more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "
           "intensity, direction, irradiance, inner_angle, outer_angle, center, radius, radiance, file, scale, rotate, "
@@ -55,15 +56,15 @@ TEST_F(SceneMistakes, UnknownKeys)
           "6:1: error: unknown key 'name' in [[instance]]; known: mesh, translate, rotate, scale"},
          {"verson = 1",
           "1:1: error: unknown key 'verson' at the top level; did you mean 'version'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, fog, material, "
           "material_override, texture, output, animation"},
          {"\n [rendr]",
           "2:3: error: unknown table 'rendr' at the top level; did you mean 'render'? known: version, render, camera, "
-          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
+          "mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, fog, material, "
           "material_override, texture, output, animation"},
          {"[[spheres]]",
           "1:3: error: unknown table 'spheres' at the top level; did you mean 'sphere'? known: version, render, "
-          "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, material, "
+          "camera, mesh, instance, sphere, plane, water, bubble, triangle, pyramid, light, background, fog, material, "
           "material_override, texture, output, animation"}});
 }
 

@@ -5,6 +5,7 @@
 #include "reference/same_light.h"
 #include "reference/shipped.h"
 #include "reference/textured_scenes.h"
+#include "support/scenes/media_scenes.h"
 
 namespace lancer {
 namespace {
@@ -79,7 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"points", points_scene, 4, 0.02, false}, Case{"sky picture", sky_picture_scene, 4, 0.015},
                     Case{"background", background_scene, 5, 0.01, false}, Case{"cut-outs", cut_out_scene, 4, 0.025},
                     Case{"instances", smooth_instances_scene, 4, 0.025}, Case{"emitters", emitters_scene, 4, 0.012},
-                    Case{"media", media_scene, 6, 0.03}, Case{"without limit", spheres_scene, 0, 0.03},
+                    Case{"media", media_scene, 6, 0.03}, Case{"scattering bodies", scattering_scene, 0, 0.03},
+                    Case{"fog", fog_scene, 5, 0.03}, Case{"fog between points", fog_between_points, 4, 0.05, false},
+                    Case{"without limit", spheres_scene, 0, 0.03},
                     Case{"textures", panels_scene, 1, 0.02, true, small_picture}, Case{"bands", bands_scene, 1, 0.02}),
     name_of);
 

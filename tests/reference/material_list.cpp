@@ -24,6 +24,14 @@ double Material::medium_index() const
     return double{what.phong.inside_ior} / (what.priority ? 1 : double{what.phong.outside_ior});
 }
 
+bool Material::is_bare() const
+{
+    const auto none = [](const lancer::Color& c) { return c == lancer::Color{}; };
+    const bool fills = what.priority || what.subsurface_color || !none(what.absorption) || !none(what.scattering);
+    return fills && bounds_medium() && what.type == MaterialType::glass && what.ior == 1 && !base &&
+           what.base_color == lancer::Color{1, 1, 1} && none(what.emission);
+}
+
 const Texture* MaterialList::texture(const lancer::TextureUse& use)
 {
     if (!use) return nullptr;

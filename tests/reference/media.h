@@ -52,15 +52,6 @@ public:
         }
         return t;
     }
-    // Beer and Lambert.
-    Rgb transmittance(const World& world, double distance) const
-    {
-        const There t = there(world);
-        if (!t.material) return {1, 1, 1};
-        const Rgb sigma = rgb(world.materials[*t.material].what.absorption);
-        const auto part = [=](double s) { return s > 0 ? std::exp(-s * distance) : 1; };
-        return {part(sigma.r), part(sigma.g), part(sigma.b)};
-    }
 
 private:
     std::deque<size_t> bodies_;

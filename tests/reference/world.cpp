@@ -148,12 +148,18 @@ void refuse_unknown(const lancer::SceneDescription& d)
     const lancer::RenderSettings& s = d.render;
     if (s.terminator || s.straight_shadows || s.legacy) refuse("terminator, straight_shadows or legacy");
     if (!s.fresnel || !s.soft_shadows || !s.direct || !s.emitters) refuse("switch of [render] that takes light away");
+    if (d.fog && !d.fog->low && !d.fog->high && !d.fog->height) refuse("box of fog that follows from the scene");
     if (!d.background) return;
     if (d.background->sky == lancer::SkyType::picture || d.background->ground == lancer::GroundType::picture)
         refuse("picture as background");
 }
 
 }  // namespace
+
+bool World::has_bare() const
+{
+    return std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.is_bare(); });
+}
 
 World::World(const lancer::SceneDescription& d, const lancer::RasterSource& images)
 {
@@ -169,6 +175,7 @@ World::World(const lancer::SceneDescription& d, const lancer::RasterSource& imag
     add_lights(*this, d, list, images);
     if (d.camera && !d.camera->inside.empty()) camera_medium = list.named(d.camera->inside);
     background = d.background;
+    fog = d.fog;
     glow = background && background->glow;
 }
 

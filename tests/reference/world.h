@@ -29,6 +29,8 @@ struct Material {
     // What a body of it is filled with.
     bool bounds_medium() const;
     double medium_index() const;  // with a priority: its own; else over that of what is around
+    // Whether its surface is nothing where the indices of both sides are the same: clear, of index 1, around a medium.
+    bool is_bare() const;
 };
 
 struct Triangle {
@@ -84,12 +86,15 @@ struct World {
     bool glow = false;
     bool multiscatter = true;
     std::optional<size_t> camera_medium;  // a material
+    std::optional<lancer::FogDescription> fog;
 
     // Throws std::invalid_argument for what the reference does not know: switches of [render] that change the picture,
     // textured roughness of plastic and of what has multiple scattering, pictures as background.
     World(const lancer::SceneDescription& description, const lancer::RasterSource& images);
 
     Rgb sky(Vec direction, bool is_seen, Vec from) const;
+    // Whether light goes straight on through surfaces that are not there: if some body has one that is nothing.
+    bool has_bare() const;
 };
 
 }  // namespace reference

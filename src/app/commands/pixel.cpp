@@ -32,7 +32,8 @@ public:
                 .added = [](const PathState&, Color c) { print_result("  added          " + numbers_of(c)); },
                 .shadow = [this](const Ray& r, Color c, bool occluded) { print_shadow_ray("", r, c, occluded); },
                 .mirrored_shadow = [this](const Ray& r, Color c,
-                                          bool occluded) { print_shadow_ray(" by way of a mirror,", r, c, occluded); }};
+                                          bool occluded) { print_shadow_ray(" by way of a mirror,", r, c, occluded); },
+                .scattered = [this](const PathState& s, float t) { print_scattered(s, t); }};
     }
 
 private:
@@ -86,6 +87,11 @@ private:
         print_result("  normal         " + numbers_of(s.n) + (s.front ? ", front side" : ", back side"));
         print_result("  shading normal " + numbers_of(s.ns));
         print_result(format_text("  material       %u ", s.material) + in_quotes(scene_.material_names[s.material]));
+    }
+    void print_scattered(const PathState& s, float t) const
+    {
+        print_result(format_text("  scattered at   %.9g", distance(t)));
+        print_result("  point          " + place(s.ray.org + s.ray.dir * t));
     }
     void print_shadow_ray(const char* way, const Ray& r, Color carried, bool occluded) const
     {

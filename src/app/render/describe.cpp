@@ -39,7 +39,8 @@ void describe_run(const RenderOptions& options, const Prepared& prepared, const 
                    .added_light = prepared.added.light,
                    .warnings = prepared.warnings,
                    .unused_features = unused_features_of(renderer, renderer.profile()),
-                   .catches_shadows = options.background != BackgroundChoice::keep && scene.catches_shadows()};
+                   .catches_shadows = options.background != BackgroundChoice::keep && scene.catches_shadows(),
+                   .ignores_scattering = scene.ignores_scattering};
     if (prepared.added.view_s) stats.analyses.push_back({"view", *prepared.added.view_s});
     if (prepared.added.light_s) stats.analyses.push_back({"light", *prepared.added.light_s});
     for (const Scene::Analysis& a : scene.analyses) stats.analyses.push_back({a.name, a.seconds});

@@ -173,7 +173,8 @@ Metadata make_metadata(const RunStats& s, bool reproducible)
     all.emplace_back("bias", bias_ledger(s.settings.render, {.stopped_by = s.stopped_by,
                                                              .dropped = s.counters.dropped,
                                                              .denoised = s.denoised,
-                                                             .caught_shadows = s.scene.catches_shadows}));
+                                                             .caught_shadows = s.scene.catches_shadows,
+                                                             .no_scattering = s.scene.ignores_scattering}));
     all.emplace_back("partial", integer(s.partial ? 1 : 0));
     all.emplace_back("embree", s.context.embree);
     if (!reproducible) {

@@ -41,6 +41,7 @@ void visit_stats(Stream& stream, AnyStats& s)
                        &s.scene.added_light, &s.settings.hash, &s.settings.options})
         stream(*text);
     stream(s.scene.content_hash), stream(s.settings.threads), visit_flag(stream, s.scene.catches_shadows);
+    visit_flag(stream, s.scene.ignores_scattering);
     visit_settings(stream, s.settings.render);
     auto& crop = s.settings.crop;
     stream(crop.x0), stream(crop.y0), stream(crop.x1), stream(crop.y1);

@@ -1,8 +1,8 @@
-// Direct illumination only: emission, and direct light at the first surface that is not specular. Specular surfaces are
-// followed.
+// Direct illumination only: emission, and direct light at the first surface that is not specular, or where a medium
+// scatters before it. Specular surfaces are followed.
 #pragma once
 
-#include "integrators/path/transport.h"
+#include "integrators/path/scattering.h"
 
 namespace lancer {
 
@@ -25,13 +25,25 @@ struct Direct {
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
              PathActions& actions) const
     {
-        const auto is_last = [&](const PathState& n) { return !n.specular || n.depth == max_depth; };
-        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, actions);
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, last(), actions);
+    }
+    // See trace_flight(): light that a medium scatters once.
+    template <class V>
+    void fly(const V& view, PathState& s, const Flight& flight, float t, const Sampler& sampler,
+             PathActions& actions) const
+    {
+        trace_flight(view, s, flight, t, sampler, direct, parts, roulette_depth, last(), actions);
     }
     template <class V>
     void miss(const V& view, const PathState& s, PathActions& actions) const
     {
         add_environment(view, s, direct, parts, actions);
+    }
+
+private:
+    auto last() const
+    {
+        return [depth = max_depth](const PathState& n) { return !n.specular || n.depth == depth; };
     }
 };
 

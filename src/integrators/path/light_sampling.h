@@ -15,10 +15,11 @@ namespace lancer {
 // Techniques for direct light. Without multiple importance sampling the result is unbiased except for emitters that one
 // technique cannot find: BSDF sampling misses point lights.
 struct DirectLight {
-    bool nee = true;      // next-event estimation: a shadow ray to a sampled light at each vertex
-    bool mis = true;      // combine it with BSDF sampling; off: nee where it is possible, else BSDF sampling
-    bool always = false;  // nee also where BSDF sampling has the same density
-    bool mirrors = true;  // nee also by way of Scene::mirrors
+    bool nee = true;          // next-event estimation: a shadow ray to a sampled light at each vertex
+    bool mis = true;          // combine it with BSDF sampling; off: nee where it is possible, else BSDF sampling
+    bool always = false;      // nee also where BSDF sampling has the same density
+    bool mirrors = true;      // nee also by way of Scene::mirrors
+    bool near_lights = true;  // nee also from places along a ray in a medium that lamps near it choose
 
     static DirectLight of(const RenderSettings& s) { return {s.nee, s.mis, s.always_nee, s.mirror_nee}; }
 };
@@ -84,7 +85,7 @@ void add_emission(const V& view, const PathState& s, const Surface& surface, Dir
     if (s.mirror_distance > 0) [[unlikely]]
         pdf = view.pdf_mirrored_light(s, surface);
     else if (s.light_sampled)
-        pdf = view.pdf_light(s.ray.org, s.normal, s.ray.dir, surface, s.cell);
+        pdf = view.pdf_light(s.vertex(), s.normal, s.ray.dir, surface, s.cell);
     actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
@@ -98,9 +99,9 @@ void add_environment(const V& view, const PathState& s, DirectLight how, LightPa
     actions.add(s.throughput * e * weight_of_found(s, how, pdf));
 }
 
-// The shadow ray from a surface to a sampled light. Both ends are moved off their surfaces by their rounding errors.
-// The far end also allows for the error of the hit distance of the light's own triangle: two dot products, a cross
-// product and a quotient in float.
+// The shadow ray from the origin of rays at a surface to a sampled light. Both ends are moved off their surfaces by
+// their rounding errors. The far end also allows for the error of the hit distance of the light's own triangle: two dot
+// products, a cross product and a quotient in float.
 template <class T>
 struct ShadowSegment {
     Vec3T<T> dir;
@@ -118,12 +119,16 @@ struct ShadowSegment {
         dir = d / distance;
     }
 };
-inline Ray shadow_ray(const Surface& from, const LightSample& light)
+inline Ray shadow_ray(Vec3 org, const LightSample& light)
 {
-    const Vec3 org = ray_origin(from, light.wi);
     if (light.infinite) return {.org = org, .dir = light.wi};
     const ShadowSegment<float> to(org, light);
     return {.org = org, .dir = to.dir, .t_max = to.distance};
+}
+
+inline Ray shadow_ray(const Surface& from, const LightSample& light)
+{
+    return shadow_ray(ray_origin(from, light.wi), light);
 }
 
 // Whether shading and geometric normal agree on the side of a direction: a tilted shading normal must not let light
@@ -157,6 +162,14 @@ bool scatters_nothing(const B& bsdf)
     return false;
 }
 
+// Whether the light of a sample may go on straight through surfaces: of lights that no ray meets through sheets of
+// glass, and of all lights through surfaces that are not there.
+template <class V>
+bool needs_tint(const V& view, const LightSample& light)
+{
+    return (light.delta && view.scene.passes_glass) || view.scene.passes_bare;
+}
+
 // Next-event estimation at a vertex. cell: the density counts its rate; see LightChoice.
 template <class V, class B>
 void sample_direct(const V& view, const PathState& s, const Surface& surface, const Frame& frame, Vec3 wo,
@@ -173,8 +186,8 @@ void sample_direct(const V& view, const PathState& s, const Surface& surface, co
     Ray ray = shadow_ray(surface, *light);
     view.set_alpha_key(ray, sampler, s.depth, Dim::shadow_alpha);
     const Color radiance = sampled_light(s.throughput, f.f_cos, light->radiance, weight / light->pdf);
-    if (light->delta && view.scene.passes_glass) [[unlikely]]
-        return actions.tinted_shadow(ray, radiance, light->radiance, light->light);
+    if (needs_tint(view, *light)) [[unlikely]]
+        return actions.tinted_shadow(ray, radiance, light->radiance, light->light, light->delta);
     actions.shadow(ray, radiance, light->light);
 }
 

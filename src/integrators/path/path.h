@@ -2,7 +2,7 @@
 // Kajiya 1986; Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., chapter 13.
 #pragma once
 
-#include "integrators/path/transport.h"
+#include "integrators/path/scattering.h"
 
 namespace lancer {
 
@@ -10,7 +10,7 @@ struct Path {
     static constexpr IntegratorKind kind = IntegratorKind::path;
     using TintedShadows = GlassShadows;
 
-    uint32_t max_depth = 0;       // scattering surface vertices; 1: direct light only; 0: no limit
+    uint32_t max_depth = 0;       // scattering vertices, at surfaces and in media; 1: direct light only; 0: no limit
     uint32_t roulette_depth = 5;  // vertices before Russian roulette by the throughput
     DirectLight direct{};
     LightParts parts{};
@@ -30,13 +30,25 @@ struct Path {
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
              PathActions& actions) const
     {
-        const auto is_last = [&](const PathState& n) { return n.depth == max_depth; };
-        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, is_last, actions);
+        trace_vertex(view, s, surface, sampler, direct, parts, roulette_depth, last(), actions);
+    }
+    // See trace_flight().
+    template <class V>
+    void fly(const V& view, PathState& s, const Flight& flight, float t, const Sampler& sampler,
+             PathActions& actions) const
+    {
+        trace_flight(view, s, flight, t, sampler, direct, parts, roulette_depth, last(), actions);
     }
     template <class V>
     void miss(const V& view, const PathState& s, PathActions& actions) const
     {
         add_environment(view, s, direct, parts, actions);
+    }
+
+private:
+    auto last() const
+    {
+        return [depth = max_depth](const PathState& n) { return n.depth == depth; };
     }
 };
 

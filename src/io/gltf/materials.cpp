@@ -210,6 +210,23 @@ private:
             return static_cast<float>(std::min(-std::log(std::clamp(left, darkest, 1.0)) / distance, 1e30));
         };
         m_.absorption = {absorbed((*color)[0]), absorbed((*color)[1]), absorbed((*color)[2])};
+        describe_scattering();
+    }
+
+    // What leaves a ray is not only absorbed: the colour is that of a thick body.
+    void describe_scattering()
+    {
+        const JsonValue* const scatter = extension("KHR_materials_volume_scatter");
+        if (!scatter) return;
+        const auto multiple = doc_.numbers<3>(*scatter, "multiscatterColor");
+        if (!multiple || is_black(color_of(*multiple))) return;
+        static constexpr float clearest = 1e-6f;  // of the extinction, per unit of length
+        const auto path = [](float extinction) { return 1 / std::max(clearest, extinction); };
+        m_.subsurface_color = in_unit(color_of(*multiple));
+        m_.subsurface_radius = {path(m_.absorption.r), path(m_.absorption.g), path(m_.absorption.b)};
+        m_.absorption = {};
+        constexpr double most = 0.999;
+        m_.scattering_anisotropy = static_cast<float>(std::clamp(number(scatter, "scatterAnisotropy", 0), -most, most));
     }
 
     // The diffuse colour is that of plastic. Its coat gets the index that reflects as much from the front as the

@@ -19,6 +19,8 @@ inline const NumberRule& rule_of(ParameterRange range, const NumberRule& positiv
             return positive;
         case ParameterRange::quarter_turn:
             return up_to_quarter_turn;
+        case ParameterRange::below_one:
+            return below_one;
         case ParameterRange::nonzero_vector:
         case ParameterRange::finite:
         case ParameterRange::million:

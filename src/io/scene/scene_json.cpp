@@ -241,7 +241,7 @@ void check_exportable(const SceneDescription& d, const Scene& scene, const Rende
     for (uint32_t id = 0; id < scene.materials.size(); ++id)
         if (const std::string what = obstacle(scene, id); !what.empty())
             refuse(file, "material " + in_quotes(scene.material_names[id]) + " " + what);
-    if (!scene.media.empty()) refuse(file, "a material absorbs or has a priority");
+    if (!scene.media.empty()) refuse(file, "a material absorbs, scatters or has a priority, or there is fog");
     for (size_t i = 0; i < d.meshes.size(); ++i)
         if (!scene.shading[i].colors.empty()) refuse(d.meshes[i].where, "a mesh has colours of its vertices");
     if (scene.background) refuse(d.background->where, "the background is not one colour");

@@ -9,6 +9,7 @@
 #include "io/file_name.h"
 #include "io/scene/background_tables.h"
 #include "io/scene/camera_tables.h"
+#include "io/scene/fog_table.h"
 #include "io/scene/light_tables.h"
 #include "io/scene/material_tables.h"
 #include "io/scene/output_table.h"
@@ -146,7 +147,8 @@ void SceneReader::check_uses(const std::vector<NameUse>& uses, const NameList& k
 std::vector<MeshFile> SceneReader::read()
 {
     root_.allow({"version", "render", "camera", "mesh", "instance", "sphere", "plane", "water", "bubble", "triangle",
-                 "pyramid", "light", "background", "material", "material_override", "texture", "output", "animation"});
+                 "pyramid", "light", "background", "fog", "material", "material_override", "texture", "output",
+                 "animation"});
     read_version();
     if (const std::optional<TomlTable> render = root_.table("render")) scene_.render = read_render_table(*render);
     if (const std::optional<TomlTable> output = root_.table("output")) read_output_table(*output);  // for its mistakes
@@ -158,6 +160,7 @@ std::vector<MeshFile> SceneReader::read()
     for (NameUse& use : read_shapes(root_, scene_)) material_uses_.push_back(std::move(use));
     for (const TomlTable& light : root_.tables("light")) scene_.lights.push_back(read_light(light, assets_));
     read_background(root_, assets_, scene_);
+    if (const std::optional<TomlTable> fog = root_.table("fog")) scene_.fog = read_fog(*fog);
 
     NameList meshes;
     for (const MeshDescription& mesh : scene_.meshes) {

@@ -34,7 +34,8 @@ public:
     {
         const ShadingPoint point = scene_.shading_point(surface);
         const bool is_mix = !scene_.mix_of.empty() && scene_.mix_of[surface.material] != Scene::none;
-        const bool goes_on = !is_mix && sight.surfaces < most_surfaces && sight.weight >= least_weight_followed &&
+        const bool goes_on = !is_mix && !is_cloudy(surface) && sight.surfaces < most_surfaces &&
+                             sight.weight >= least_weight_followed &&
                              std::visit([&](const auto& m) { return follow(sight, surface, m.at(point)); },
                                         scene_.materials[surface.material]);
         if (goes_on) return;
@@ -46,6 +47,12 @@ public:
     const SampleSet::Features& seen() const { return seen_; }
 
 private:
+    // Whether what is inside of a body hides what is behind it.
+    bool is_cloudy(const Surface& surface) const
+    {
+        const uint16_t medium = scene_.traits[surface.material].medium;
+        return scene_.scatters && medium != no_medium && scene_.media[medium].scatters();
+    }
     // Follows the ways on from a mirror or smooth glass. False where light is spread.
     template <class B>
     bool follow(const Sight& sight, const Surface& surface, const B& bsdf)

@@ -32,14 +32,14 @@ public:
     }
     void shadow(const ShadowEnds& ends, const Ray&, Color radiance, bool occluded) const
     {
-        if (!arrivals_) return;
+        if (!arrivals_ || ends.from_medium) return;
         Arrival& a = (*arrivals_)[last_[ends.slot]];
         a.light = ends.light;
         if (!occluded) a.brought = luminance(radiance);
     }
     void added(const PathState& s, const Hit& hit, Color radiance) const
     {
-        if (arrivals_ && !hit) sky(s.slot, s, radiance);
+        if (arrivals_ && !hit && !s.is_from_medium()) sky(s.slot, s, radiance);
     }
     // The same events for kernels without a Surface at hand; only if it listens. A vertex that paths go on from, and
     // what a ray that left the scene added.

@@ -11,6 +11,7 @@
 #include "integrators/media.h"
 #include "integrators/path/path.h"
 #include "integrators/view.h"
+#include "render/kernel/flights.h"
 #include "render/kernel/mirrored_shadows.h"
 #include "render/kernel/tinted_shadows.h"
 #include "render/workspace.h"
@@ -115,12 +116,16 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     };
     constexpr bool by_mirrors = std::is_same_v<Integrator, Path>;
     const bool has_mirrors = by_mirrors && !view.scene.mirrors.empty();
-    const bool has_media = view.has_media(), tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
+    constexpr bool flies = Flies<Integrator>;
+    const bool has_media = view.has_media(), scatters = flies && has_media && view.scene.scatters;
+    const bool tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
         w.rays.clear();
         for (const PathState& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
+        if (scatters) [[unlikely]]
+            sample_flights(view, sampler, w);
         accel.closest(w.rays, w.hits, coherence);
         if (tables_exceed_caches) prefetch_all(view.scene, w.hits);
         if (coherence == Coherence::incoherent) counters.bounce_rays += w.rays.size();
@@ -137,19 +142,29 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             PathActions actions(w.queue, s.slot, segment_after(s.segment, false));
             const RadianceSum before = w.queue.radiance[s.slot];
             listener.ray(s, w.hits[i]);
+            bool has_flown = false;
+            if constexpr (flies)
+                if (scatters && !s.last) [[unlikely]] {
+                    const Surface* const end = w.hits[i] ? &*surfaces[k] : nullptr;
+                    const Flown flown = fly(view, integrator, s, w.flights[i], end, sampler(s.slot, s.sample, s.branch),
+                                            w.queue, actions, listener);
+                    if (flown == Flown::scattered) continue;
+                    has_flown = flown == Flown::to_its_end;
+                }
             if (w.hits[i]) {
                 if constexpr (by_mirrors)
                     if (has_mirrors) s.mirror = view.scene.mirror_at(w.hits[i]);
                 Surface& surface = *surfaces[k];
-                listener.vertex(s, surface);
-                if (!has_media || media.enter(view, s, surface, w.queue, actions)) {
+                if (!has_media || !is_skipped(view.scene, s.media, surface)) listener.vertex(s, surface);
+                const QueueSizes queued(w.queue);
+                if (!has_media || media.enter(view, s, surface, has_flown, w.queue, actions)) {
                     if (!listener.takes(view, s, surface, *samplers[k]))
                         integrator.hit(view, s, surface, *samplers[k], actions);
                     if (has_media) media.leave(view, surface, w.queue);
                 }
-                listener.left(view, integrator, s, surface, *samplers[k]);
+                listener.left(view, integrator, s, surface, *samplers[k], queued);
             } else {
-                if (has_media) miss_in_media(view, s);
+                if (has_media && !has_flown) miss_in_media(view, s);
                 if (!listener.hides_sky(s)) integrator.miss(view, s, actions);
             }
             listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));

@@ -220,6 +220,7 @@ struct ReplayListener : NoListener {
     void ray(const PathState& s, const Hit& hit) const { listener.ray(s, hit); }
     void vertex(const PathState& s, const Surface& at) const { listener.vertex(s, at); }
     void added(const PathState& s, const Hit&, Color c) const { listener.added(s, c); }
+    void scattered(const PathState& s, float t, const Medium&, const Surface*) const { listener.scattered(s, t); }
     void shadow(const ShadowEnds&, const Ray& ray, Color c, bool occluded) const { listener.shadow(ray, c, occluded); }
     void mirrored_shadow(const ShadowEnds&, const Ray& ray, Color c, bool occluded) const
     {

@@ -14,7 +14,7 @@ struct View;       // integrators/view.h
 struct WideScene;  // scene/wide_scene.h
 enum class Shading;
 
-// The events of one sample, for `lancer pixel` and tests. Every function must be set; the last one may be left out.
+// The events of one sample, for `lancer pixel` and tests. Every function must be set; the last two may be left out.
 struct PathListener {
     std::function<void(const PathState&, const Hit&)> ray;         // a traced ray
     std::function<void(const PathState&, const Surface&)> vertex;  // its hit, if any
@@ -22,6 +22,8 @@ struct PathListener {
     std::function<void(const Ray&, Color, bool)> shadow;  // a shadow ray, its radiance, whether it was occluded
     // Likewise one by way of a mirror: the part of it that was stopped, or the last one.
     std::function<void(const Ray&, Color, bool)> mirrored_shadow = [](const Ray&, Color, bool) {};
+    // A medium scattered the path at that distance on its ray; of its hit there is then no event.
+    std::function<void(const PathState&, float)> scattered = [](const PathState&, float) {};
 };
 
 // Kernels of Path with eight paths at a time, with the same bits, for scenes that WideScene supports. Each Shading is

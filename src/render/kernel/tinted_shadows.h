@@ -40,8 +40,10 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
             Queue::TintedShadow s = shadows[i];
             if (w.hits[i]) {
                 Surface surface = view.surface_at(s.ray, w.hits[i], {});
-                const auto through = [&] { return integrator.through(view, s.ray, surface); };
-                const Color part = has_media ? shadow_in_media(view, s.media, surface, through) : through();
+                const auto through = [&] {
+                    return s.passes_sheets ? integrator.through(view, s.ray, surface) : Color{};
+                };
+                const Color part = has_media ? shadow_in_media(view, s.ray, s.media, surface, through) : through();
                 s.radiance *= part;
                 s.light *= part;
                 if (is_black(s.radiance)) {
@@ -58,7 +60,7 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                     continue;
                 }
             }
-            if (has_media) s.radiance *= s.media.transmittance(view.scene.media, s.ray.t_max);
+            if (has_media) s.radiance *= transmittance_along(view.scene, s.media, s.ray.org, s.ray.dir, s.ray.t_max);
             listener.shadow(s.ends, s.ray, s.radiance, false);
             w.queue.radiance[s.ends.slot] += s.radiance;
         }

@@ -62,6 +62,7 @@ MaterialTable::MaterialTable(const SceneDescription& description, const RenderSe
       pending_(pending),
       diagnostics_(diagnostics),
       images_(images),
+      integrator_(settings.integrator),
       builder_({.multiscatter = settings.multiscatter && !settings.legacy, .fresnel = settings.fresnel}),
       ids_(description.materials.size(), Scene::none),
       used_(description.materials.size()),
@@ -117,7 +118,7 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     traits.mirrors = std::visit([](const auto& b) { return b.mirrors(); }, bsdf);
     if (const auto* principled = std::get_if<Principled>(&bsdf)) traits.has_tangent = principled->is_anisotropic();
     traits.reads_uv = reads_textures(m) || traits.has_tangent;
-    traits.medium = add_medium(m, bsdf, scene_, diagnostics_);
+    traits.medium = add_medium(m, bsdf, integrator_, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
     scene_.light_groups.of_material.push_back(light_group(scene_, m.group, m.where, diagnostics_));
@@ -136,7 +137,7 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
         traits.has_tangent = traits.has_tangent || scene_.traits[part].has_tangent;
         if (const uint16_t medium = scene_.traits[part].medium; medium != no_medium && matters(scene_.media[medium]))
             diagnostics_.error(m.where, "material " + in_quotes(scene_.material_names[part]) +
-                                            " has a 'priority' or 'absorption' and cannot be a part of the mix " +
+                                            " has a 'priority', absorbs or scatters, and cannot be a part of the mix " +
                                             in_quotes(m.name) + ": a body has one inside");
     }
     scene_.mix_of.resize(scene_.materials.size(), Scene::none);
@@ -157,7 +158,7 @@ uint32_t MaterialTable::add(const MaterialDescription& said)
     }
     const uint32_t id = make(m);
     added_[m.name].emplace_back(m, id);
-    if (m.type == MaterialType::glass && !m.thin && !m.priority && is_black(m.absorption)) shape_decides_[id] = m;
+    if (m.type == MaterialType::glass && !m.thin && !m.priority && !has_inside(m)) shape_decides_[id] = m;
     return id;
 }
 

@@ -56,6 +56,7 @@ private:
     std::vector<PendingPictures::OfTexture>& pending_;
     Diagnostics& diagnostics_;
     const RasterSource& images_;
+    IntegratorKind integrator_;
     MaterialBuilder builder_;
     std::map<std::string, std::vector<std::pair<MaterialDescription, uint32_t>>> added_;  // by name
     std::map<std::string, size_t> index_;                                                 // of names, in d_.materials

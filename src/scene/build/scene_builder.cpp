@@ -11,6 +11,7 @@
 #include "scene/build/fold.h"
 #include "scene/build/light_group.h"
 #include "scene/build/material_table.h"
+#include "scene/build/media.h"
 #include "scene/build/mesh_tables.h"
 #include "scene/build/receive_environment.h"
 #include "scene/build/relight.h"
@@ -43,6 +44,7 @@ public:
           placement_(d),
           scene_(scene),
           pending_(pending),
+          integrator_(settings.integrator),
           materials_(d, settings, scene, pending.textures, diagnostics, images)
     {
         scene_.terminator_fix = settings.terminator;
@@ -65,6 +67,7 @@ public:
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
         if (d_.background) add_background(*d_.background);
+        if (d_.fog) add_fog(*d_.fog, d_.lights, integrator_, scene_);
         materials_.finish();
         diagnostics_.throw_if_errors();
     }
@@ -266,6 +269,7 @@ private:
     Placement placement_;
     Scene& scene_;
     PendingPictures& pending_;
+    IntegratorKind integrator_;
     MaterialTable materials_;
     std::vector<Normalisation> own_;  // of each mesh
     std::set<std::string> mesh_names_;
@@ -302,12 +306,16 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
         receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);
     diagnostics.throw_if_errors();
     list_lights(s);
+    mark_dark_media(s);
     s.has_tables =
         std::any_of(s.shading.begin(), s.shading.end(), [](const auto& mesh) { return mesh.differs_by_triangle(); });
     // Light sampling may leave all of an environment to BSDF sampling.
     bool emits = !s.lights.lights.empty() || (s.environment_table && !s.environment_table->is_black());
     for (const uint32_t m : s.plane_material) emits = emits || !s.emission[m].is_dark();
     if (!emits) diagnostics.warning({s.file, 0, 0}, "nothing emits light: the picture will be black");
+    if (s.ignores_scattering)
+        diagnostics.warning({s.file, 0, 0},
+                            "this integrator follows no light that media scatter: fog and bodies only absorb");
 }
 
 std::unique_ptr<const Scene> SceneBuilder::finish(Diagnostics& diagnostics)

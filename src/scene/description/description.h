@@ -119,6 +119,17 @@ struct AnimationDescription {
     bool moves_views_only = true;  // and nothing of what is seen
 };
 
+// [fog]: what fills the scene around all bodies.
+struct FogDescription {
+    Location where;
+    Color scattering{}, absorption{};  // per unit of length, >= 0
+    float anisotropy = 0;              // mean cosine of what is scattered, in (-1, 1)
+    // Its box: of two corners, without one of which it has no end there; or up to a height; or that of the scene.
+    std::optional<Vec3d> low{}, high{};
+    std::optional<double> height{};
+    bool z_up = false;  // along which axis is the height
+};
+
 struct SceneDescription {
     std::string file;
     std::optional<AnimationDescription> animation;
@@ -131,6 +142,7 @@ struct SceneDescription {
     std::vector<PlaneDescription> planes;
     std::vector<LightDescription> lights;
     std::optional<BackgroundDescription> background;
+    std::optional<FogDescription> fog;
     std::vector<MaterialDescription> materials;  // [material.NAME], names unique
     std::vector<MaterialOverride> overrides;     // in order; the first that matches counts
     uint64_t content_hash = 0;                   // of the bytes of every file read, and of the frame of an animation

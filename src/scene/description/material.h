@@ -38,6 +38,12 @@ struct MaterialDescription {
     std::optional<bool> thin{};         // glass, principled: a sheet without an inside; nothing: its shape decides
     Color absorption{};                 // glass, interface, principled: of what is inside, per unit of length, >= 0
     std::optional<int32_t> priority{};  // likewise: over other media in the same place
+    Color scattering{};                 // likewise, of glass and principled: what is scattered inside, >= 0
+    float scattering_anisotropy = 0;    // likewise: mean cosine of what is scattered inside, in (-1, 1)
+    // Likewise: what is inside by how a thick body of it looks, in place of absorption and scattering: its colour, in
+    // [0, 1], and the mean free path of each channel, > 0.
+    std::optional<Color> subsurface_color{};
+    Color subsurface_radius{1, 1, 1};
     float roughness = 0;  // metal, glass, plastic, principled: perceptual, in [0, 1]; GGX alpha is its square
     TextureUse roughness_map{};
     std::optional<Color> eta{}, k{};  // metal: complex index of refraction; base_color is then only a tint
@@ -174,6 +180,10 @@ inline constexpr std::tuple all{
     number("thin", &M::thin, boolean),
     number("absorption", &M::absorption, not_negative),
     number("priority", &M::priority, million),
+    number("scattering", &M::scattering, not_negative),
+    number("scattering_anisotropy", &M::scattering_anisotropy, below_one),
+    number("subsurface_color", &M::subsurface_color, unit),
+    number("subsurface_radius", &M::subsurface_radius, positive),
     number("eta", &M::eta, positive),
     number("k", &M::k, not_negative),
     number("specular", specular, unit),

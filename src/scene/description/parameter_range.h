@@ -9,6 +9,7 @@ enum class ParameterRange {
     not_negative,  // 0 or more
     positive,      // more than 0
     quarter_turn,  // degrees, from 0 to 90
+    below_one,     // from -0.999 to 0.999
     nonzero_vector,
     finite,
     million,  // an integer from -1000000 to 1000000

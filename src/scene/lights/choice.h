@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-// Selects a light for a point and its shading normal; u in [0, 1). Probability 0: no light reaches the point. The table
-// must not be empty.
+// Selects a light for a point and its shading normal, or 0 if it is on no surface; u in [0, 1). Probability 0: no light
+// reaches the point. The table must not be empty.
 LightTree::Choice choose_light(const LightTable& table, Vec3 point, Vec3 normal, double u);
 
 // The same for the lanes in `lanes` of eight points, if there is a tree; other lanes get probability 0.

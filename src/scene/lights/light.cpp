@@ -201,6 +201,43 @@ std::optional<LightSample> sample_given_light(const Scene& scene, const Surface&
     return s;
 }
 
+std::optional<LightSample> sample_given_light_from(const Scene& scene, Vec3 place, uint32_t id, Vec2 u)
+{
+    std::optional<LightSample> s;
+    if (std::holds_alternative<EnvironmentLight>(scene.lights.lights[id]) && !scene.environment_table)
+        s = LightSample{.wi = square_to_sphere(u), .infinite = true, .radiance = scene.environment, .pdf = pdf_sphere};
+    else
+        s = sample_other(scene, scene.lights.lights[id], Surface{}, place, u);
+    if (s) s->light = id;
+    return s;
+}
+
+std::optional<LightSample> sample_light_from(const Scene& scene, Vec3 place, float pick, Vec2 u)
+{
+    if (scene.lights.pick.empty()) return {};
+    const auto [id, probability] = choose_light(scene.lights, place, {}, extend_precision(pick, u));
+    if (!(probability > 0)) return {};
+    auto s = sample_given_light_from(scene, place, id, u);
+    if (s) s->pdf *= probability;
+    return s;
+}
+
+std::optional<Vec3> middle_of_light(const Scene& scene, uint32_t id)
+{
+    return std::visit(
+        [&]<class L>(const L& light) -> std::optional<Vec3> {
+            if constexpr (std::is_same_v<L, SphereLight>) {
+                return to_float(scene.geometry.spheres[light.sphere].center);
+            } else if constexpr (std::is_same_v<L, TriangleLight>) {
+                return triangle_point(scene, light.instance, light.mesh, light.triangle, {1 / 3.0f, 1 / 3.0f}).p;
+            } else {
+                if constexpr (requires { light.position; }) return light.position;
+                return {};
+            }
+        },
+        scene.lights.lights[id]);
+}
+
 std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, Vec3 wi, bool through)
 {
     const float side = dot(wi, from.side);
@@ -246,7 +283,8 @@ float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi)
 
 float pdf_environment(const Scene& scene, Vec3 normal, Vec3 wi, float choice)
 {
-    return choice * (scene.environment_table ? scene.environment_table->pdf(wi) : pdf_constant_environment(normal, wi));
+    if (scene.environment_table) return choice * scene.environment_table->pdf(wi);
+    return choice * (scene.scatters && normal == Vec3{} ? pdf_sphere : pdf_constant_environment(normal, wi));
 }
 
 }  // namespace lancer

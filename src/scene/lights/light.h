@@ -76,6 +76,13 @@ std::optional<LightSample> sample_chosen_light(const Scene& scene, const Surface
 std::optional<LightSample> sample_given_light(const Scene& scene, const Surface& from, uint32_t id, Vec2 u,
                                               bool through = false);
 
+// From a place that is on no surface, which light reaches from all sides. Selects a light by power or by the tree.
+std::optional<LightSample> sample_light_from(const Scene& scene, Vec3 place, float pick, Vec2 u);
+// Samples light `id` from there; the density does not include the selection.
+std::optional<LightSample> sample_given_light_from(const Scene& scene, Vec3 place, uint32_t id, Vec2 u);
+// The middle of a light that has a place in the scene.
+std::optional<Vec3> middle_of_light(const Scene& scene, uint32_t id);
+
 // The sky in direction wi (unit), as sample_given_light() would find it; nothing if it cannot illuminate the surface.
 // The density may be 0.
 std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, Vec3 wi, bool through);
@@ -84,7 +91,8 @@ std::optional<LightSample> sample_sky(const Scene& scene, const Surface& from, V
 std::optional<LightSample> sample_extended_light(const Scene& scene, const Surface& from, float pick, Vec2 u);
 
 // Density, per solid angle at `from`, with which sample_light() samples the emitter at `at`, hit in direction wi
-// (unit); 0 if it is not in the table. from: origin of the ray; normal: the shading normal there.
+// (unit); 0 if it is not in the table. from: origin of the ray; normal: the shading normal there, or 0 for the density
+// of sample_light_from().
 float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surface& at);
 
 // The same for a light of the table that is selected with the given probability.

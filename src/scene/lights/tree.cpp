@@ -167,7 +167,8 @@ inline Float8 LightTree::importances(size_t number, Vec3 point, Vec3 normal) con
             select(at_light > distance * node.cos_angle, distance, at_light * node.cos_angle + across * node.sin_angle);
     }
     at_light = max(zero, at_light + node.radius);
-    const Float8 at_place = abs(dot(to, broadcast(normal))) + node.radius;
+    const Float8 cos_at_place = normal == Vec3{} ? sqrt(distance2) : abs(dot(to, broadcast(normal)));
+    const Float8 at_place = cos_at_place + node.radius;
     const Float8 inverse =
         broadcast(1.0f) / max(distance2 + node.radius * node.radius, broadcast(std::numeric_limits<float>::min()));
     return node.power * (at_light * inverse) * (at_place * inverse);

@@ -22,7 +22,8 @@ public:
         uint32_t light = 0;
         float probability = 0;  // 0: no light reaches the point
     };
-    // Selects a light for a point and its normal, whose sign does not matter; u in [0, 1).
+    // Selects a light for a point and its normal, whose sign does not matter, or 0 for a point that all directions
+    // light alike; u in [0, 1).
     Choice choose(Vec3 point, Vec3 normal, double u) const;
     // The same for the lanes in `lanes` of eight points; the choices of other lanes stay unchanged. The descents are
     // interleaved so that their cache misses overlap.

@@ -1,5 +1,7 @@
 #include "support/scenes/scenes.h"
 
+#include "support/scenes/media_scenes.h"
+
 namespace lancer {
 
 SceneDescription closed_furnace(float rho, Color emitted)
@@ -239,6 +241,8 @@ std::vector<NamedScene> all_test_scenes()
     all.push_back({"holes", holes_scene()});
     all.push_back({"glossy", glossy_scene()});
     all.push_back({"media", media_scene()});
+    all.push_back({"scattering", scattering_scene()});
+    all.push_back({"fog", fog_scene()});
     all.push_back({"shapes", shapes_scene()});
     return all;
 }
