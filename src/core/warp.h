@@ -74,6 +74,13 @@ V square_to_triangle(const V& u)
     return {select(above, half, u.x - half), select(above, u.y - half, half)};
 }
 
+// The point of the square that square_to_triangle() maps to these weights.
+inline Vec2 triangle_to_square(Vec2 weights)
+{
+    const float sum = weights.x + weights.y;
+    return weights.x < weights.y ? Vec2{2 * weights.x, sum} : Vec2{sum, 2 * weights.y};
+}
+
 // 1 - cos of the half angle of the cone under which a sphere is seen, given sin^2 of that angle in [0, 1]; without the
 // cancellation that makes the plain formula useless for far or small spheres.
 template <class T>

@@ -208,6 +208,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         }
         default: {
             s.p = placed.p, s.p_error = placed.p_error, s.n = placed.n, s.ns = placed.ns, s.area = placed.area;
+            s.on_triangle = hit.uv;
             s.material = scene.shading[hit.geometry].material_of(hit.primitive);
             s.light = light_of(scene, hit);
             if (!scene.shading[hit.geometry].colors.empty()) s.vertex_color = vertex_color(scene, hit);

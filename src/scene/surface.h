@@ -24,6 +24,7 @@ struct Surface {
     uint32_t light;  // id of the light at this point, or Scene::none
     float t;
     float area = 0;               // area of the triangle, scene units; else 0
+    Vec2 on_triangle{};           // barycentric weights of its second and third corner
     Vec2d uv{};                   // texture coordinates; only set if the material reads textures
     float uv_width = 0;           // footprint of the ray cone, in uv
     Vec2 uv_along{};              // planes: additional extent along the ray; see Footprint

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/warp.h"
+#include "scene/alpha_test.h"
 #include "scene/environment/environment.h"
 #include "scene/lights/tree.h"
 
@@ -42,6 +44,36 @@ double mean_emission(const Scene& scene, const TriangleLight& light, const Color
     return std::max(static_cast<double>(sum / 16), least_emission * plain);
 }
 
+// Weights of the cells of an EmissionMap: the luminance of the triangle's picture, filtered over quarters of cells. A
+// part of the mean is added, as the filter may miss what shines.
+std::vector<double> emission_weights(const Scene& scene, const TriangleLight& light, uint32_t side)
+{
+    constexpr double everywhere = 0.05;
+    const uint32_t material = scene.shading[light.mesh].material_of(light.triangle);
+    const ColorParam& radiance = scene.emission[material].radiance;
+    const auto corner = [&](Vec2 at) {
+        return triangle_point(scene, light.instance, light.mesh, light.triangle, at).uv;
+    };
+    const Vec2 a = corner({0, 0}), ab = corner({1, 0}) - a, ac = corner({0, 1}) - a;
+    ShadingPoint part{.uv_width = std::sqrt(std::abs(ab.x * ac.y - ab.y * ac.x) / 8) / static_cast<float>(side),
+                      .textures = scene.textures.data()};
+    std::vector<double> weights(size_t{side} * side);
+    double sum = 0;
+    for (uint32_t row = 0; row < 2 * side; ++row)
+        for (uint32_t column = 0; column < 2 * side; ++column) {
+            const float cells = 0.5f / static_cast<float>(side);
+            const Vec2 at = square_to_triangle(
+                Vec2{(static_cast<float>(column) + 0.5f) * cells, (static_cast<float>(row) + 0.5f) * cells});
+            part.uv = a + ab * at.x + ac * at.y;
+            const double opacity = double{opacity_at(scene, material, part)};
+            const double w = 0.25 * std::max(0.0, power_of(part.eval(radiance))) * opacity;
+            weights[size_t{row / 2} * side + column / 2] += w, sum += w;
+        }
+    const double mean = sum / static_cast<double>(weights.size());
+    for (double& w : weights) w += everywhere * mean;
+    return weights;
+}
+
 class Lister {
 public:
     explicit Lister(Scene& scene) : scene_(scene) {}
@@ -55,6 +87,7 @@ public:
         scene_.lights.deltas = next();
         list_spheres();
         list_meshes();
+        map_pictures();
         list_environment();
         scene_.lights.pick = Discrete(powers_);
         if (scene_.light_tree) grow_tree();
@@ -129,6 +162,36 @@ private:
         const double area =
             static_cast<double>(triangle_point(scene_, light.instance, light.mesh, light.triangle, {}).area);
         return area * pi_d * mean_emission(scene_, light, e.radiance) * (e.both_sides ? 2 : 1);
+    }
+    // Points on a triangle that shows a picture are sampled by its brightness. With many triangles each has a small part
+    // of it.
+    void map_pictures()
+    {
+        constexpr size_t most_cells = size_t{1} << 20;
+        constexpr uint32_t most_along = 64, least_along = 8;
+        constexpr double worthwhile = 0.02;  // relative variance
+        std::vector<uint32_t> shown;
+        for (uint32_t id = 0; id < next(); ++id)
+            if (const auto* light = std::get_if<TriangleLight>(&scene_.lights.lights[id]))
+                if (has_picture(*light) && powers_[id] > 0) shown.push_back(id);
+        uint32_t side = most_along;
+        while (side >= least_along && shown.size() * side * side > most_cells) side /= 2;
+        if (side < least_along) return;
+        std::vector<std::vector<double>> weights(shown.size());
+        parallel_for(shown.size(), [&](size_t i) {
+            weights[i] = emission_weights(scene_, std::get<TriangleLight>(scene_.lights.lights[shown[i]]), side);
+        });
+        for (size_t i = 0; i < shown.size(); ++i) {
+            if (!(relative_variance(weights[i]) > worthwhile)) continue;
+            std::get<TriangleLight>(scene_.lights.lights[shown[i]]).map =
+                static_cast<uint32_t>(scene_.lights.maps.size());
+            scene_.lights.maps.emplace_back(weights[i], side);
+        }
+    }
+    bool has_picture(const TriangleLight& light) const
+    {
+        const uint32_t material = scene_.shading[light.mesh].material_of(light.triangle);
+        return scene_.emission[material].radiance.texture != no_texture || scene_.traits[material].has_holes();
     }
     void list_environment()
     {

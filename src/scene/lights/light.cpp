@@ -36,6 +36,11 @@ Color radiance_at(const Scene& scene, uint32_t material, bool front, const Uv& u
 
 std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light, const Surface&, Vec3 org, Vec2 u)
 {
+    float density = 1;
+    if (light.map != TriangleLight::no_map) {
+        const EmissionMap::Place place = scene.lights.maps[light.map].sample(u);
+        u = place.u, density = place.density;
+    }
     const Vec2 uv = square_to_triangle(u);
     Vec3 p, p_error, n = light.n;
     float area = light.area;
@@ -58,7 +63,7 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     s->wi = seen.wi;
     s->point = p, s->p_error = p_error, s->n = n;
     s->radiance = radiance;
-    s->pdf = seen.pdf(area);
+    s->pdf = seen.pdf(area) * density;
     return s;
 }
 
@@ -256,9 +261,11 @@ float pdf_light(const Scene& scene, Vec3 from, Vec3 normal, Vec3 wi, const Surfa
 
 float pdf_light(const Scene& scene, Vec3 from, Vec3 wi, const Surface& at, float choice)
 {
-    if (std::holds_alternative<TriangleLight>(scene.lights.lights[at.light])) {
+    if (const auto* triangle = std::get_if<TriangleLight>(&scene.lights.lights[at.light])) {
         const Vec3 d = at.p - from;
         const float c = std::abs(dot(wi, at.n));
+        if (triangle->map != TriangleLight::no_map)
+            choice *= scene.lights.maps[triangle->map].density(triangle_to_square(at.on_triangle));
         return c > 0 ? choice * dot(d, d) / (c * at.area) : 0;
     }
     // Sampled at its centre: light sampling covers all of it, as for every light that rays cannot hit.

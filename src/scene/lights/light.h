@@ -10,6 +10,7 @@
 #include "core/distribution.h"
 #include "core/vec.h"
 #include "scene/lights/directional.h"
+#include "scene/lights/emission_map.h"
 #include "scene/lights/light_sample.h"
 #include "scene/lights/point.h"
 #include "scene/lights/spot.h"
@@ -40,6 +41,8 @@ struct TriangleLight {
     // Of a flat, non-instanced triangle; else area is 0 and they are computed when it is sampled.
     Vec3 n{};
     float area = 0;
+    uint32_t map = no_map;  // in LightTable::maps
+    static constexpr uint32_t no_map = UINT32_MAX;
 };
 struct EnvironmentLight {};  // all of Scene::radiance_from(), by Scene::environment_table if it is not constant
 
@@ -49,9 +52,10 @@ template <class L>
 inline constexpr bool is_delta_light = std::is_constructible_v<DeltaLight, L>;
 
 struct LightTable {
-    std::vector<Light> lights;  // delta lights first
-    uint32_t deltas = 0;        // number of these
-    Discrete pick;              // selection by power
+    std::vector<Light> lights;      // delta lights first
+    uint32_t deltas = 0;            // number of these
+    std::vector<EmissionMap> maps;  // of triangles whose picture is sampled by its brightness
+    Discrete pick;                  // selection by power
     // With many lights, those with a position are selected by a tree, whose indices are those of `lights`. Lights at
     // infinity are selected by power, as is whether to use the tree.
     std::shared_ptr<const LightTree> tree;  // null: all lights by power
