@@ -83,6 +83,18 @@ if("${LANCER_WITH_GLTF_COMPRESSION}" STREQUAL "" OR LANCER_WITH_GLTF_COMPRESSION
   endif()
 endif()
 
+if("${LANCER_WITH_SUBDIVISION}" STREQUAL "" OR LANCER_WITH_SUBDIVISION)
+  # Debian's package has no working configuration for CMake without its static libraries.
+  find_path(OSD_INCLUDE opensubdiv/far/topologyRefiner.h)
+  find_library(OSD_LIBRARY osdCPU)
+  mark_as_advanced(OSD_INCLUDE OSD_LIBRARY)
+  if(OSD_INCLUDE AND OSD_LIBRARY)
+    set(OSD_FOUND TRUE)
+  elseif(LANCER_WITH_SUBDIVISION)
+    message(FATAL_ERROR "OpenSubdiv not found: apt-get install libosd-dev (or run scripts/install-deps.sh), or leave it out with -DLANCER_WITH_SUBDIVISION=OFF")
+  endif()
+endif()
+
 if("${LANCER_WITH_VIEW}" STREQUAL "" OR LANCER_WITH_VIEW)
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)

@@ -65,6 +65,14 @@ if(GLTF_COMPRESSION_FOUND AND NOT "${LANCER_WITH_GLTF_COMPRESSION}" STREQUAL "OF
   set_target_properties(lancer_gltf PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(lancer lancer_gltf)
 endif()
+# And OpenSubdiv.
+if(OSD_FOUND AND NOT "${LANCER_WITH_SUBDIVISION}" STREQUAL "OFF")
+  add_library(lancer_subdivide MODULE src/io/subdivide/osd_module.cpp)
+  target_link_libraries(lancer_subdivide PRIVATE lancer_flags lancer_arch lancer_warnings ${OSD_LIBRARY})
+  target_include_directories(lancer_subdivide SYSTEM PRIVATE ${OSD_INCLUDE})
+  set_target_properties(lancer_subdivide PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_dependencies(lancer lancer_subdivide)
+endif()
 # And so does the window: no other command needs a display library.
 if(VIEW_FOUND AND NOT "${LANCER_WITH_VIEW}" STREQUAL "OFF" AND NOT LANCER_FUZZ)
   add_library(lancer_view MODULE src/app/view/window_module.cpp)
@@ -75,7 +83,7 @@ endif()
 
 # Those that are built.
 set(LANCER_MODULES)
-foreach(module lancer_oiio lancer_ocio lancer_decompress lancer_gltf lancer_view)
+foreach(module lancer_oiio lancer_ocio lancer_decompress lancer_gltf lancer_subdivide lancer_view)
   if(TARGET ${module})
     list(APPEND LANCER_MODULES ${module})
   endif()

@@ -23,6 +23,7 @@ packages=(
     zlib1g-dev liblzma-dev libzstd-dev                      # compressed meshes
     libcli11-dev nlohmann-json3-dev                         # command line, reports
     libmeshoptimizer-dev libdraco-dev                       # compressed glTF files
+    libosd-dev                                              # subdivision by Catmull and Clark
     libglfw3-dev libimgui-dev libgl-dev                     # the window
     libgtest-dev libgmock-dev                               # tests
 )

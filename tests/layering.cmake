@@ -20,7 +20,7 @@ set(app_sees core geometry materials scene integrators render report io)
 
 # Library: what its includes look like, and the files that may contain them.
 set(libraries embree tbb tinyobjloader toml++ OpenImageIO OpenColorIO OpenEXR libpng libjpeg CLI11 nlohmann-json GLFW ImGui
-    OpenGL meshoptimizer Draco zlib liblzma libzstd)
+    OpenGL meshoptimizer Draco OpenSubdiv zlib liblzma libzstd)
 set(embree_include "^(embree[0-9]*/|rtcore)")
 set(embree_owner "^geometry/embree/[a-z_]+\\.(h|cpp)$")
 set(tbb_include "^(oneapi/)?tbb(/|\\.h)")
@@ -48,6 +48,8 @@ set(meshoptimizer_include "^meshoptimizer")
 set(meshoptimizer_owner "^io/gltf/gltf_module\\.cpp$")
 set(Draco_include "^draco/")
 set(Draco_owner "^io/gltf/gltf_module\\.cpp$")
+set(OpenSubdiv_include "^opensubdiv/")
+set(OpenSubdiv_owner "^io/subdivide/osd_module\\.cpp$")
 set(GLFW_include "^GLFW/|imgui_impl_glfw")
 set(GLFW_owner "^app/view/window_module\\.cpp$")
 set(ImGui_include "imgui")

@@ -92,6 +92,7 @@ std::string scene_json(const SceneFacts& f, Profile kernel, const std::vector<Un
     }
     all.objects("reasons", reasons);
     all.texts("sheets", f.sheets);
+    all.texts("divisions", f.divisions);
     for (const SceneFacts::ImageSize& image : f.images) {
         JsonObject& object = images.emplace_back();
         add_size(object, image.width, image.height);

@@ -60,6 +60,7 @@ void count_materials(const SceneDescription& d, const Scene& scene, SceneFacts& 
             facts.reasons.push_back({m.name, std::string(name_of(m.type)), m.why});
         }
     for (const Scene::Note& note : scene.sheets) facts.sheets.push_back(note.text);
+    for (const Scene::Note& note : scene.divisions) facts.divisions.push_back(note.text);
 }
 
 void count_textures_and_lights(const SceneDescription& d, const Scene& scene, SceneFacts& facts)
@@ -97,8 +98,8 @@ SceneFacts::Bytes count_bytes(const Scene& scene, const Accelerator& accelerator
     bytes.geometry = bytes_of(g.spheres) + bytes_of(g.planes) + bytes_of(g.instances);
     for (const Mesh& m : g.meshes) bytes.geometry += bytes_of(m.positions) + bytes_of(m.triangles);
     for (const MeshShading& s : scene.shading)
-        bytes.shading +=
-            s.normals.bytes() + bytes_of(s.uvs) + s.uv_triangles.bytes() + s.face_material.bytes() + s.emitters.bytes();
+        bytes.shading += s.normals.bytes() + bytes_of(s.uvs) + bytes_of(s.second_uvs) + s.uv_triangles.bytes() +
+                         s.tangents.bytes() + bytes_of(s.alphas) + s.face_material.bytes() + s.emitters.bytes();
     for (const Texture& t : scene.textures)
         if (const auto* image = std::get_if<ImageTexture>(&t)) bytes.textures += image->bytes();
     bytes.lights = bytes_of(scene.lights.lights);

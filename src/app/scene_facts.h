@@ -33,7 +33,7 @@ struct SceneFacts {
     Bounds bounds{};
     std::map<std::string, uint64_t> materials, lights;  // how many of each type
     std::vector<Reason> reasons;
-    std::vector<std::string> sheets;
+    std::vector<std::string> sheets, divisions;
     std::vector<ImageSize> images;
     uint64_t other_textures = 0, emitting_triangles = 0;
     std::string sky, ground;  // empty where there is no background

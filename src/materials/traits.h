@@ -39,14 +39,20 @@ struct MaterialTraits {
     static constexpr auto parameters = std::tuple{
         parameter("opacity", &MaterialTraits::opacity), parameter("bump_texture", &MaterialTraits::bump),
         parameter("bump_scale", &MaterialTraits::bump_scale), parameter("normal_texture", &MaterialTraits::normal_map),
-        parameter("shadow_catcher", &MaterialTraits::catches_shadows)};
-    uint16_t medium = no_medium;  // medium behind the surface, index in Scene::media
-    bool mirrors = false;         // it has a lobe around the mirror direction
-    bool has_tangent = false;     // its facets have a direction: its points have a tangent
-    bool reads_uv = false;        // some parameter, those of the BSDF included, has a texture, or it has a tangent
+        parameter("shadow_catcher", &MaterialTraits::catches_shadows),
+        // Of the shape, which is displaced before it is rendered.
+        parameter("displacement_texture"), parameter("displacement_scale"), parameter("displacement_midlevel")};
+    uint16_t medium = no_medium;   // medium behind the surface, index in Scene::media
+    bool mirrors = false;          // it has a lobe around the mirror direction
+    bool has_tangent = false;      // its facets have a direction: its points have a tangent
+    bool reads_uv = false;         // some parameter, those of the BSDF included, has a texture, or it has a tangent
+    bool reads_second_uv = false;  // some texture is looked up by the second set of texture coordinates
+    bool tangents_by_second_uv = false;  // those of the normal map
 
-    bool needs_tangents() const { return tilts() || has_tangent; }
     bool tilts() const { return bump != no_texture || normal_map != no_texture; }
+    bool needs_tangents() const { return tilts() || has_tangent; }
+    // Whether meshes keep tangents for it: see tangent_frame_at().
+    bool reads_tangents() const { return normal_map != no_texture || has_tangent; }
     bool has_holes() const { return opacity.texture != no_texture || opacity.value < 1; }
 };
 

@@ -16,6 +16,9 @@ struct Scene;
 // later.
 void bind_alpha_test(Scene& scene);
 
+// Alpha of the vertex colours at a point of a triangle, by which its opacity is multiplied; 1 if the mesh has none.
+float vertex_alpha(const Scene& scene, uint32_t mesh, uint32_t triangle, Vec2 uv);
+
 // Opacity of a surface at a point, in [0, 1], from the texture's finest level. Light sampling evaluates it for
 // emitters, as a shadow ray ends before the light's own surface.
 float opacity_at(const Scene& scene, uint32_t material, const ShadingPoint& point);

@@ -82,7 +82,9 @@ ShadingPoint Scene::shading_point(const Surface& s) const
             .textures = textures.data(),
             .vertex_color = s.vertex_color,
             .eta = s.eta,
-            .tangent = s.tangent};
+            .tangent = s.tangent,
+            .second_uv_width = s.second_uv_width,
+            .second_uv = s.second_uv};
 }
 
 uint32_t Scene::scattering_material(uint32_t material, const ShadingPoint& point, float u) const

@@ -19,6 +19,7 @@
 #include "materials/traits.h"
 #include "scene/corner_normals.h"
 #include "scene/corner_table.h"
+#include "scene/corner_tangents.h"
 #include "scene/description/description.h"
 #include "scene/fog.h"
 #include "scene/lights/groups.h"
@@ -34,9 +35,12 @@ namespace lancer {
 struct MeshShading {
     CornerNormals normals;            // empty if the mesh is flat
     std::vector<Vec2> uvs;            // empty unless a texture uses them
+    std::vector<Vec2> second_uvs;     // parallel to uvs; empty unless a texture uses them
     CornerTable uv_triangles;         // of the triangles that have uvs and use them
+    CornerTangents tangents;          // of those whose material reads them
     CompactIndexArray face_material;  // per triangle; empty if the mesh has one material
     std::vector<Color> colors;        // of the vertices, linear; empty if the mesh has none
+    std::vector<float> alphas;        // of the vertices, factors of the opacity; empty if all are 1
     uint32_t material = 0;
     RankedBitset emitters;  // its emissive triangles, whose lights have consecutive ids in the same order; empty if
                             // there are none
@@ -113,6 +117,7 @@ struct Scene {
         std::string text;
     };
     std::vector<Note> sheets;
+    std::vector<Note> divisions;  // of meshes, in words
     struct Analysis {
         std::string name;
         double seconds = 0;

@@ -15,13 +15,22 @@ struct Tangents {
     Vec2 unit{1, 1};  // length of a unit step in u and in v, units of the file
 };
 
-// The direction of a surface's tangent in the local frame of a shading normal, as cosine and sine: that of texture
-// coordinates, along u, where there are some, else an axis of the frame. The one place that says what anisotropic
-// facets lie along.
-Vec2 local_tangent(const std::optional<Tangents>& tangents, Vec3 ns);
+// What the three numbers of a map of normals are factors of.
+struct TangentFrame {
+    Vec3 x, y, z;
+};
 
-// The perturbed normal. ns: unit, on the front side. point: uv and footprint.
-Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, const Tangents& tangents, Vec3 ns);
+// Orthonormal: x along t.u, y towards t.v, z: ns. Nothing where u runs along ns.
+std::optional<TangentFrame> frame_about(Vec3 ns, const Tangents& t);
+
+// The direction of a surface's tangent in the local frame of a shading normal, as cosine and sine: along the x of the
+// frame of its texture coordinates, where it has one, else an axis of the local frame.
+Vec2 local_tangent(const std::optional<TangentFrame>& tangents, Vec3 ns);
+
+// The perturbed normal. ns: unit, on the front side. point: uv and footprint. bump: along the texture coordinates of
+// the bump map. frame: of the normal map; nothing leaves the normal as it is.
+Vec3 mapped_normal(const MaterialTraits& traits, const ShadingPoint& point, const std::optional<Tangents>& bump,
+                   const std::optional<TangentFrame>& frame, Vec3 ns);
 
 // Mirror direction of wo about ns, and whether it is high enough above a surface of normal n: at least a hundredth, or
 // almost as high as wo if that is lower, since a perfect mirror keeps its normal for every wo. T: float or a vector of

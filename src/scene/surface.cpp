@@ -8,12 +8,21 @@
 namespace lancer {
 namespace {
 
+using UvCorners = std::array<Vec2, 3>;
+
 // Texture coordinates of a triangle's corners; nothing if the mesh has none.
-std::optional<std::array<Vec2, 3>> corner_uvs(const MeshShading& shading, uint32_t triangle)
+std::optional<UvCorners> corner_uvs(const MeshShading& shading, uint32_t triangle)
 {
     const auto* const i = shading.uv_triangles.find(triangle);
     if (!i) return {};
     return std::array{shading.uvs[(*i)[0]], shading.uvs[(*i)[1]], shading.uvs[(*i)[2]]};
+}
+// Of the second set, of a triangle that has texture coordinates; those of the first if the mesh keeps one alone.
+UvCorners second_corner_uvs(const MeshShading& shading, uint32_t triangle)
+{
+    const std::vector<Vec2>& uvs = shading.second_uvs.empty() ? shading.uvs : shading.second_uvs;
+    const CornerTable::Corners& i = *shading.uv_triangles.find(triangle);
+    return {uvs[i[0]], uvs[i[1]], uvs[i[2]]};
 }
 
 Vec2 weighed(const std::array<Vec2, 3>& corners, Vec2 uv)
@@ -49,6 +58,42 @@ float uv_per_length(const std::array<Vec2, 3>& t, float area)
 {
     const Vec2 a = t[1] - t[0], b = t[2] - t[0];
     return area > 0 ? std::sqrt(0.5f * std::abs(a.x * b.y - a.y * b.x) / area) : 0;
+}
+
+Vec3 flat_normal(const Mesh& mesh, uint32_t triangle)
+{
+    const auto& t = mesh.triangles[triangle];
+    const Vec3d a = to_double(mesh.positions[t[0]]);
+    return to_float(normalize(cross(to_double(mesh.positions[t[1]]) - a, to_double(mesh.positions[t[2]]) - a)));
+}
+// What the tangents and normals of corners are interpolated to; nothing where no tangents are stored. As Mikkelsen's
+// thesis has it, the sums are not normalised: what bakes a map inverts the same three vectors.
+std::optional<TangentFrame> stored_frame(const Scene& scene, const Hit& hit)
+{
+    const CornerTangents& tangents = scene.shading[hit.geometry].tangents;
+    const auto* const named = tangents.triangles.find(hit.primitive);
+    if (!named) return {};
+    const Mesh& mesh = scene.geometry.meshes[hit.geometry];
+    const CornerNormals& normals = scene.shading[hit.geometry].normals;
+    const auto* const corners = normals.find(mesh, hit.primitive);
+    std::array<Vec3, 3> along, normal;
+    for (size_t k = 0; k < 3; ++k) {
+        along[k] = tangents.values[(*named)[k]].along;
+        normal[k] = corners ? normals.value(mesh, (*corners)[k]) : flat_normal(mesh, hit.primitive);
+    }
+    float sign = tangents.values[(*named)[0]].sign;
+    if (hit.instance != Hit::no_instance) {
+        const Instance& placing = scene.geometry.instances[hit.instance];
+        for (size_t k = 0; k < 3; ++k) {
+            along[k] = to_float(normalize(placing.to_world.vector(to_double(along[k]))));
+            normal[k] = to_float(normalize(placing.to_mesh.normal_by_inverse(to_double(normal[k]))));
+        }
+        if (placing.to_world.determinant() < 0) sign = -sign;
+    }
+    const float first = first_weight(hit.uv);
+    const auto weigh = [&](const std::array<Vec3, 3>& v) { return v[0] * first + v[1] * hit.uv.x + v[2] * hit.uv.y; };
+    const Vec3 x = weigh(along), z = weigh(normal);
+    return TangentFrame{x, cross(z, x) * sign, z};
 }
 
 uint32_t light_of(const Scene& scene, const Hit& hit)
@@ -95,19 +140,33 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
     return to_float(moved);
 }
 
+// Of a sphere, by its unit normal on the outside; lengths are not set. Nothing at the poles.
+std::optional<Tangents> sphere_tangents(Vec3 n)
+{
+    const double x = static_cast<double>(n.x), y = static_cast<double>(n.y), z = static_cast<double>(n.z);
+    const double around = std::sqrt(x * x + z * z);
+    if (!(around > 0)) return {};
+    return Tangents{to_float(Vec3d{z, 0, -x} / around), to_float(Vec3d{-y * x / around, around, -y * z / around})};
+}
+
+bool is_by_second_uv(const Scene& scene, uint32_t texture)
+{
+    const auto* image = texture == no_texture ? nullptr : std::get_if<ImageTexture>(&scene.textures[texture]);
+    return image && image->use().by_second_uv;
+}
+
 void map_sphere(Surface& s, const Sphere& sphere, const Normalisation& normalisation, float width,
                 std::optional<Tangents>& tangents)
 {
-    const double x = static_cast<double>(s.n.x), y = static_cast<double>(s.n.y), z = static_cast<double>(s.n.z);
+    const double x = static_cast<double>(s.n.x), z = static_cast<double>(s.n.z);
     const double around = std::sqrt(x * x + z * z);
     s.uv = sphere_uv(s.n);
     const double area = 2 * pi_d * pi_d * sphere.radius * sphere.radius * around;
     s.uv_width = area > 0 ? width * static_cast<float>(1 / std::sqrt(area)) : 1;
-    if (!(around > 0)) return;
+    tangents = sphere_tangents(s.n);
+    if (!tangents) return;
     const double half_turn = pi_d * sphere.radius / normalisation.scale;
-    tangents = Tangents{to_float(Vec3d{z, 0, -x} / around),
-                        to_float(Vec3d{-y * x / around, around, -y * z / around}),
-                        {static_cast<float>(2 * half_turn * around), static_cast<float>(half_turn)}};
+    tangents->unit = {static_cast<float>(2 * half_turn * around), static_cast<float>(half_turn)};
 }
 
 // p: in scene units. d: of the ray, unit.
@@ -136,21 +195,29 @@ ShadingPoint shading_point_at(const Scene& scene, const Hit& hit, bool front, fl
     ShadingPoint p{.front = front, .textures = scene.textures.data()};
     const MeshShading& shading = scene.shading[hit.geometry];
     if (!shading.colors.empty()) p.vertex_color = vertex_color(scene, hit);
-    if (const auto uvs = corner_uvs(shading, hit.primitive))
+    if (const auto uvs = corner_uvs(shading, hit.primitive)) {
         p.uv = weighed(*uvs, hit.uv), p.uv_width = width * uv_per_length(*uvs, area);
+        if (scene.traits[shading.material_of(hit.primitive)].reads_second_uv) {
+            const UvCorners second = second_corner_uvs(shading, hit.primitive);
+            p.second_uv = weighed(second, hit.uv), p.second_uv_width = width * uv_per_length(second, area);
+        }
+    }
     return p;
 }
 
-Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv)
+UvSets texture_uvs(const MeshShading& shading, uint32_t triangle, Vec2 uv)
 {
     const auto uvs = corner_uvs(shading, triangle);
-    return uvs ? weighed(*uvs, uv) : Vec2{};
+    if (!uvs) return {};
+    const Vec2 first = weighed(*uvs, uv);
+    return {first, shading.second_uvs.empty() ? first : weighed(second_corner_uvs(shading, triangle), uv)};
 }
 
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv)
 {
     const TriangleInteraction s = triangle_interaction(scene, instance, mesh, triangle, uv);
-    return {s.p, s.p_error, s.n, s.area, texture_uv(scene.shading[mesh], triangle, uv)};
+    const UvSets uvs = texture_uvs(scene.shading[mesh], triangle, uv);
+    return {s.p, s.p_error, s.n, s.area, uvs.first, uvs.second};
 }
 
 Vec2 sphere_uv(Vec3 n)
@@ -158,6 +225,22 @@ Vec2 sphere_uv(Vec3 n)
     const double x = static_cast<double>(n.x), y = static_cast<double>(n.y), z = static_cast<double>(n.z);
     return {static_cast<float>(0.5 + std::atan2(x, z) / (2 * pi_d)),
             static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
+}
+
+std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, Vec3 n)
+{
+    if (hit.kind == Kind::plane) {
+        const PlaneMap& map = scene.plane_maps[hit.primitive];
+        return frame_about(n, {to_float(normalize(map.step_u)), to_float(normalize(map.step_v))});
+    }
+    if (hit.kind == Kind::sphere) {
+        const auto tangents = sphere_tangents(n);
+        return tangents ? frame_about(n, *tangents) : std::nullopt;
+    }
+    if (const std::optional<TangentFrame> f = stored_frame(scene, hit)) return frame_about(n, {f->x, f->y});
+    const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive);
+    const auto tangents = uvs ? triangle_tangents(scene, hit, *uvs) : std::nullopt;
+    return tangents ? frame_about(n, *tangents) : std::nullopt;
 }
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone)
@@ -173,7 +256,8 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     s.t = hit.t;
     s.light = Scene::none;
     const float width = cone.width + cone.spread * hit.t;
-    std::optional<Tangents> tangents;
+    std::optional<Tangents> tangents;   // of the bump map
+    std::optional<TangentFrame> frame;  // of the normal map, where the mesh keeps one
     const auto reads_uv = [&] { return scene.traits[s.material].reads_uv; };
     // Spheres and planes: the hit point in double, projected back onto the surface; only the rounding to float remains.
     const auto along = [&](double t) { return to_double(ray.org) + to_double(ray.dir) * t; };
@@ -215,15 +299,29 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
             if (const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive)) {
                 s.uv = weighed(*uvs, hit.uv);
                 s.uv_width = width * uv_per_length(*uvs, placed.area);
-                if (scene.traits[s.material].needs_tangents()) tangents = triangle_tangents(scene, hit, *uvs);
+                const MaterialTraits& traits = scene.traits[s.material];
+                bool bump_by_second = false;
+                if (traits.reads_second_uv) {
+                    const UvCorners second = second_corner_uvs(scene.shading[hit.geometry], hit.primitive);
+                    s.second_uv = weighed(second, hit.uv);
+                    s.second_uv_width = width * uv_per_length(second, placed.area);
+                    bump_by_second = is_by_second_uv(scene, traits.bump);
+                }
+                if (traits.normal_map != no_texture) frame = stored_frame(scene, hit);
+                if (traits.bump != no_texture || (traits.tilts() && !frame))
+                    tangents = triangle_tangents(
+                        scene, hit,
+                        bump_by_second ? second_corner_uvs(scene.shading[hit.geometry], hit.primitive) : *uvs);
             }
         }
     }
+    if (hit.kind != Kind::triangle) s.second_uv = {static_cast<float>(s.uv.x), static_cast<float>(s.uv.y)};
     s.leaf_hint = hit.leaf_hint;
     s.front = true;  // so far everything is said of the front
     const MaterialTraits& traits = scene.traits[s.material];
-    if (tangents && traits.tilts()) {
-        s.ns = mapped_normal(traits, scene.shading_point(s), *tangents, s.ns);
+    if (!frame && tangents && traits.normal_map != no_texture) frame = frame_about(s.ns, *tangents);
+    if ((tangents || frame) && traits.tilts()) {
+        s.ns = mapped_normal(traits, scene.shading_point(s), tangents, frame, s.ns);
         // The perturbed normal may face away from the ray.
         if (const float c = dot(s.ns, s.n); c < 0) s.ns = normalize(s.ns - s.n * c);
     }
@@ -242,7 +340,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         }
     }
     if (traits.has_tangent) [[unlikely]]
-        s.tangent = local_tangent(tangents, s.ns);
+        s.tangent = local_tangent(tangent_frame_at(scene, hit, s.ns_front), s.ns);
     return s;
 }
 

@@ -1,6 +1,8 @@
 // The surface at a hit: point, normals, material. It is computed from the hit alone, whichever accelerator found it.
 #pragma once
 
+#include <optional>
+
 #include "core/color.h"
 #include "core/ray.h"
 #include "geometry/geometry.h"
@@ -11,6 +13,7 @@ namespace lancer {
 
 struct Scene;
 struct MeshShading;
+struct TangentFrame;
 
 struct Surface {
     Vec3 p;
@@ -32,6 +35,8 @@ struct Surface {
     Vec3 ns_front{};              // shading normal on the front side, not faced forward or limited
     Color vertex_color{1, 1, 1};  // of the mesh; white if it has none
     Vec2 tangent{1, 0};           // see local_tangent(); only set if the material has a tangent
+    float second_uv_width = 0;    // as uv_width, of:
+    Vec2 second_uv{};             // the second set of texture coordinates; only set if the material reads it
     uint32_t leaf_hint = Ray::no_leaf_hint;  // Ray::leaf_hint of rays that start here
 };
 
@@ -100,14 +105,23 @@ inline Vec3 sphere_point_error(const Sphere& s, Vec3 p) { return sphere_point_er
 
 // A point on a triangle, for light sampling.
 struct TrianglePoint {
-    Vec3 p, p_error, n;  // n: geometric, unit, on the front side
-    float area;          // of the whole triangle, scene units
-    Vec2 uv{};           // texture coordinates, if the mesh keeps them
+    Vec3 p, p_error, n;      // n: geometric, unit, on the front side
+    float area;              // of the whole triangle, scene units
+    Vec2 uv{}, second_uv{};  // texture coordinates, of those sets that the mesh keeps
 };
 // uv: barycentric weights of the second and third corner.
 TrianglePoint triangle_point(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle, Vec2 uv);
 
-// Texture coordinates of the point; {} if the mesh has none.
-Vec2 texture_uv(const MeshShading& shading, uint32_t triangle, Vec2 uv);
+// Texture coordinates of the point, of both sets; {} where the mesh has none.
+struct UvSets {
+    Vec2 first{}, second{};
+};
+UvSets texture_uvs(const MeshShading& shading, uint32_t triangle, Vec2 uv);
+
+// The frame of the texture coordinates at a hit, for what has a direction on the surface. n: unit, the shading normal
+// on the front side. Orthonormal: x is along +u, y towards +v, z is n. On a mesh whose material reads_tangents() x goes
+// on without a step from triangle to triangle; elsewhere it is of the triangle alone. Nothing where there is none: at
+// poles of spheres, and where a mesh has no texture coordinates.
+std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, Vec3 n);
 
 }  // namespace lancer

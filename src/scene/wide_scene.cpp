@@ -20,7 +20,8 @@ WideScene::LightKind light_kind_of(const Scene& scene, const Light& light)
     using LightKind = WideScene::LightKind;
     if (const auto* triangle = std::get_if<TriangleLight>(&light)) {
         const uint32_t material = scene.shading[triangle->mesh].material_of(triangle->triangle);
-        return triangle->area > 0 && is_plain(scene, material) ? LightKind::triangle : LightKind::other;
+        const bool fades = !scene.shading[triangle->mesh].alphas.empty();
+        return triangle->area > 0 && !fades && is_plain(scene, material) ? LightKind::triangle : LightKind::other;
     }
     if (const auto* sphere = std::get_if<SphereLight>(&light))
         return scene.soft_shadows && is_plain(scene, scene.sphere_material[sphere->sphere]) ? LightKind::sphere

@@ -33,6 +33,20 @@ protected:
     std::string mistakes(const std::string& tracks) { return problems(film(tracks)); }
 };
 
+TEST_F(AnimationFile, MeshesAreDividedForTheFirstCamera)
+{
+    write("a.obj", "");
+    const std::string moving = film(track("camera.position", "[1, 9]", "[[0, 0, 5], [0, 0, 21]]"));
+    const std::string divided = "[[mesh]]\nfile = \"a.obj\"\nsubdivision_edge = 2\n" + moving;
+    for (const double frame : {1.0, 5.0, 9.0}) {
+        const SceneDescription s = at(divided, frame);
+        EXPECT_EQ(s.camera->position.z, 3 + 2 * frame);
+        ASSERT_TRUE(s.first_camera);
+        EXPECT_EQ(s.first_camera->position.z, 5) << "in all frames";
+    }
+    EXPECT_FALSE(at("[[mesh]]\nfile = \"a.obj\"\n" + moving, 5).first_camera) << "which nothing needs";
+}
+
 TEST_F(AnimationFile, EveryKeyMoves)
 {
     write("a.obj", "");

@@ -129,6 +129,24 @@ TEST_F(GltfMaterials, AlphaIsOpacityAndAMaskIsAStep)
     EXPECT_THAT(warnings(), IsEmpty());
 }
 
+TEST_F(GltfMaterials, AlphaOfVertexColoursFadesWhatBlends)
+{
+    const auto alphas = [&](const std::string& members, double last) {
+        GltfFile file;
+        file.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+        file.add<float>({1, 1, 1, 0.25, 1, 1, 1, 1, 1, 1, 1, last}, "VEC4");
+        file.add_mesh("\"attributes\":{\"POSITION\":0,\"COLOR_0\":1},\"material\":0");
+        file.rest = "\"materials\":[{" + members + "}]";
+        first_of(file);
+        return mesh_->alphas;
+    };
+    EXPECT_EQ(alphas("\"alphaMode\":\"BLEND\"", 0.5), (std::vector<float>{0.25f, 1, 0.5f}));
+    EXPECT_THAT(alphas("\"alphaMode\":\"OPAQUE\"", 0.5), IsEmpty());
+    EXPECT_THAT(warnings(), IsEmpty());
+    EXPECT_THAT(alphas("\"alphaMode\":\"MASK\"", 0.5), IsEmpty());
+    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("is not used with alphaMode MASK")));
+}
+
 TEST_F(GltfMaterials, TransmissionIsASheetOrABody)
 {
     const std::string colored = pbr("\"baseColorFactor\":[0.25,1,1,1],\"roughnessFactor\":0");
@@ -279,12 +297,49 @@ TEST_F(GltfMaterials, TextureTransformsMoveLookups)
     EXPECT_NEAR(mesh_->uvs[1].y, 2, 1e-6);
     EXPECT_THAT(warnings(), IsEmpty());
 
-    const MaterialDescription second = material(pbr("\"baseColorTexture\":" + textured("\"texCoord\":1")) +
-                                                ",\"emissiveFactor\":[1,1,1],"
-                                                "\"emissiveTexture\":{\"index\":0}");
+    const MaterialDescription two = material(pbr("\"baseColorTexture\":" + textured("\"texCoord\":1")) +
+                                             ",\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0}");
     EXPECT_EQ(mesh_->uvs[1], (Vec2{0.75f, 0.5f}));
-    EXPECT_FALSE(second.emission_map);
-    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("other texture coordinates than the first of its material")));
+    EXPECT_EQ(mesh_->second_uvs[1], (Vec2{1, 1}));
+    EXPECT_FALSE(two.base_color_map->use.by_second_uv);
+    EXPECT_TRUE(two.emission_map->use.by_second_uv);
+    EXPECT_THAT(warnings(), IsEmpty());
+
+    material(pbr("\"baseColorTexture\":" + textured("\"texCoord\":1")));
+    EXPECT_THAT(mesh_->second_uvs, IsEmpty()) << "what no texture uses is not kept";
+    const MaterialDescription third = material(
+        pbr("\"baseColorTexture\":{\"index\":0}") +
+        ",\"normalTexture\":{\"index\":0,\"texCoord\":1},\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0,"
+        "\"texCoord\":2}");
+    EXPECT_TRUE(third.normal_map->use.by_second_uv);
+    EXPECT_FALSE(third.emission_map);
+    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("a third set of texture coordinates")));
+}
+
+TEST_F(GltfMaterials, TangentsAreReadWhereANormalMapUsesThem)
+{
+    const auto read = [&](const std::string& members, const std::string& nodes) {
+        GltfFile file;
+        file.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+        file.add<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+        file.add<float>({0, 0, 1, 0, 0, 1}, "VEC2");
+        file.add<float>({1, 0, 0, 1, 0, 2, 0, -1, 0, 0, 0, 1}, "VEC4");
+        file.add_mesh("\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"TANGENT\":3},\"material\":0");
+        file.rest = "\"materials\":[{" + members +
+                    "}],\"images\":[{\"uri\":\"wood.png\"}],\"textures\":[{\"source\":0}]" + nodes;
+        first_of(file);
+        return mesh_->tangents;
+    };
+    const std::string mapped = "\"normalTexture\":{\"index\":0}";
+    const auto plain = read(mapped, "");
+    ASSERT_EQ(plain.size(), 3u);
+    EXPECT_EQ(plain[0].along, (Vec3{1, 0, 0}));
+    EXPECT_EQ(plain[1].along, (Vec3{0, 1, 0}));
+    EXPECT_EQ(plain[0].sign, 1);
+    EXPECT_EQ(plain[1].sign, -1);
+    EXPECT_EQ(plain[2].along, Vec3{}) << "has no length";
+    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("tangent of zero length")));
+    EXPECT_THAT(read(pbr("\"baseColorTexture\":{\"index\":0}"), ""), IsEmpty());
 }
 
 TEST_F(GltfMaterials, SamplersRepeatOrClamp)

@@ -136,11 +136,34 @@ TEST_F(Ply, HasNormalsColoursAndTextureCoordinatesOfVertices)
         EXPECT_EQ(mesh->normal_triangles[0], mesh->triangles[0]);
         EXPECT_EQ(mesh->normal_triangles[1][0], MeshData::no_normal) << "a corner without a direction";
         EXPECT_EQ(mesh->colors[0], (Color{1, 0, 0.2f}));
+        EXPECT_EQ(mesh->alphas, std::vector<float>(4, 9 / 255.0f));
         EXPECT_EQ(mesh->uv_triangles, mesh->triangles);
         EXPECT_EQ(mesh->uvs[3], (Vec2{3, 0.5f}));
         EXPECT_THAT(warnings(), ElementsAre(HasSubstr("normal of zero length")));
         EXPECT_TRUE(load(ply.bytes())->uvs.empty()) << "where no texture asks for them";
     }
+}
+
+TEST_F(Ply, KeepsAnAlphaThatSaysSomething)
+{
+    const auto alphas = [&](uint8_t a, uint8_t b) {
+        PlyText ply(Form::text,
+                    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                    "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                    "element face 1\nproperty list uchar int vertex_index\n");
+        const auto vertex = [&](std::initializer_list<float> place, uint8_t alpha) {
+            ply.all(place).all({uint8_t{1}, uint8_t{2}, uint8_t{3}, alpha});
+        };
+        vertex({0, 0, 0}, a), vertex({1, 0, 0}, b), vertex({0, 1, 0}, b);
+        ply.add(uint8_t{3}).all({0, 1, 2});
+        const auto mesh = load(ply.bytes());
+        return mesh ? mesh->alphas : std::vector<float>{-1};
+    };
+    EXPECT_EQ(alphas(51, 255), (std::vector<float>{0.2f, 1, 1}));
+    EXPECT_THAT(alphas(255, 255), IsEmpty());
+    EXPECT_THAT(warnings(), IsEmpty());
+    EXPECT_THAT(alphas(0, 0), IsEmpty());
+    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("the alpha of all vertices is 0")));
 }
 
 TEST_F(Ply, HasTextureCoordinatesOfFaces)

@@ -36,7 +36,7 @@ TEST_F(SceneMistakes, UnknownKeys)
           "always_nee, mis_compensation, learned_nee and 12 more"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
-          "vertex_colors, smooth, translate, rotate, scale"},
+          "vertex_colors, smooth, catmull_clark, subdivision_edge, subdivision_level, translate, rotate, scale"},
          {"[[sphere]]\ncentre = [0, 0, 0]",
           "2:1: error: unknown key 'centre' in [[sphere]]; did you mean 'center'? known: center, radius, material"},
          {"[[plane]]\npiont = [0, 0, 0]",

@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+#include "materials/metal.h"
+#include "scene/description/metals.h"
 #include "scene/description/presets.h"
 #include "scene_test_support.h"
 
@@ -13,11 +15,100 @@ class SceneMaterials : public SceneFileTest {
 protected:
     SceneMaterials()
     {
-        for (const char* name : {"c.png", "r.png", "m.png", "o.png", "b.png", "n.png", "e.exr", "w.png"})
+        for (const char* name : {"c.png", "r.png", "m.png", "o.png", "b.png", "n.png", "e.exr", "w.png", "a.obj"})
             write(name, "");
     }
     std::string file_of(const TextureUse& use) const { return use ? without_folder(use->file) : "none"; }
 };
+
+TEST_F(SceneMaterials, MeasuredMetalsHaveTheirIndices)
+{
+    const SceneDescription s = scene(R"(
+[material.a]
+type = "metal"
+metal = "Au"
+[material.b]
+type = "metal"
+metal = "gold"
+base_color = 0.5
+[material.c]
+type = "metal"
+metal = "brass"
+roughness = 0.5
+[[material_override]]
+match = "x"
+type = "metal"
+metal = "Ag"
+)");
+    ASSERT_EQ(s.materials.size(), 3u);
+    EXPECT_EQ(s.materials[0].eta, (Color{0.0588f, 0.491f, 1.483f}));
+    EXPECT_EQ(s.materials[0].k, (Color{3.613f, 2.24f, 1.781f}));
+    EXPECT_EQ(s.materials[0].base_color, (Color{1, 1, 1}));
+    EXPECT_EQ(s.materials[1].eta, s.materials[0].eta);
+    EXPECT_EQ(s.materials[1].base_color, (Color{0.5f, 0.5f, 0.5f}));
+    EXPECT_EQ(s.materials[2].roughness, 0.5f);
+    EXPECT_EQ(s.overrides.at(0).change({}).eta, find_metal("silver")->eta);
+    const auto of = [&](const std::string& keys) { return problems("[material.a]\n" + keys + "\n"); };
+    EXPECT_NE(of("type = \"metal\"\nmetal = \"Agg\"").find("unknown metal 'Agg'; did you mean 'Ag'?"),
+              std::string::npos);
+    EXPECT_NE(of("type = \"metal\"\nmetal = \"Ag\"\neta = 1\nk = 1").find("is given by 'metal'"), std::string::npos);
+    EXPECT_NE(of("metal = \"Ag\"").find("metal"), std::string::npos);
+}
+
+// What docs/scene-format.md says that they reflect from the front: the spectra's colours, to 0.001.
+TEST_F(SceneMaterials, MeasuredMetalsReflectWhatTheirSpectraDo)
+{
+    const std::vector<std::pair<std::string_view, Color>> expected{
+        {"Ag", {0.9894f, 0.9839f, 0.9779f}}, {"Al", {0.9061f, 0.9161f, 0.9225f}},   {"Au", {0.9834f, 0.7286f, 0.3645f}},
+        {"Cr", {0.5496f, 0.5560f, 0.5543f}}, {"Cu", {0.9317f, 0.6226f, 0.5224f}},   {"Fe", {0.5297f, 0.5132f, 0.4942f}},
+        {"Ni", {0.6971f, 0.6405f, 0.5633f}}, {"Pt", {0.6779f, 0.6377f, 0.5837f}},   {"Ti", {0.6186f, 0.5794f, 0.5425f}},
+        {"W", {0.5159f, 0.4963f, 0.4674f}},  {"brass", {0.9097f, 0.7784f, 0.4225f}}};
+    for (const auto& [name, color] : expected) {
+        const MeasuredMetal metal = find_metal(name).value();
+        const Color found = make_conductor(metal.eta, metal.k).normal;
+        EXPECT_NEAR(found.r, color.r, 1e-3f) << name;
+        EXPECT_NEAR(found.g, color.g, 1e-3f) << name;
+        EXPECT_NEAR(found.b, color.b, 1e-3f) << name;
+    }
+    EXPECT_EQ(names_of_metals().size(), 2 * expected.size() - 1);
+}
+
+TEST_F(SceneMaterials, DisplacementAndSetsOfCoordinatesAreRead)
+{
+    const SceneDescription s = scene(R"(
+[[mesh]]
+file = "a.obj"
+material = "a"
+subdivision_edge = 2.5
+subdivision_level = 6
+[[mesh]]
+file = "a.obj"
+subdivision_level = 3
+[[mesh]]
+file = "a.obj"
+[material.a]
+displacement_texture = "b.png"
+displacement_scale = -0.25
+displacement_midlevel = 0.5
+texture = { file = "c.png", uv_set = 1 }
+)");
+    const MaterialDescription& m = s.materials.at(0);
+    EXPECT_EQ(file_of(m.displacement_map), "b.png");
+    EXPECT_EQ(m.displacement_scale, -0.25f);
+    EXPECT_EQ(m.displacement_midlevel, 0.5f);
+    EXPECT_TRUE(m.base_color_map->use.by_second_uv);
+    EXPECT_FALSE(m.displacement_map->use.by_second_uv);
+    EXPECT_EQ(s.meshes[0].subdivision.edge_pixels, 2.5);
+    EXPECT_EQ(s.meshes[0].subdivision.level, 6u);
+    EXPECT_EQ(s.meshes[1].subdivision.edge_pixels, 0) << "a level alone is that of all triangles";
+    EXPECT_EQ(s.meshes[1].subdivision.level, 3u);
+    EXPECT_FALSE(s.meshes[2].subdivision.is_asked);
+    EXPECT_NE(problems("[material.a]\ndisplacement_texture = { type = \"checker\" }\n").find("must be a picture"),
+              std::string::npos);
+    EXPECT_NE(problems("[[mesh]]\nfile = \"a.obj\"\nsubdivision_level = 13\n").find("subdivision_level"),
+              std::string::npos);
+    EXPECT_NE(problems("[[mesh]]\nfile = \"a.obj\"\nsubdivision_edge = 0\n").find("greater than 0"), std::string::npos);
+}
 
 TEST_F(SceneMaterials, EveryKeyIsRead)
 {
@@ -457,7 +548,7 @@ TEST_F(SceneMaterials, MistakesAreNamed)
          "3:11: error: unknown channel 'red' in [texture.a]; known: r, g, b, a, luminance, auto"},
         {"[texture.a]\nfile = \"c.png\"\nwarp = \"clamp\"",
          "3:1: error: unknown key 'warp' in [texture.a]; did you mean 'wrap'? known: type, scale, offset, file, "
-         "encoding, wrap, channel, gain, bias, even, odd, band, ground, width, waves"},
+         "encoding, wrap, channel, gain, bias, uv_set, even, odd, band, ground, width, waves"},
         {"[[material_override]]\nroughness = 1", "1:1: error: [[material_override]] needs 'match'"},
         {"[[material_override]]\nmatch = \"*\"\nmaterial = \"a\"",
          "3:12: error: unknown material 'a'; known: white_plastic, red_plastic, bronze, emerald, glass, black_matter, "

@@ -203,7 +203,7 @@ TEST_F(ShapeTables, MistakesOfTextures)
             "2:16: error: 'bump_texture' in [material.a] must be a picture: the bands of a grid have no slopes"},
            {"[material.a]\ntexture = { type = \"grid\", wdth = 1 }",
             "2:28: error: unknown key 'wdth' in 'texture' in [material.a]; did you mean 'width'? known: type, scale, "
-            "offset, file, encoding, wrap, channel, gain, bias, even, odd, band, ground, width, waves"},
+            "offset, file, encoding, wrap, channel, gain, bias, uv_set, even, odd, band, ground, width, waves"},
            {"[material.a]\ntexture = { type = \"grid\", even = 1 }",
             "2:35: error: 'even' in 'texture' in [material.a] needs type 'checker', not 'grid'"}});
 }

@@ -83,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"media", media_scene, 6, 0.03}, Case{"scattering bodies", scattering_scene, 0, 0.03},
                     Case{"fog", fog_scene, 5, 0.03}, Case{"fog between points", fog_between_points, 4, 0.05, false},
                     Case{"without limit", spheres_scene, 0, 0.03},
-                    Case{"textures", panels_scene, 1, 0.02, true, small_picture}, Case{"bands", bands_scene, 1, 0.02}),
+                    Case{"textures", panels_scene, 1, 0.02, true, small_picture},
+                    Case{"relief", relief_scene, 1, 0.02, true, small_picture}, Case{"bands", bands_scene, 1, 0.02}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -24,6 +24,16 @@ Vec bumped(const Material& m, Uv uv, const Tangents& t, Vec ns)
     if (m.bump->is_waves()) slope = {slope.u / norm(t.u), slope.v / norm(t.v)};
     return unit(ns - solve(unit(t.u), unit(t.v), ns, slope.u, slope.v, 0));
 }
+// Of a triangle with tangents at its corners.
+Vec from_map(const Material& m, Uv uv, const Triangle& t, const Hit& hit)
+{
+    const Rgb c = m.normals->eval(uv);
+    const double w[] = {1 - hit.v - hit.w, hit.v, hit.w};
+    const auto weigh = [&](const std::array<Vec, 3>& v) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; };
+    const Vec x = weigh(*t.tangents), z = t.normals ? weigh(*t.normals) : t.n;
+    const Vec y = cross(z, x) * t.bitangent_sign;
+    return unit(x * (2 * c.r - 1) + y * (2 * c.g - 1) + z * (2 * c.b - 1));
+}
 // y of the map along +v.
 Vec from_map(const Material& m, Uv uv, const Tangents& t, Vec ns)
 {
@@ -105,7 +115,8 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit)
     }
     const Material& m = world.materials[s.material];
     if (tangents && (m.bump || m.normals)) {
-        if (m.normals) s.ns = from_map(m, s.uv, *tangents, s.ns);
+        const Triangle* const t = hit.shape.kind == Kind::triangle ? &world.triangles[hit.shape.index] : nullptr;
+        if (m.normals) s.ns = t && t->tangents ? from_map(m, s.uv, *t, hit) : from_map(m, s.uv, *tangents, s.ns);
         if (m.bump) s.ns = bumped(m, s.uv, *tangents, s.ns);
         // What is steeper than the surface is seen from its edge.
         if (dot(s.ns, s.n) < 0) s.ns = unit(s.ns - s.n * dot(s.ns, s.n));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/build/shapes.h"
+#include "scene/description/metals.h"
 #include "support/scenes/scenes.h"
 
 namespace lancer {
@@ -78,6 +79,46 @@ inline SceneDescription panels_scene()
         make_quad({-3, -2, -0.5}, {3, -2, -0.5}, {3, 2, -0.5}, {-3, 2, -0.5}, make_lambert("", {0.2f, 0.4f, 0.6f}))));
     d.lights = {light_of(LightType::sphere, {4, 4, 4}, {1.5, 1.5, 2.5}, 0.8), sky_of({0.4f, 0.5f, 0.6f})};
     d.camera = make_camera({0, 0, 4}, {0, 0, 0.1}, 2 * std::atan(0.74 / 3.9) * 180 / std::numbers::pi);
+    return d;
+}
+
+// A smooth relief of few triangles with a map of normals whose texture coordinates are skewed and mirrored in the
+// middle, as it is, and mirrored and turned by an instance; before a wall of brass.
+inline SceneDescription relief_scene()
+{
+    SceneDescription d;
+    MaterialDescription cloth = make_lambert("", {0.9f, 0.8f, 0.7f});
+    cloth.normal_map = small_texture("normals", Encoding::linear, Channel::color);
+    MeshData relief;
+    relief.materials = {cloth};
+    for (int j = 0; j <= 3; ++j)
+        for (int i = -2; i <= 2; ++i) {
+            const double x = 0.5 * i, y = 0.4 * j - 0.6;
+            relief.positions.push_back({x, y, 0.25 * std::cos(2 * x + y) * std::cos(3 * y)});
+            const Vec3d n{0.5 * std::sin(2 * x + y) * std::cos(3 * y),
+                          0.25 * std::sin(2 * x + y) * std::cos(3 * y) + 0.75 * std::cos(2 * x + y) * std::sin(3 * y),
+                          1};
+            relief.normals.push_back(to_float(normalize(n)));
+            relief.uvs.push_back({static_cast<float>(std::abs(x) + 0.2 * y), static_cast<float>(y + 0.1 * x * x)});
+        }
+    for (uint32_t j = 0; j < 3; ++j)
+        for (uint32_t i = 0; i < 4; ++i) {
+            const uint32_t a = 5 * j + i;
+            relief.triangles.push_back({a, a + 1, a + 6});
+            relief.triangles.push_back({a, a + 6, a + 5});
+        }
+    relief.uv_triangles = relief.normal_triangles = relief.triangles;
+    const auto data = std::make_shared<const MeshData>(std::move(relief));
+    d.meshes.push_back(make_mesh(data, {{-0.6, 0.3, 0.2}, {10, 20, 0}, {0.6, 0.6, 0.6}}));
+    d.meshes.push_back(make_mesh(data, {{}, {0, 10, 0}, {1, 1, 1}}));
+    d.meshes.back().name = "relief";
+    d.instances.push_back(instance_of("relief", {{0.55, -0.3, 0.1}, {0, 0, 30}, {-0.6, 0.6, 0.6}}));
+    MaterialDescription brass = make_glossy("", MaterialType::metal, {1, 1, 1}, 0.4f);
+    const MeasuredMetal metal = find_metal("brass").value();
+    brass.eta = metal.eta, brass.k = metal.k;
+    d.meshes.push_back(make_mesh(make_quad({-3, -2, -0.6}, {3, -2, -0.6}, {3, 2, -0.6}, {-3, 2, -0.6}, brass)));
+    d.lights = {light_of(LightType::sphere, {4, 4, 4}, {1.5, 1.5, 2.5}, 0.8), sky_of({0.4f, 0.5f, 0.6f})};
+    d.camera = make_camera({0, 0, 4}, {0, 0, 0.1}, 22);
     return d;
 }
 

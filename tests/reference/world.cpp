@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reference/material_list.h"
+#include "reference/tangents.h"
 
 namespace reference {
 namespace {
@@ -47,6 +48,11 @@ void add_triangles(World& world, const lancer::MeshDescription& mesh, uint32_t m
         if (!data.uvs.empty() && data.uv_triangles[i][0] != lancer::MeshData::no_uv) {
             const auto uv = [&](size_t k) { return uv_of(data.uvs[data.uv_triangles[i][k]]); };
             t.uvs = {uv(0), uv(1), uv(2)};
+            if (const auto tangents = world.materials[t.material].normals ? tangents_of(data, i) : std::nullopt) {
+                const auto along = [&](size_t k) { return unit(place.linear(tangents->along[k])); };
+                t.tangents = {along(0), along(1), along(2)};
+                t.bitangent_sign = place.linear.determinant() < 0 ? -tangents->sign : tangents->sign;
+            }
         }
         if (!data.colors.empty() && mesh.vertex_colors != lancer::VertexColors::none) {
             const auto color = [&](size_t k) {

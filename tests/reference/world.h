@@ -39,6 +39,9 @@ struct Triangle {
     std::optional<std::array<Vec, 3>> normals{};
     std::optional<std::array<Uv, 3>> uvs{};
     std::optional<std::array<Rgb, 3>> colors{};
+    // For a map of normals: along +u, and the bitangent over cross(normal, along).
+    std::optional<std::array<Vec, 3>> tangents{};
+    double bitangent_sign = 1;
     size_t material = 0;
     uint32_t mesh = 0, instance = UINT32_MAX, primitive = 0;  // its place in the description
 };

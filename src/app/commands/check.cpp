@@ -63,6 +63,7 @@ private:
             check_emitters(description, renderer.scene(), renderer.accelerator(), problems_);
             warn_of_hidden_lights(description, settings, renderer, problems_);
             for (const Scene::Note& note : renderer.scene().sheets) notes_.warning(note.where, note.text);
+            for (const Scene::Note& note : renderer.scene().divisions) notes_.warning(note.where, note.text);
         });
     }
     static std::vector<std::string> mesh_files(const SceneDescription& scene)

@@ -71,6 +71,7 @@ void print_facts(const SceneFacts& f)
     print_field("materials", listed(f.materials));
     for (const SceneFacts::Reason& m : f.reasons) print_field("material", m.name + ": " + m.type + ", by " + m.why);
     for (const std::string& sheet : f.sheets) print_field("sheets", sheet);
+    for (const std::string& division : f.divisions) print_field("divided", division);
     std::string sizes;
     for (const SceneFacts::ImageSize& image : f.images)
         sizes += format_text("%s%ux%u (%s)", sizes.empty() ? "" : ", ", image.width, image.height,

@@ -174,7 +174,7 @@ private:
         const Scene& scene = view.scene;
         const Emission& e = scene.emission[scene.sphere_material[&sphere - scene.geometry.spheres.data()]];
         ShadingPoint place{.textures = scene.textures.data()};
-        if (e.radiance.texture != no_texture) place.uv = sphere_uv(to.from_center);
+        if (e.radiance.texture != no_texture) place.second_uv = sphere_uv(to.from_center), place.uv = place.second_uv;
         send_shadow(view, v, albedo, e.towards(true, place) * to.geometry, actions,
                     [&](Ray& ray) { ray.org = v.origin(1), ray.dir = to.wi, ray.t_max = to.reach; });
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/color.h"
+#include "core/layers.h"
 #include "integrators/path/light_choice.h"
 
 namespace lancer {

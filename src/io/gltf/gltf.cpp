@@ -135,7 +135,7 @@ private:
     {
         if (!options_.pictures) return;
         for (const auto& [number, material] : primitives_.materials())
-            for (const TextureUse* use : textures_of(material.description))
+            for (const TextureUse* use : shading_textures_of(material.description))
                 if (*use) options_.pictures((*use)->file);
     }
 

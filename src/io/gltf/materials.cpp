@@ -61,8 +61,8 @@ private:
         return of ? doc_.number(*of, key).value_or(usual) : usual;
     }
 
-    // One set of texture coordinates serves a material, that of its colour if it has a texture. A rotation that all of
-    // its textures share is one of the coordinates themselves.
+    // Two sets of texture coordinates serve a material, the first one being that of its colour if that has a texture. A
+    // rotation that all textures of a set share is one of the coordinates themselves.
     void choose_coordinates()
     {
         std::vector<GltfTextureInfo> all{base_info_};
@@ -71,23 +71,34 @@ private:
         all.push_back(textures_.info(&json_, "normalTexture"));
         all.push_back(textures_.info(&json_, "emissiveTexture"));
         std::erase_if(all, [](const GltfTextureInfo& i) { return !i.json; });
-        if (all.empty()) return;
-        made_.uv_set = all.front().set;
-        const GltfUvTransform& first = all.front().transform;
-        const bool is_shared = std::all_of(
-            all.begin(), all.end(), [&](const auto& i) { return i.set != made_.uv_set || i.transform == first; });
-        if (first.rotation != 0 && is_shared) made_.uv_transform = first;
+        for (const GltfTextureInfo& i : all) {
+            auto& [first, second] = made_.uv_sets;
+            if (!first) first = i.set;
+            if (i.set != first && !second) second = i.set;
+        }
+        for (size_t k = 0; k < 2; ++k) {
+            const auto is_of_set = [&](const GltfTextureInfo& i) { return i.set == made_.uv_sets[k]; };
+            const auto first = std::find_if(all.begin(), all.end(), is_of_set);
+            if (first == all.end() || first->transform.rotation == 0) continue;
+            const bool is_shared = std::all_of(all.begin(), all.end(), [&](const GltfTextureInfo& i) {
+                return !is_of_set(i) || i.transform == first->transform;
+            });
+            if (is_shared) made_.uv_transforms[k] = first->transform;
+        }
     }
 
     TextureUse use(const GltfTextureInfo& info, Encoding encoding, Channel channel)
     {
         if (!info.json) return {};
-        if (info.set != made_.uv_set) {
-            doc_.warn(*info.json, "a texture has other texture coordinates than the first of its material; not used");
+        const bool is_second = info.set != made_.uv_sets[0];
+        if (is_second && info.set != made_.uv_sets[1]) {
+            doc_.warn(*info.json, "a texture of a third set of texture coordinates of its material; not used");
             return {};
         }
         TextureUse t = textures_.use(info, encoding, channel);
-        if (!t || made_.uv_transform) return t;
+        if (!t) return t;
+        t->use.by_second_uv = is_second;
+        if (made_.uv_transforms[is_second ? 1 : 0]) return t;
         const GltfUvTransform& moved = info.transform;
         if (moved.rotation != 0)
             doc_.warn(*info.json, "the rotation of a texture that others of its material do not share is not used");
@@ -350,7 +361,7 @@ private:
             m_.opacity_map.reset();
             return;
         }
-        made_.uses_alpha = true;
+        made_.fades = *mode == "BLEND", made_.masks = *mode == "MASK";
     }
 
     void describe_normals()

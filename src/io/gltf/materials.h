@@ -10,9 +10,11 @@ namespace lancer {
 
 struct GltfMaterial {
     MaterialDescription description;
-    uint64_t uv_set = 0;                            // TEXCOORD_n, of all of its textures
-    std::optional<GltfUvTransform> uv_transform{};  // of texture coordinates, where its textures alone cannot say it
-    bool uses_alpha = false;                        // which vertex colours would have, too
+    // TEXCOORD_n: of its first texture, and of those that name another one, of which there is at most one more.
+    std::array<std::optional<uint64_t>, 2> uv_sets{};
+    // Of both sets of texture coordinates, where its textures alone cannot say it.
+    std::array<std::optional<GltfUvTransform>, 2> uv_transforms{};
+    bool fades = false, masks = false;  // by alpha, which vertex colours may have, too
 };
 
 // Of an element of 'materials', or the default one. What it says and cannot be had is a warning.

@@ -41,7 +41,7 @@ void GltfMeshBuilder::reserve(size_t vertices, size_t triangles)
 
 void GltfMeshBuilder::add(const std::vector<GltfPrimitive>& primitives, const Transform& to_world)
 {
-    std::map<std::array<size_t, 5>, Vertices> known;
+    std::map<std::array<size_t, 7>, Vertices> known;
     for (const GltfPrimitive& p : primitives) {
         const auto [entry, is_new] = known.try_emplace(p.key);
         if (is_new) entry->second = add_vertices(p, to_world);
@@ -68,18 +68,8 @@ GltfMeshBuilder::Vertices GltfMeshBuilder::add_vertices(const GltfPrimitive& p, 
             doc_.warn(*p.normals->json,
                       "normal of zero length or not of three finite numbers; faces that use it are flat", unfit);
     }
-    if (p.uvs) {
-        mesh_.uvs.resize(end);
-        std::atomic<size_t> broken = 0;
-        const auto& moved = p.material->uv_transform;
-        for_each_element<2>(*p.uvs, [&](size_t i, const std::array<double, 2>& v) {
-            const Vec2d up{v[0], 1 - v[1]}, at = moved ? moved->apply(up) : up;
-            mesh_.uvs[first + i] = uv_of(at.x, at.y);
-            if (is_broken(mesh_.uvs[first + i])) ++broken;
-        });
-        if (broken)
-            doc_.warn(*p.uvs->json, "texture coordinates are not finite numbers; faces that use them get none", broken);
-    }
+    if (p.uvs) add_uvs(p, first);
+    if (p.tangents) add_tangents(p, to_world, first);
     if (p.colors) add_colors(p, first);
     return {first, p.normals.has_value(), p.uvs.has_value()};
 }
@@ -95,15 +85,65 @@ void GltfMeshBuilder::add_positions(const GltfPrimitive& p, const Transform& to_
         doc_.fail(*p.positions.json, "a coordinate of vertex " + std::to_string(unfit) + " is not a finite number");
 }
 
+void GltfMeshBuilder::add_uvs(const GltfPrimitive& p, size_t first)
+{
+    const size_t end = first + p.positions.count;
+    const auto read = [&](const GltfAccessor& from, const std::optional<GltfUvTransform>& moved,
+                          std::vector<Vec2>& uvs) {
+        uvs.resize(end);
+        std::atomic<size_t> broken = 0;
+        for_each_element<2>(from, [&](size_t i, const std::array<double, 2>& v) {
+            const Vec2d up{v[0], 1 - v[1]}, at = moved ? moved->apply(up) : up;
+            uvs[first + i] = uv_of(at.x, at.y);
+            if (is_broken(uvs[first + i])) ++broken;
+        });
+        if (broken)
+            doc_.warn(*from.json, "texture coordinates are not finite numbers; faces that use them get none", broken);
+    };
+    read(*p.uvs, p.material->uv_transforms[0], mesh_.uvs);
+    if (p.second_uvs) {
+        // Of primitives without a second set the first takes its place.
+        for (size_t i = mesh_.second_uvs.size(); i < first; ++i) mesh_.second_uvs.push_back(mesh_.uvs[i]);
+        read(*p.second_uvs, p.material->uv_transforms[1], mesh_.second_uvs);
+    } else if (!mesh_.second_uvs.empty()) {
+        mesh_.second_uvs.resize(first);
+        mesh_.second_uvs.insert(mesh_.second_uvs.end(), mesh_.uvs.begin() + static_cast<std::ptrdiff_t>(first),
+                                mesh_.uvs.end());
+    }
+}
+
+// Vectors go along with the surface, and where a map mirrors the bitangent is on the other side of both.
+void GltfMeshBuilder::add_tangents(const GltfPrimitive& p, const Transform& to_world, size_t first)
+{
+    mesh_.tangents.resize(first + p.positions.count);
+    const float turn = to_world.determinant() < 0 ? -1.0f : 1.0f;
+    std::atomic<size_t> unfit = 0;
+    for_each_element<4>(*p.tangents, [&](size_t i, const std::array<double, 4>& v) {
+        const Vec3d along = to_world.vector({v[0], v[1], v[2]});
+        MeshTangent& t = mesh_.tangents[first + i];
+        t = {is_finite(along) ? unit_normal(along) : Vec3{}, v[3] < 0 ? -turn : turn};
+        if (t.along == Vec3{}) ++unfit;
+    });
+    if (unfit)
+        doc_.warn(*p.tangents->json, "tangent of zero length or not of finite numbers; computed where it is used",
+                  unfit);
+}
+
 void GltfMeshBuilder::add_colors(const GltfPrimitive& p, size_t first)
 {
     mesh_.colors.resize(first, Color{1, 1, 1});  // of primitives without any
     mesh_.colors.resize(first + p.positions.count);
     std::atomic<size_t> outside = 0, transparent = 0;
+    const bool fades = p.colors->components == 4 && p.material->fades;
+    if (fades) {
+        mesh_.alphas.resize(first, 1);
+        mesh_.alphas.resize(first + p.positions.count, 1);
+    }
     const auto part = [](double x) { return x > 0 ? static_cast<float>(std::min(x, 1.0)) : 0; };
     const auto store = [&](size_t i, double r, double g, double b, double alpha) {
         mesh_.colors[first + i] = {part(r), part(g), part(b)};
         if (!(std::min({r, g, b}) >= 0 && std::max({r, g, b}) <= 1)) ++outside;
+        if (fades) mesh_.alphas[first + i] = part(alpha);
         if (alpha != 1) ++transparent;
     };
     if (p.colors->components == 4)
@@ -111,8 +151,8 @@ void GltfMeshBuilder::add_colors(const GltfPrimitive& p, size_t first)
     else
         for_each_element<3>(*p.colors, [&](size_t i, const auto& v) { store(i, v[0], v[1], v[2], 1); });
     if (outside) doc_.warn(*p.colors->json, "vertex colour outside of its range cut off", outside);
-    if (transparent && p.material->uses_alpha)
-        doc_.warn(*p.colors->json, "the alpha of vertex colours is not used", transparent);
+    if (transparent && p.material->masks)
+        doc_.warn(*p.colors->json, "the alpha of vertex colours is not used with alphaMode MASK", transparent);
 }
 
 void GltfMeshBuilder::add_triangles(const GltfPrimitive& p, const Vertices& vertices, bool turns)
@@ -196,6 +236,9 @@ void GltfMeshBuilder::finish_uvs()
             if (!usable) own.fill(MeshData::no_uv);
         });
     std::replace_if(mesh_.uvs.begin(), mesh_.uvs.end(), is_broken, Vec2{});
+    if (mesh_.second_uvs.empty()) return;
+    for (size_t i = mesh_.second_uvs.size(); i < mesh_.uvs.size(); ++i) mesh_.second_uvs.push_back(mesh_.uvs[i]);
+    std::replace_if(mesh_.second_uvs.begin(), mesh_.second_uvs.end(), is_broken, Vec2{});
 }
 
 void GltfMeshBuilder::finish(const Smoothing& smoothing)
@@ -203,6 +246,11 @@ void GltfMeshBuilder::finish(const Smoothing& smoothing)
     finish_normals();
     finish_uvs();
     if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), Color{1, 1, 1});
+    if (std::all_of(mesh_.alphas.begin(), mesh_.alphas.end(), [](float alpha) { return alpha == 1; }))
+        mesh_.alphas = {};
+    else
+        mesh_.alphas.resize(mesh_.positions.size(), 1);
+    if (!mesh_.tangents.empty()) mesh_.tangents.resize(mesh_.positions.size());
     if (mesh_.materials.size() > 1) {
         mesh_.face_material.resize(mesh_.triangles.size());
         for (const Range& range : ranges_)

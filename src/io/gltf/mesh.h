@@ -36,6 +36,8 @@ private:
     };
     Vertices add_vertices(const GltfPrimitive& p, const Transform& to_world);
     void add_positions(const GltfPrimitive& p, const Transform& to_world, size_t first);
+    void add_uvs(const GltfPrimitive& p, size_t first);
+    void add_tangents(const GltfPrimitive& p, const Transform& to_world, size_t first);
     void add_colors(const GltfPrimitive& p, size_t first);
     void add_triangles(const GltfPrimitive& p, const Vertices& vertices, bool turns);
     uint32_t slot_of(const GltfPrimitive& p);

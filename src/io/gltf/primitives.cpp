@@ -10,7 +10,8 @@ constexpr size_t no_accessor = SIZE_MAX;
 void check_shape(const GltfAccessor& a, const std::string& name, const GltfDocument& doc)
 {
     const bool is_color = name == "COLOR_0", is_uv = name.starts_with("TEXCOORD");
-    const bool fits = is_color ? a.components == 3 || a.components == 4 : a.components == (is_uv ? 2 : 3);
+    const size_t wanted = is_uv ? 2 : name == "TANGENT" ? 4 : 3;
+    const bool fits = is_color ? a.components == 3 || a.components == 4 : a.components == wanted;
     if (!fits) doc.fail(*a.json, "has " + std::to_string(a.components) + " components, which " + name + " has not");
 }
 
@@ -77,15 +78,27 @@ std::optional<GltfPrimitive> GltfPrimitives::open_one(const JsonValue& primitive
     choose_material(p);
     p.normals = attribute(p, *attributes, "NORMAL", 1, draco);
     const bool reads = reads_textures(p.material->description);
-    p.key[2] = no_accessor;
+    p.key[2] = p.key[5] = p.key[6] = no_accessor;
     if (reads || keeps_uvs_) {
-        const uint64_t set = p.material->uv_set;
-        p.uvs = attribute(p, *attributes, "TEXCOORD_" + std::to_string(set), 2, draco);
+        const auto uvs_of = [&](uint64_t set, size_t slot) {
+            return attribute(p, *attributes, "TEXCOORD_" + std::to_string(set), slot, draco);
+        };
+        const auto& [first, second] = p.material->uv_sets;
+        p.uvs = uvs_of(first.value_or(0), 2);
         if (!p.uvs && reads)
             doc_.warn(primitive, "a primitive without the texture coordinates of its material has one texel for all");
+        // Materials of a scene file call TEXCOORD_1 the second set.
+        if (p.uvs && (second || (keeps_uvs_ && first.value_or(0) != 1))) p.second_uvs = uvs_of(second.value_or(1), 5);
+        if (p.uvs && second && !p.second_uvs)
+            doc_.warn(primitive,
+                      "a primitive lacks the second set of texture coordinates of its material: the first is used");
+        // As the format says, tangents without normals do not count.
+        if (p.uvs && p.normals && (keeps_uvs_ || p.material->description.normal_map))
+            p.tangents = attribute(p, *attributes, "TANGENT", 6, draco);
     }
     p.colors = attribute(p, *attributes, "COLOR_0", 3, draco);
-    p.key[4] = p.material->uv_transform ? p.material_number : no_accessor;
+    const auto& moves = p.material->uv_transforms;
+    p.key[4] = moves[0] || moves[1] ? p.material_number : no_accessor;
     if (const JsonValue* indices = doc_.refer(primitive, "indices", "accessors"))
         p.indices = draco ? draco->indices(*indices) : open_accessor(*indices, doc_, buffers_);
     if (draco) p.key[4] = doc_.list("materials").size() + 1 + compressed_++;  // shares vertices with none

@@ -16,12 +16,13 @@ struct GltfPrimitive {
     enum class Mode { triangles = 4, strip, fan };
     Mode mode = Mode::triangles;
     GltfAccessor positions;
-    std::optional<GltfAccessor> normals, uvs, colors, indices;  // as many as positions, but indices
+    std::optional<GltfAccessor> normals, uvs, second_uvs, tangents, colors,
+        indices;  // as many as positions, but indices
     const GltfMaterial* material = nullptr;
     size_t material_number = 0;
     // The numbers of the accessors, and of the material where it moves texture coordinates: primitives for which they
     // are the same share their vertices.
-    std::array<size_t, 5> key{};
+    std::array<size_t, 7> key{};
 
     size_t corners() const { return indices ? indices->count : positions.count; }
     size_t triangles() const { return mode == Mode::triangles ? corners() / 3 : corners() < 3 ? 0 : corners() - 2; }
@@ -30,7 +31,7 @@ struct GltfPrimitive {
 // Opens primitives, and reads each material once, when the first primitive wears it.
 class GltfPrimitives {
 public:
-    // keeps_uvs: TEXCOORD_0 even where a material has no texture.
+    // keeps_uvs: TEXCOORD_0 and 1, and tangents, even where a material has no texture.
     GltfPrimitives(GltfDocument& document, GltfBuffers& buffers, bool keeps_uvs)
         : doc_(document), buffers_(buffers), textures_(document, buffers), keeps_uvs_(keeps_uvs)
     {

@@ -64,6 +64,7 @@ public:
             m_.bump_map->may_be_normals = !map.channel;
         }
         m_.normal_map = texture(MtlMapKind::normal, Encoding::linear, Channel::color);
+        m_.displacement_map = texture(MtlMapKind::disp, Encoding::linear, Channel::red);
         return std::move(m_);
     }
 

@@ -63,7 +63,8 @@ constexpr std::array map_keys{
     MapKey{"map_Pc", MtlMapKind::pc},       MapKey{"map_Pcr", MtlMapKind::pcr},
     MapKey{"map_aniso", MtlMapKind::aniso}, MapKey{"map_anisor", MtlMapKind::anisor},
     MapKey{"map_bump", MtlMapKind::bump},   MapKey{"bump", MtlMapKind::bump},
-    MapKey{"norm", MtlMapKind::normal},
+    MapKey{"norm", MtlMapKind::normal},     MapKey{"disp", MtlMapKind::disp},
+    MapKey{"map_disp", MtlMapKind::disp},
 };
 
 // Where Blender puts the textures of a Principled BSDF if it is not asked for the keys Pr and Pm.
@@ -71,8 +72,8 @@ constexpr std::array map_keys_of_principled{MapKey{"map_Ns", MtlMapKind::pr}, Ma
                                             MapKey{"refl", MtlMapKind::pm}};
 
 // What would be seen if it were supported; a value of 0 asks for nothing.
-constexpr std::array<std::string_view, 11> unsupported{"Km",   "Kt",       "map_Ns", "map_Tf",    "map_Tr",  "disp",
-                                                       "refl", "map_disp", "decal",  "map_decal", "map_refl"};
+constexpr std::array<std::string_view, 9> unsupported{"Km",   "Kt",    "map_Ns",    "map_Tf",  "map_Tr",
+                                                      "refl", "decal", "map_decal", "map_refl"};
 // What a path tracer computes by itself, and what says how others should draw.
 constexpr std::array<std::string_view, 4> without_meaning{"Ka", "map_Ka", "map_aat", "sharpness"};
 
@@ -137,8 +138,8 @@ bool ends_in_name(std::string_view line)
 {
     if (line.size() < 2 || is_blank(line[line.size() - 2])) return false;
     const std::string_view key = take_word(line);
-    return !line.empty() && (is_key(key.substr(0, 4), "map_") || find_key(map_keys, key) || is_key(key, "disp") ||
-                             is_key(key, "decal") || is_key(key, "refl"));
+    return !line.empty() &&
+           (is_key(key.substr(0, 4), "map_") || find_key(map_keys, key) || is_key(key, "decal") || is_key(key, "refl"));
 }
 
 class Scanner {

@@ -22,7 +22,7 @@ struct MtlValue {
     explicit operator bool() const { return line != 0; }
 };
 
-enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, ps, pc, pcr, aniso, anisor, bump, normal };
+enum class MtlMapKind : uint8_t { kd, ks, ke, d, pr, pm, ps, pc, pcr, aniso, anisor, bump, normal, disp };
 
 struct MtlEntry {
     std::string name;  // with what may be a comment behind it

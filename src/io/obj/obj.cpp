@@ -116,7 +116,7 @@ std::shared_ptr<const MeshData> build(const std::string& path, const FileContent
         textured = true;
         if (!options.pictures) continue;
         // Pictures are read in the background.
-        for (const TextureUse* use : textures_of(*m))
+        for (const TextureUse* use : shading_textures_of(*m))
             if (*use && (*use)->type == TextureType::image) options.pictures((*use)->file);
     }
     ObjMeshBuilder builder(summary, materials, summary.texcoords > 0 && (options.uvs || textured), *mesh);

@@ -6,7 +6,7 @@
 namespace lancer {
 namespace {
 
-enum Field : size_t { px, py, pz, nx, ny, nz, red, green, blue, tu, tv, fields };
+enum Field : size_t { px, py, pz, nx, ny, nz, red, green, blue, alpha, tu, tv, fields };
 using Values = std::array<double, fields>;
 constexpr size_t block = 1 << 16;  // vertices that a thread reads at a time
 
@@ -21,6 +21,7 @@ std::optional<Field> field_of(std::string_view name)
                                                                          {"red", "r", "diffuse_red"},
                                                                          {"green", "g", "diffuse_green"},
                                                                          {"blue", "b", "diffuse_blue"},
+                                                                         {"alpha", "a", "diffuse_alpha"},
                                                                          {"u", "s", "texture_u", "texture_s"},
                                                                          {"v", "t", "texture_v", "texture_t"}}};
     for (size_t field = 0; field < fields; ++field)
@@ -38,12 +39,13 @@ public:
             fields_.push_back(field);
             if (!field) continue;
             has_[*field] = true;
-            if (*field >= red && *field <= blue) full_[*field] = full_value(p.type);
+            if (*field >= red && *field <= alpha) full_[*field] = full_value(p.type);
         }
         const size_t count = static_cast<size_t>(element.count);
         mesh.positions.resize(count);
         if (has(nx, nz)) mesh.normals.resize(count);
         if (has(red, blue)) mesh.colors.resize(count);
+        if (has(red, alpha)) mesh.alphas.resize(count);
         if (keeps_uvs && has(tu, tv)) mesh.uvs.resize(count);
     }
     bool has_position() const { return has(px, pz); }
@@ -105,6 +107,7 @@ public:
             c = kept;
         }
         warn(outside, "vertex colour outside of its range cut off");
+        check_alphas(warn);
         return true;
     }
 
@@ -114,6 +117,21 @@ private:
         for (size_t f = first; f <= last; ++f)
             if (!has_[f]) return false;
         return true;
+    }
+    // Programs that know no alpha of vertices write one all the same, of 1 or of 0 everywhere.
+    template <class Warn>
+    void check_alphas(const Warn& warn)
+    {
+        size_t clear = 0, full = 0, outside = 0;
+        for (float& a : mesh_.alphas) {
+            const float kept = a > 0 ? std::min(a, 1.0f) : 0;
+            outside += kept == a ? 0 : 1, clear += kept == 0 ? 1 : 0, full += kept == 1 ? 1 : 0;
+            a = kept;
+        }
+        warn(outside, "alpha of a vertex outside of its range cut off");
+        const bool hides_all = clear > 0 && clear == mesh_.alphas.size();
+        if (hides_all) warn(1, "the alpha of all vertices is 0: it is not used");
+        if (hides_all || full == mesh_.alphas.size()) mesh_.alphas = {};
     }
     void store(size_t i, const Values& v)
     {
@@ -126,6 +144,7 @@ private:
             const auto part = [&](Field f) { return static_cast<float>(v[f] / full_[f]); };
             mesh_.colors[i] = {part(red), part(green), part(blue)};
         }
+        if (!mesh_.alphas.empty()) mesh_.alphas[i] = static_cast<float>(v[alpha] / full_[alpha]);
         if (!mesh_.uvs.empty()) mesh_.uvs[i] = uv_of(v[tu], v[tv]);
     }
 

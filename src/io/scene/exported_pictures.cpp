@@ -51,7 +51,7 @@ ExportedPicture normals_of(const std::string& name, const Scene& scene, const Ma
         const ShadingPoint point{.uv = {place(x, heights.width(), use.scale.x, use.offset.x),
                                         place(heights.height() - 1 - y, heights.height(), use.scale.y, use.offset.y)},
                                  .textures = scene.textures.data()};
-        const Vec3 n = mapped_normal(bumps, point, {{1, 0, 0}, {0, 1, 0}}, {0, 0, 1});
+        const Vec3 n = mapped_normal(bumps, point, Tangents{{1, 0, 0}, {0, 1, 0}}, {}, {0, 0, 1});
         return Color{0.5f + 0.5f * n.x, 0.5f + 0.5f * n.y, 0.5f + 0.5f * n.z};
     };
     return {name, heights.width(), heights.height(), true, texel};

@@ -7,6 +7,7 @@
 #include "io/scene/number_rule.h"
 #include "io/scene/texture_tables.h"
 #include "scene/description/material.h"
+#include "scene/description/metals.h"
 #include "scene/description/presets.h"
 
 namespace lancer {
@@ -26,6 +27,7 @@ const std::vector<TypedKey>& keys_of_materials()
             keys.push_back({row.key, types});
             if constexpr (has_map<decltype(row)>) keys.push_back({row.map_key, types});
         });
+        keys.push_back({"metal", {name_of(MaterialType::metal)}});
         return keys;
     }();
     return all;
@@ -64,6 +66,7 @@ private:
     void read_material(const std::string& name, const TomlTable& table);
     void read_override(const TomlTable& table);
     static MaterialDescription read_preset(const TomlTable& table);
+    static void read_metal(const TomlTable& table, MaterialKeys& keys);
     std::optional<std::string> read_name(const TomlTable& table, std::string_view key);
     template <class Row>
     void read_parameter(const TomlTable& table, const Row& row, MaterialKeys& keys);
@@ -160,7 +163,27 @@ MaterialKeys MaterialReader::read_keys(const TomlTable& table, const NameList& a
         if (table.has("eta") != table.has("k")) table.require(table.has("k") ? "eta" : "k", type);
     }
     for_each_material_parameter([&](const auto& row) { read_parameter(table, row, keys); });
+    read_metal(table, keys);
     return keys;
+}
+
+// The indices of a metal that is named. As with indices that are given, it loses no light by its tint unless the table
+// says so.
+void MaterialReader::read_metal(const TomlTable& table, MaterialKeys& keys)
+{
+    const std::optional<std::string> name = table.text("metal");
+    if (!name) return;
+    const std::optional<MeasuredMetal> metal = find_metal(*name);
+    if (!metal)
+        return table.error(table.where("metal"),
+                           "unknown metal " + in_quotes(*name) + suggestion(*name, names_of_metals()));
+    for (const char* key : {"eta", "k"})
+        if (table.has(key)) table.error(key, " is given by 'metal'");
+    const bool is_tinted = table.has("base_color") || table.has("texture");
+    keys.changes.emplace_back([metal, is_tinted](MaterialDescription& m) {
+        m.eta = metal->eta, m.k = metal->k;
+        if (!is_tinted) m.base_color = {1, 1, 1};
+    });
 }
 
 // What a material that names a preset starts from.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "io/scene/definition.h"
 #include "io/scene/scene_tables.h"
 #include "io/shared_mesh.h"
+#include "io/subdivide/catmull_clark.h"
 #include "io/toml_file.h"
 #include "io/toml_write.h"
 #include "scene/description/material.h"
@@ -62,14 +64,17 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     std::set<std::string> worn;
     for (size_t i = 0; i < files.size(); ++i)
         if (scene.meshes[i].material.empty()) worn.insert(files[i].file.identity);
-    std::map<std::pair<std::string, Smoothing>, std::shared_ptr<const MeshData>> loaded;
+    std::map<std::tuple<std::string, Smoothing, uint32_t>, std::shared_ptr<const MeshData>> loaded;
     for (size_t i = 0; i < files.size(); ++i) {
         const AssetFolder::Found& file = files[i].file;
         if (file.path.empty()) continue;
         options.smoothing = files[i].smoothing.value_or(scene_options.smoothing.value_or(Smoothing{}));
-        const auto [entry, is_new] = loaded.try_emplace({file.identity, options.smoothing});
+        const auto [entry, is_new] = loaded.try_emplace({file.identity, options.smoothing, files[i].catmull_clark});
         options.pictures = worn.count(file.identity) ? scene_options.pictures : RasterSource{};
         if (is_new) entry->second = scene_options.mesh_loader(file.path, diagnostics, options);
+        if (is_new && entry->second && files[i].catmull_clark > 0)
+            entry->second =
+                std::make_shared<const MeshData>(catmull_clark(*entry->second, files[i].catmull_clark, files[i].where));
         scene.meshes[i].data = entry->second;
         // No caller should meet a null that nobody has reported.
         if (!entry->second && !diagnostics.has_errors()) {
@@ -165,6 +170,22 @@ void check_frames(const TomlValue& root, const Animation& animation, const Asset
     }
 }
 
+// Whether meshes may be divided for a camera.
+bool may_divide(const SceneDescription& scene)
+{
+    return !scene.overrides.empty() || std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const auto& m) {
+        return m.subdivision.is_asked;
+    }) || std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.displacement_map; });
+}
+
+// The [camera], or the first of those with names, if the file says where it stands.
+std::optional<CameraDescription> camera_of_file(const SceneDescription& scene)
+{
+    const std::optional<CameraDescription> camera =
+        scene.camera || scene.cameras.empty() ? scene.camera : std::optional(scene.cameras.front());
+    return camera && !camera->missing.position ? camera : std::nullopt;
+}
+
 // Fills the description from the tree of values, with the definitions put over it.
 void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
                Diagnostics& diagnostics)
@@ -175,6 +196,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     scene.still_hash = scene.content_hash;
     const std::optional<Animation> animation = Animation::read(root, problems);
     const double frame = frame_of(animation, options.frame);
+    const TomlValue of_file = animation ? root : TomlValue{};
     if (animation && !problems.has_any()) {
         if (options.checks_frames) check_frames(root, *animation, assets, options, scene.file, diagnostics);
         if (diagnostics.has_errors()) return;
@@ -186,6 +208,17 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     }
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
+    if (may_divide(scene)) {
+        scene.first_camera = camera_of_file(scene);
+        if (animation && frame != animation->description().first && !diagnostics.has_errors()) {
+            TomlValue first = of_file;
+            SceneDescription then;
+            TomlProblems ignored = problems_of(scene.file, options.definitions);
+            put_frame(first, animation->values_at(animation->description().first), options.definitions, ignored);
+            read_scene_tables(TomlTable(first, "", ignored), assets, then);
+            scene.first_camera = camera_of_file(then);
+        }
+    }
     load_meshes(files, options, assets, scene, diagnostics);
 }
 

@@ -242,8 +242,12 @@ void check_exportable(const SceneDescription& d, const Scene& scene, const Rende
         if (const std::string what = obstacle(scene, id); !what.empty())
             refuse(file, "material " + in_quotes(scene.material_names[id]) + " " + what);
     if (!scene.media.empty()) refuse(file, "a material absorbs, scatters or has a priority, or there is fog");
-    for (size_t i = 0; i < d.meshes.size(); ++i)
+    for (size_t i = 0; i < d.meshes.size(); ++i) {
         if (!scene.shading[i].colors.empty()) refuse(d.meshes[i].where, "a mesh has colours of its vertices");
+        if (!scene.shading[i].alphas.empty()) refuse(d.meshes[i].where, "a mesh has an alpha of its vertices");
+        if (!scene.shading[i].second_uvs.empty())
+            refuse(d.meshes[i].where, "a mesh has two sets of texture coordinates");
+    }
     if (scene.background) refuse(d.background->where, "the background is not one colour");
     if (scene.glow) refuse(d.background->where, "lights are seen as discs");
     for (const RenderOption& option : render_options())

@@ -73,9 +73,24 @@ std::optional<Smoothing> read_smoothing(const TomlTable& table)
     return Smoothing{.faces = Smoothing::Faces::all, .largest_deg = *deg};
 }
 
+constexpr int64_t most_levels_of_catmull_clark = 8;
+
+// A level alone is that of all triangles; with an edge it is a bound.
+SubdivisionDescription read_subdivision(const TomlTable& table)
+{
+    SubdivisionDescription s;
+    const std::optional<double> edge = table.number("subdivision_edge", above_zero);
+    const std::optional<int64_t> level = table.integer("subdivision_level", 0, SubdivisionDescription::most_levels);
+    s.is_asked = edge || level;
+    if (level) s.level = static_cast<uint32_t>(*level);
+    s.edge_pixels = edge ? *edge : level ? 0 : s.edge_pixels;
+    return s;
+}
+
 void SceneReader::read_mesh(const TomlTable& table)
 {
-    table.allow({"name", "file", "material", "vertex_colors", "smooth", "translate", "rotate", "scale"});
+    table.allow({"name", "file", "material", "vertex_colors", "smooth", "catmull_clark", "subdivision_edge",
+                 "subdivision_level", "translate", "rotate", "scale"});
     MeshDescription mesh;
     mesh.where = table.where();
     mesh.name = table.text("name").value_or("");
@@ -89,6 +104,7 @@ void SceneReader::read_mesh(const TomlTable& table)
     }
     mesh.material = read_material_use(table, material_uses_);
     const auto colors = table.choice("vertex_colors", {"srgb", "linear", "none"}, 0);
+    mesh.subdivision = read_subdivision(table);
     mesh.transform = read_transform(table);
     scene_.meshes.push_back(std::move(mesh));
 
@@ -98,9 +114,11 @@ void SceneReader::read_mesh(const TomlTable& table)
     scene_.meshes.back().vertex_colors =
         table.has("vertex_colors") ? static_cast<VertexColors>(colors.value_or(0)) : usual;
     if (!name) return;
+    const auto levels =
+        static_cast<uint32_t>(table.integer("catmull_clark", 0, most_levels_of_catmull_clark).value_or(0));
     const AssetFolder::Found found = assets_.find(*name);
     if (found.problem.empty()) {
-        mesh_file = {table.where("file"), found, read_smoothing(table)};
+        mesh_file = {table.where("file"), found, read_smoothing(table), levels};
     } else {
         table.error(table.where("file"), "mesh file " + in_quotes(*name) + " " + found.problem, found.kind);
     }

@@ -16,6 +16,7 @@ struct MeshFile {
     Location where;  // of the name in the scene file
     AssetFolder::Found file;
     std::optional<Smoothing> smoothing;
+    uint32_t catmull_clark = 0;  // so often it is subdivided when it is read
 };
 
 // Returns the file of every mesh of the scene, in the order of scene.meshes; with an empty path where none is named

@@ -51,8 +51,9 @@ TextureTables::Named TextureTables::read(const TomlTable& table) const
 {
     const std::vector<TypedKey> keys{{"file", {"image"}},    {"encoding", {"image"}}, {"wrap", {"image"}},
                                      {"channel", {"image"}}, {"gain", {"image"}},     {"bias", {"image"}},
-                                     {"even", {"checker"}},  {"odd", {"checker"}},    {"band", {"grid"}},
-                                     {"ground", {"grid"}},   {"width", {"grid"}},     {"waves", {"waves"}}};
+                                     {"uv_set", {"image"}},  {"even", {"checker"}},   {"odd", {"checker"}},
+                                     {"band", {"grid"}},     {"ground", {"grid"}},    {"width", {"grid"}},
+                                     {"waves", {"waves"}}};
     NameList known{"type", "scale", "offset"};
     for (const TypedKey& k : keys) known.push_back(k.key);
     table.allow(known);
@@ -77,6 +78,7 @@ TextureTables::Named TextureTables::read(const TomlTable& table) const
         result.channel =
             std::array{Channel::red, Channel::green, Channel::blue, Channel::alpha, Channel::luminance}[*i];
     t.use.wrap = table.choice("wrap", {"repeat", "clamp"}, 0).value_or(0) == 0 ? Wrap::repeat : Wrap::clamp;
+    t.use.by_second_uv = table.integer("uv_set", 0, 1).value_or(0) == 1;
     t.use.scale = table.number_or_pair("scale").value_or(t.use.scale);
     t.use.offset = table.number_or_pair("offset").value_or(t.use.offset);
     t.use.gain = static_cast<float>(table.number("gain", float_range).value_or(t.use.gain));
@@ -113,6 +115,8 @@ TextureUse TextureTables::use(const TomlTable& table, std::string_view key, Text
         table.error(key, " must be a picture: the squares of a checker have no slopes");
     if (result.texture.type == TextureType::grid && role == TextureRole::heights)
         table.error(key, " must be a picture: the bands of a grid have no slopes");
+    if (result.texture.type != TextureType::image && key == "displacement_texture")
+        table.error(key, " must be a picture");
     result.texture.use.encoding = result.encoding.value_or(encoding_for(role));
     result.texture.use.channel = result.channel.value_or(channel_for(role));
     return result.texture;

@@ -182,7 +182,7 @@ void ShadingPoint::look_up(uint32_t texture, Color& color) const
 {
     const auto look = [&]<class T>(const T& t) {
         if constexpr (std::is_same_v<T, ImageTexture>)
-            t.look_up(uv, footprint(), color);
+            t.look_up(uv_of(t), footprint_of(t), color);
         else
             color = t.eval(uv, footprint());
     };

@@ -22,6 +22,7 @@ struct ImageUse {
     Encoding encoding = Encoding::of_file;  // of integers; floats are linear
     Channel channel = Channel::color;
     Wrap wrap = Wrap::repeat;
+    bool by_second_uv = false;       // looked up by the second set of texture coordinates of a mesh
     Vec2 scale{1, 1}, offset{0, 0};  // lookup at uv * scale + offset; v points up
     float gain = 1, bias = 0;        // value * gain + bias, after decoding
     friend bool operator==(const ImageUse&, const ImageUse&) = default;
@@ -125,6 +126,8 @@ struct ShadingPoint {
     Color vertex_color{1, 1, 1};        // of the mesh; a factor of the base colour
     float eta = 0;                      // relative index from the media; 0: that of the material
     Vec2 tangent{1, 0};                 // cosine and sine in the local frame; only set if the material has a tangent
+    float second_uv_width = 0;          // as uv_width, of:
+    Vec2 second_uv{};                   // the second set; only set if the material reads it
 
     // Index behind the geometric normal over index in front of it. said: the material's own index.
     float inner_over_outer(float said) const { return eta > 0 ? (front ? eta : 1 / eta) : said; }
@@ -139,11 +142,17 @@ struct ShadingPoint {
         return color;
     }
     Footprint footprint() const { return {uv_width, uv_along}; }
+    // Where an image is looked up.
+    Vec2d uv_of(const ImageTexture& image) const { return image.use().by_second_uv ? Vec2d(second_uv) : uv; }
+    Footprint footprint_of(const ImageTexture& image) const
+    {
+        return image.use().by_second_uv ? Footprint{second_uv_width, {}} : footprint();
+    }
     // The same point for lookups at full resolution.
     ShadingPoint finest() const
     {
         ShadingPoint p = *this;
-        p.uv_width = 0, p.uv_along = {};
+        p.uv_width = p.second_uv_width = 0, p.uv_along = {};
         return p;
     }
     Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }

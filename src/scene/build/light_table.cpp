@@ -25,14 +25,17 @@ double mean_emission(const Scene& scene, const TriangleLight& light, const Color
     const double plain = power_of(radiance.value);
     if (radiance.texture == no_texture) return plain;
     const auto uv_at = [&](Vec2 at) {
-        return triangle_point(scene, light.instance, light.mesh, light.triangle, at).uv;
+        const TrianglePoint p = triangle_point(scene, light.instance, light.mesh, light.triangle, at);
+        const auto* image = std::get_if<ImageTexture>(&scene.textures[radiance.texture]);
+        return image && image->use().by_second_uv ? p.second_uv : p.uv;
     };
     const Vec2 a = uv_at({0, 0}), ab = uv_at({1, 0}) - a, ac = uv_at({0, 1}) - a;
     ShadingPoint part{.uv_width = std::sqrt(std::abs(ab.x * ac.y - ab.y * ac.x) / 32),
                       .textures = scene.textures.data()};
+    part.second_uv_width = part.uv_width;
     long double sum = 0;  // exact where all parts are alike: so bright is the same without the texture
     const auto add = [&](float s, float t) {
-        part.uv = a + ab * (s / 12) + ac * (t / 12);
+        part.second_uv = a + ab * (s / 12) + ac * (t / 12), part.uv = part.second_uv;
         sum += std::max(0.0, power_of(part.eval(radiance)));
     };
     for (int i = 0; i < 4; ++i)
@@ -163,8 +166,8 @@ private:
             static_cast<double>(triangle_point(scene_, light.instance, light.mesh, light.triangle, {}).area);
         return area * pi_d * mean_emission(scene_, light, e.radiance) * (e.both_sides ? 2 : 1);
     }
-    // Points on a triangle that shows a picture are sampled by its brightness. With many triangles each has a small part
-    // of it.
+    // Points on a triangle that shows a picture are sampled by its brightness. With many triangles each has a small
+    // part of it.
     void map_pictures()
     {
         constexpr size_t most_cells = size_t{1} << 20;

@@ -1,7 +1,5 @@
 #include "scene/build/material_table.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "scene/build/fill_parameters.h"
 #include "scene/build/light_group.h"
 #include "scene/build/media.h"
+#include "scene/build/overrides.h"
 #include "scene/description/presets.h"
 
 namespace lancer {
@@ -117,7 +116,12 @@ uint32_t MaterialTable::add_plain(const MaterialDescription& m, const Material& 
     fill_parameters(traits, m, id_of);
     traits.mirrors = std::visit([](const auto& b) { return b.mirrors(); }, bsdf);
     if (const auto* principled = std::get_if<Principled>(&bsdf)) traits.has_tangent = principled->is_anisotropic();
-    traits.reads_uv = reads_textures(m) || traits.has_tangent;
+    traits.reads_uv = traits.has_tangent;
+    for (const TextureUse* use : shading_textures_of(m)) {
+        traits.reads_uv = traits.reads_uv || *use;
+        traits.reads_second_uv = traits.reads_second_uv || (*use && (*use)->use.by_second_uv);
+    }
+    traits.tangents_by_second_uv = m.normal_map && m.normal_map->use.by_second_uv;
     traits.medium = add_medium(m, bsdf, integrator_, scene_, diagnostics_);
     scene_.traits.push_back(traits);
     scene_.material_names.push_back(m.name);
@@ -133,6 +137,7 @@ uint32_t MaterialTable::add_mix(const MaterialDescription& m, uint32_t first, ui
     MaterialTraits& traits = scene_.traits[id];
     for (const uint32_t part : {first, second}) {
         traits.reads_uv = traits.reads_uv || scene_.traits[part].reads_uv;
+        traits.reads_second_uv = traits.reads_second_uv || scene_.traits[part].reads_second_uv;
         traits.mirrors = traits.mirrors || scene_.traits[part].mirrors;
         traits.has_tangent = traits.has_tangent || scene_.traits[part].has_tangent;
         if (const uint16_t medium = scene_.traits[part].medium; medium != no_medium && matters(scene_.media[medium]))
@@ -196,13 +201,10 @@ uint32_t MaterialTable::make(const MaterialDescription& m)
 
 uint32_t MaterialTable::add_from_file(const MaterialDescription& m)
 {
-    for (size_t i = 0; i < d_.overrides.size(); ++i) {
-        const MaterialOverride& o = d_.overrides[i];
-        if (fnmatch(o.match.c_str(), m.name.c_str(), 0) != 0) continue;
-        override_used_[i] = true;
-        return o.material.empty() ? add(o.change(m)) : named(o.material, o.where);
-    }
-    return add(m);
+    const MaterialOverride* const o = find_override(d_, m.name);
+    if (!o) return add(m);
+    override_used_[static_cast<size_t>(o - d_.overrides.data())] = true;
+    return o->material.empty() ? add(o->change(m)) : named(o->material, o->where);
 }
 
 uint32_t MaterialTable::default_material()

@@ -117,6 +117,26 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
     }
 }
 
+// Those that the file gives, of the triangles whose material reads them. shading: with materials.
+void fill_tangents(const MeshData& data, const Transform& place, const std::vector<MaterialTraits>& traits,
+                   MeshShading& shading)
+{
+    if (data.tangents.empty()) return;
+    CornerTangents& tangents = shading.tangents;
+    tangents.triangles = CornerTable(data.triangles, [&](uint32_t t) {
+        const Corners& named = data.triangles[t];
+        return traits[shading.material_of(t)].reads_tangents() && data.uv_triangles[t][0] != MeshData::no_uv &&
+               std::none_of(named.begin(), named.end(), [&](uint32_t i) { return data.tangents[i].along == Vec3{}; });
+    });
+    const Renumbering numbers(tangents.triangles.all(), data.tangents.size());
+    if (numbers.kept == 0) return;
+    numbers.apply(tangents.triangles.all());
+    const float turn = place.determinant() < 0 ? -1.0f : 1.0f;
+    tangents.values = numbers.kept_of(data.tangents, [&](const MeshTangent& t) {
+        return MeshTangent{to_float(normalize(place.vector(to_double(t.along)))), t.sign * turn};
+    });
+}
+
 constexpr const char* no_uvs = "triangles with unused texture coordinates";
 
 }  // namespace
@@ -129,8 +149,8 @@ void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces)
 }
 
 void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,
-                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading,
-                 UnusedFeatures& unused_features)
+                 const std::vector<float>& alphas, const std::vector<MaterialTraits>& traits, Mesh& mesh,
+                 MeshShading& shading, UnusedFeatures& unused_features)
 {
     const auto same = [](const auto& x) { return x; };
     mesh.triangles = data.triangles;
@@ -139,6 +159,7 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     mesh.positions = positions.kept_of(data.positions, [&](const Vec3d& p) { return to_float(place.point(p)); });
     mesh.positions.emplace_back();
     shading.colors = positions.kept_of(colors, same);
+    if (!alphas.empty()) shading.alphas = positions.kept_of(alphas, same);
     const uint64_t unused = data.positions.size() - positions.kept;
     unused_features.add("unused vertices", unused, unused * (sizeof(Vec3) + (colors.empty() ? 0 : sizeof(Color))));
 
@@ -150,6 +171,9 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     const Renumbering uvs(shading.uv_triangles.all(), data.uvs.size());
     uvs.apply(shading.uv_triangles.all());
     shading.uvs = uvs.kept_of(data.uvs, same);
+    if (!data.second_uvs.empty() && shading.uses([&](uint32_t m) { return traits[m].reads_second_uv; }))
+        shading.second_uvs = uvs.kept_of(data.second_uvs, same);
+    fill_tangents(data, place, traits, shading);
     unused_features.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
                         bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
                             std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
@@ -160,7 +184,7 @@ void drop_unread_uvs(Scene& scene)
     for (MeshShading& s : scene.shading) {
         if (s.uvs.empty() || s.uses([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
         scene.unused_features.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
-        s.uvs = {};
+        s.uvs = {}, s.second_uvs = {};
         s.uv_triangles = {};
     }
 }

@@ -8,11 +8,11 @@ namespace lancer {
 // Sets shading.material and face_material: no table if all faces have the same material.
 void set_materials(MeshShading& shading, std::span<const uint32_t> of_faces);
 
-// Fills positions, triangles, normals, texture coordinates and linear vertex colours, transformed by `place`. The
-// materials of shading must be set and have their traits.
+// Fills positions, triangles, normals, texture coordinates, tangents, linear vertex colours and alphas, transformed by
+// `place`. The materials of shading must be set and have their traits.
 void fill_tables(const MeshData& data, const Transform& place, const std::vector<Color>& colors,
-                 const std::vector<MaterialTraits>& traits, Mesh& mesh, MeshShading& shading,
-                 UnusedFeatures& unused_features);
+                 const std::vector<float>& alphas, const std::vector<MaterialTraits>& traits, Mesh& mesh,
+                 MeshShading& shading, UnusedFeatures& unused_features);
 
 // Frees texture coordinates that no material reads any more.
 void drop_unread_uvs(Scene& scene);

@@ -8,11 +8,13 @@
 #include "core/names.h"
 #include "core/srgb.h"
 #include "scene/alpha_test.h"
+#include "scene/build/divide_meshes.h"
 #include "scene/build/fold.h"
 #include "scene/build/light_group.h"
 #include "scene/build/material_table.h"
 #include "scene/build/media.h"
 #include "scene/build/mesh_tables.h"
+#include "scene/build/mikk_tangents.h"
 #include "scene/build/receive_environment.h"
 #include "scene/build/relight.h"
 #include "scene/build/shapes.h"
@@ -156,8 +158,13 @@ private:
                 set_materials(shading, of_faces);
             }
         }
-        fill_tables(data, place, linear_colors(data, m.vertex_colors), scene_.traits, mesh, shading,
-                    scene_.unused_features);
+        fill_tables(data, place, linear_colors(data, m.vertex_colors),
+                    m.vertex_colors == VertexColors::none ? std::vector<float>{} : data.alphas, scene_.traits, mesh,
+                    shading, scene_.unused_features);
+        if (data.second_uvs.empty() && shading.uses([&](uint32_t id) { return scene_.traits[id].reads_second_uv; }))
+            diagnostics_.warning(m.where,
+                                 "a texture of 'uv_set = 1' is on a mesh that has one set of texture "
+                                 "coordinates, which is used");
         for (size_t i = 0; i < mesh.vertices(); ++i)
             if (const Vec3& p = mesh.vertex(i);
                 !is_finite(p) || max_component(abs(p)) > static_cast<float>(far_limit)) {
@@ -166,7 +173,8 @@ private:
             }
         // A mirroring map turns the winding round, not the side that a face shows.
         if (place.determinant() < 0)
-            for (auto* triangles : {&mesh.triangles, &shading.normals.triangles, &shading.uv_triangles.all()})
+            for (auto* triangles : {&mesh.triangles, &shading.normals.triangles, &shading.uv_triangles.all(),
+                                    &shading.tangents.triangles.all()})
                 for (auto& t : *triangles) std::swap(t[1], t[2]);
         scene_.has_normals |= !shading.normals.empty();
         scene_.geometry.meshes.push_back(std::move(mesh));
@@ -284,7 +292,9 @@ SceneBuilder::SceneBuilder(const SceneDescription& description, const RenderSett
                            Diagnostics& diagnostics, const RasterSource& images, PictureMemory memory)
     : scene_(std::make_unique<Scene>()), memory_(std::move(memory)), texture_limit_(settings.texture_limit)
 {
-    Builder(description, settings, diagnostics, images, *scene_, pending_).build();
+    const std::optional<SceneDescription> divided =
+        divide_meshes(description, settings, images, memory_, scene_->divisions, diagnostics);
+    Builder(divided ? *divided : description, settings, diagnostics, images, *scene_, pending_).build();
     bind_alpha_test(*scene_);
 }
 
@@ -301,6 +311,7 @@ void SceneBuilder::complete(Diagnostics& diagnostics)
     share_texels(s);
     fold_constants(s);
     drop_unread_uvs(s);
+    add_mikk_tangents(s);
     if (pending_.environment) receive_environment(s, *std::exchange(pending_.environment, {}), memory_, diagnostics);
     if (pending_.background)
         receive_background(s, *std::exchange(pending_.background, {}), memory_, texture_limit_, diagnostics);

@@ -21,6 +21,12 @@
 
 namespace lancer {
 
+// A tangent of a vertex, or of a corner of a triangle.
+struct MeshTangent {
+    Vec3 along{};    // +u, unit; zero where there is none
+    float sign = 1;  // 1 or -1: the bitangent is sign * cross(normal, along)
+};
+
 // One mesh file after loading: validated, triangulated, still in double and in the file's units.
 struct MeshData {
     std::string file;                                // empty for a shape
@@ -33,7 +39,10 @@ struct MeshData {
         normal_triangles;   // parallel to triangles, no_normal where a face has none; empty if normals is
     std::vector<Vec2> uvs;  // finite, v upwards; empty if no face has any
     std::vector<std::array<uint32_t, 3>> uv_triangles;  // as normal_triangles, no_uv where a face has none
+    std::vector<Vec2> second_uvs;         // parallel to uvs: another set of them; empty if no texture uses it
+    std::vector<MeshTangent> tangents;    // parallel to positions; empty if the file has none that a normal map uses
     std::vector<Color> colors;            // parallel to positions, as in the file, in [0, 1]; empty if it has none
+    std::vector<float> alphas;            // parallel to positions, of colors, in [0, 1]; empty if all are 1
     bool made_normals = false;            // by smoothing groups; the file has none
     std::vector<uint32_t> face_material;  // per triangle, index into materials; empty if materials has one entry
     std::vector<MaterialDescription> materials;  // at least one; none for a shape
@@ -52,6 +61,14 @@ struct Bands {
     float width = 0.05f;  // part of a cell, or of a barycentric coordinate; in [0, 1]
 };
 
+// How the triangles of a mesh are divided when the scene is built, to be displaced.
+struct SubdivisionDescription {
+    bool is_asked = false;          // also where no material of the scene displaces the mesh
+    double edge_pixels = 1;         // edges longer than this in the picture of the first camera are halved; 0: all are
+    std::optional<uint32_t> level;  // so often at most
+    static constexpr uint32_t most_levels = 12;
+};
+
 // What the numbers of vertex colours are; none: they are not looked at.
 enum class VertexColors { srgb, linear, none };
 
@@ -63,6 +80,7 @@ struct MeshDescription {
     TransformDescription transform;
     std::optional<Bands> bands{};  // a shape, with the texture coordinates that Rim wants
     VertexColors vertex_colors = VertexColors::srgb;
+    SubdivisionDescription subdivision{};
 };
 
 struct InstanceDescription {
@@ -135,7 +153,10 @@ struct SceneDescription {
     std::optional<AnimationDescription> animation;
     RenderSettings render;                    // what [render] gives
     std::optional<CameraDescription> camera;  // the one to render; absent: fitted to the bounds
-    std::vector<CameraDescription> cameras;   // the named ones
+    // That of the file in the first frame of its animation: meshes are divided for it, so that they are the same in all
+    // frames. Absent: for `camera`.
+    std::optional<CameraDescription> first_camera{};
+    std::vector<CameraDescription> cameras;  // the named ones
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     std::vector<SphereDescription> spheres;

@@ -52,6 +52,13 @@ std::vector<const TextureUse*> textures_of(const MaterialDescription& m)
     return all;
 }
 
+std::vector<const TextureUse*> shading_textures_of(const MaterialDescription& m)
+{
+    std::vector<const TextureUse*> all = textures_of(m);
+    std::erase(all, &m.displacement_map);
+    return all;
+}
+
 bool reads_textures(const MaterialDescription& m)
 {
     const std::vector<const TextureUse*> all = textures_of(m);

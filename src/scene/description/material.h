@@ -81,11 +81,14 @@ struct MaterialDescription {
     float film_ior = 1.4f;  // > 0
     float opacity = 1;      // part of the rays that are stopped, in [0, 1]
     TextureUse opacity_map{};
-    TextureUse bump_map{};        // heights
-    float bump_scale = 1;         // slope of a step from black to white between neighbouring texels; a factor on waves
-    TextureUse normal_map{};      // tangent space, y along +v
-    bool shadow_catcher = false;  // in pictures with alpha only its shadows are seen
-    Color emission{};             // radiance
+    TextureUse bump_map{};    // heights
+    float bump_scale = 1;     // slope of a step from black to white between neighbouring texels; a factor on waves
+    TextureUse normal_map{};  // tangent space, y along +v
+    TextureUse displacement_map{};    // heights by which the vertices of a divided mesh move along their normals
+    float displacement_scale = 1;     // of a step from black to white, units of the mesh file
+    float displacement_midlevel = 0;  // height that stays where it is
+    bool shadow_catcher = false;      // in pictures with alpha only its shadows are seen
+    Color emission{};                 // radiance
     TextureUse emission_map{};
     bool emission_both_sides = false;  // else only on the side of the normal
     std::string group{};               // of lights, see scene/lights/groups.h; empty: none
@@ -222,6 +225,9 @@ inline constexpr std::tuple all{
     image("bump_texture", &M::bump_map, TextureRole::heights),
     number("bump_scale", &M::bump_scale, finite),
     image("normal_texture", &M::normal_map, TextureRole::normal),
+    image("displacement_texture", &M::displacement_map, TextureRole::heights),
+    number("displacement_scale", &M::displacement_scale, finite),
+    number("displacement_midlevel", &M::displacement_midlevel, finite),
     number("shadow_catcher", &M::shadow_catcher, boolean),
     mapped("emission", &M::emission, not_negative, "emission_texture", &M::emission_map, TextureRole::color),
     number("emission_sides", &M::emission_both_sides, choice, {"front", "both"}),
@@ -256,6 +262,8 @@ constexpr void for_each_material_parameter(const F& f)
 
 // Every texture that a material may have.
 std::vector<const TextureUse*> textures_of(const MaterialDescription& material);
+// Those that are looked up while rendering: all but heights that displace.
+std::vector<const TextureUse*> shading_textures_of(const MaterialDescription& material);
 bool reads_textures(const MaterialDescription& material);
 
 // The types that have a parameter, in their order; empty: all of them.

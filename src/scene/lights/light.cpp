@@ -13,7 +13,11 @@
 namespace lancer {
 namespace {
 
-ShadingPoint point_at(const Scene& scene, Vec2 uv) { return {.uv = uv, .textures = scene.textures.data()}; }
+ShadingPoint point_at(const Scene& scene, UvSets uv)
+{
+    return {.uv = uv.first, .textures = scene.textures.data(), .second_uv = uv.second};
+}
+UvSets both(Vec2 uv) { return {uv, uv}; }
 
 // Each samples as seen from `org`, the origin of the shadow ray.
 template <class L>
@@ -57,7 +61,8 @@ std::optional<LightSample> sample(const Scene& scene, const TriangleLight& light
     if (!(seen.d2 > 0)) return s;
     const MeshShading& shading = scene.shading[light.mesh];
     const Color radiance = radiance_at(scene, shading.material_of(light.triangle), seen.cos > 0,
-                                       [&] { return texture_uv(shading, light.triangle, uv); });
+                                       [&] { return texture_uvs(shading, light.triangle, uv); }) *
+                           vertex_alpha(scene, light.mesh, light.triangle, uv);
     if (seen.cos == 0 || is_black(radiance)) return s;
     s.emplace();
     s->wi = seen.wi;
@@ -79,7 +84,7 @@ std::optional<LightSample> sample_center(const Scene& scene, const Sphere& s, ui
     const Vec3 n = outside ? to_float(-wi) : Vec3{};
     const Vec3 point = to_float(outside ? s.center - wi * s.radius : s.center);
     const Color radiance =
-        radiance_at(scene, material, outside, [&] { return sphere_uv(to_float(outside ? -wi : wi)); });
+        radiance_at(scene, material, outside, [&] { return both(sphere_uv(to_float(outside ? -wi : wi))); });
     if (is_black(radiance)) return {};
     return LightSample{.wi = to_float(wi),
                        .point = point,
@@ -104,7 +109,7 @@ std::optional<LightSample> sample(const Scene& scene, const SphereLight& light, 
         at->point = on.point;
         at->p_error = sphere_point_error(s, on.point);
         at->n = on.n;
-        at->radiance = radiance_at(scene, material, true, [&] { return sphere_uv(on.n); });
+        at->radiance = radiance_at(scene, material, true, [&] { return both(sphere_uv(on.n)); });
         at->pdf = on.pdf;
         return at;
     };
