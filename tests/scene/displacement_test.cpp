@@ -9,6 +9,7 @@
 #include "scene/build/displace.h"
 #include "scene/build/divide.h"
 #include "scene/build/divide_meshes.h"
+#include "support/random.h"
 #include "support/stage.h"
 
 namespace lancer {
@@ -138,6 +139,20 @@ TEST(Displacement, AClosedMeshStaysClosedWhereverItIsDivided)
         EXPECT_GT(made.triangles.size(), 100u);
         for (uint32_t n = 0; n < 10; ++n) EXPECT_NE(made.triangles.size(), 12u << 2 * n) << "not everywhere the same";
         EXPECT_EQ(open_edges(made), 0u) << edge;
+    }
+}
+
+TEST(Displacement, NoRayEscapesFromWithin)
+{
+    const MaterialDescription m = displaced("waves", 0.4f);
+    SceneDescription d = scene_of(seamed_cube(m), m, edges_of(25));
+    d.camera->position = {1.3, 1.4, 1.2};
+    const Stage stage(d, pictures);
+    Random random(3);
+    for (int i = 0; i < 20000; ++i) {
+        const Ray ray{.org = stage.to_scene(random.point(-0.5, 0.5)), .dir = random.unit_vector()};
+        ASSERT_TRUE(stage.embree->closest(ray)) << i;
+        ASSERT_TRUE(i % 10 != 0 || stage.list.closest(ray)) << i;
     }
 }
 

@@ -248,6 +248,7 @@ void check_exportable(const SceneDescription& d, const Scene& scene, const Rende
         if (!scene.shading[i].second_uvs.empty())
             refuse(d.meshes[i].where, "a mesh has two sets of texture coordinates");
     }
+    for (const Scene::Note& note : scene.divisions) refuse(note.where, "this mesh is divided to be displaced");
     if (scene.background) refuse(d.background->where, "the background is not one colour");
     if (scene.glow) refuse(d.background->where, "lights are seen as discs");
     for (const RenderOption& option : render_options())
