@@ -20,7 +20,8 @@ struct PathState {
     Ray ray;
     Color throughput{1, 1, 1};     // of the path up to this ray
     Color importance{-1, -1, -1};  // see SamplingPlan::importance_at()
-    // Density of the BSDF's sample per solid angle, over the number of light samples to be expected at the ray's origin.
+    // Density of the BSDF's sample per solid angle, over the number of light samples to be expected at the ray's
+    // origin.
     float pdf = 0;
     uint32_t cell = 0;           // of the ray's origin, if lights are chosen by place; see LightChoice
     Vec3 normal;                 // shading normal at the ray's origin; 0 where a medium scattered

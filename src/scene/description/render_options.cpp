@@ -109,8 +109,9 @@ constexpr std::array rows{
                      "places near by; BSDF sampling finds the rest (needs nee and mis)"},
     RenderOption{.name = "multi_nee",
                  .field = SwitchField{&S::multi_nee},
-                 .help = "path takes 2 or 4 light samples at the first surface that spreads light, if a pilot finds that "
-                         "this pays (needs nee and mis)"},
+                 .help =
+                     "path takes 2 or 4 light samples at the first surface that spreads light, if a pilot finds that "
+                     "this pays (needs nee and mis)"},
     RenderOption{.name = "mirror_nee",
                  .field = SwitchField{&S::mirror_nee},
                  .help = "path samples lights also by way of large flat mirrors; without it nothing finds what points "
