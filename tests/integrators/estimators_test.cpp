@@ -2,6 +2,7 @@
 // and what bias would have shown.
 #include <gtest/gtest.h>
 
+#include "support/scenes/media_scenes.h"
 #include "support/shoot.h"
 
 namespace lancer {
@@ -47,6 +48,8 @@ TEST(Estimators, Sky) { expect_estimators_agree(under_a_sky(), 0.02, "sky"); }
 TEST(Estimators, Textured) { expect_estimators_agree(textured_scene(), 0.02, "textured"); }
 TEST(Estimators, AlphaTest) { expect_estimators_agree(holes_scene(), 0.02, "holes"); }
 TEST(Estimators, Media) { expect_estimators_agree(media_scene(), 0.02, "media"); }
+TEST(Estimators, Fog) { expect_estimators_agree(fog_scene(), 0.02, "fog"); }
+TEST(Estimators, Scattering) { expect_estimators_agree(scattering_scene(), 0.03, "bodies"); }
 
 }  // namespace
 }  // namespace lancer

@@ -263,7 +263,16 @@ SceneDescription scaled_by(SceneDescription d, double s)
     }
     for (auto& i : d.instances) resize(i.transform);
     for (auto& x : d.spheres) x.center *= s, x.radius *= s;
-    for (auto& m : d.materials) m.absorption /= static_cast<float>(s);
+    for (auto& m : d.materials) {
+        m.absorption /= static_cast<float>(s), m.scattering /= static_cast<float>(s);
+        m.subsurface_radius *= static_cast<float>(s);
+    }
+    if (d.fog) {
+        d.fog->absorption /= static_cast<float>(s), d.fog->scattering /= static_cast<float>(s);
+        for (std::optional<Vec3d>* corner : {&d.fog->low, &d.fog->high})
+            if (*corner) **corner *= s;
+        if (d.fog->height) *d.fog->height *= s;
+    }
     for (auto& p : d.planes) {
         p.point *= s;
         if (p.axes)
