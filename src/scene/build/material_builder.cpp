@@ -146,6 +146,7 @@ void MaterialBuilder::finish(Principled& p, const MaterialDescription& m)
         tables->fuzz = fuzz_;
     }
     tables->glass.ior = m.ior;
+    tables->glass.tint = Color{1, 1, 1};
     tables->glass.fresnel = options_.fresnel;
     tables->glass.thin = m.thin.value_or(false);
     if (p.transmission.value > 0 && is_rough) add_losses(tables->glass, m, need_roughness);
