@@ -21,8 +21,8 @@ struct DirectNoise {
     double shadows = 0;             // shadow rays per camera ray
 };
 
-// Measures two pictures of direct light with different random numbers, each well distributed: their difference is the
-// noise that a picture has.
+// Measures two pictures of direct light, and of the emitters that the camera sees, with different random numbers, each
+// well distributed: their difference is the noise that a picture has.
 DirectNoise measure_direct(const View& view, const Accelerator& accel, const Path& path, KernelSettings settings,
                            const KernelChoice& kernel, const Camera& camera, uint32_t width,
                            std::span<const PilotPixel> pixels, const std::stop_token& stop)
@@ -96,7 +96,7 @@ uint32_t best_light_samples(const Scene& scene, const Accelerator& accel, const 
     if (pixels.empty()) return 1;
     Path direct = path;
     direct.parts = {};
-    direct.parts.emitters = direct.parts.indirect = false;
+    direct.parts.indirect = false;
     SamplingPlan own = plan;
     own.split = own.parts = 1;
     own.importance.clear();
