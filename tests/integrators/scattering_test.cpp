@@ -8,7 +8,7 @@
 namespace lancer {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double per_degree = std::numbers::pi / 180;
 
 CameraDescription narrow_view(Vec3d from, Vec3d at)
 {
@@ -18,7 +18,7 @@ CameraDescription narrow_view(Vec3d from, Vec3d at)
     return c;
 }
 // One pixel's worth of independent samples.
-Shot narrow(uint32_t spp, Path path = {})
+Shot narrow_shot(uint32_t spp, Path path = {})
 {
     return {.integrator = path, .width = 8, .height = 8, .spp = spp, .sampler = SamplerKind::independent};
 }
@@ -51,12 +51,13 @@ TEST(Scattering, LetsTheExponentialGoStraightOn)
                 d.fog->low = Vec3d{-50, -0.5, -50}, d.fog->high = Vec3d{50, 0, 50};
             }
             d.planes.push_back(plane_of({0, -3, 0}, {0, 1, 0}, "lamp"));
-            d.camera = narrow_view(Vec3d{std::sin(angle * degree), std::cos(angle * degree), 0} * 2.0, {0, 0, 0});
-            const double way = 0.5 / std::cos(angle * degree);
+            d.camera =
+                narrow_view(Vec3d{std::sin(angle * per_degree), std::cos(angle * per_degree), 0} * 2.0, {0, 0, 0});
+            const double way = 0.5 / std::cos(angle * per_degree);
             const auto left = [&](float scattered, float absorbed) {
                 return std::exp(-(double{scattered} + double{absorbed}) * way);
             };
-            family.add(stats::mean_p(tally(shoot(d, narrow(512, straight))),
+            family.add(stats::mean_p(tally(shoot(d, narrow_shot(512, straight))),
                                      luminance(left(s.r, a.r), left(s.g, a.g), left(s.b, a.b)), 2e-5),
                        std::to_string(kind) + ", " + std::to_string(angle));
         }
@@ -100,7 +101,7 @@ TEST(Scattering, OnceAroundALampIsTheIntegralAlongTheRay)
                 const Vec3d from{0, 0, 2.5};
                 d.camera = narrow_view(from, {0, 0, 0});
                 once.direct.near_lights = by_lamp;
-                const stats::Tally t = tally(shoot(d, narrow(by_lamp ? 256 : 2048, once)));
+                const stats::Tally t = tally(shoot(d, narrow_shot(by_lamp ? 256 : 2048, once)));
                 const double expected = 2 * single_scattering(from, {0, 0, -1}, lamp, 0.4, 0.6, double{g}, 60);
                 const std::string what = std::to_string(g) + " " + std::to_string(lamp.x) + " " +
                                          std::to_string(lamp.z) + (by_lamp ? " by the lamp" : "");
@@ -119,9 +120,9 @@ TEST(Scattering, HalfSpaceReflectsAsChandrasekharSays)
         d.materials = {make_scattering("half", 1, albedo * extinction, (Color{1, 1, 1} - albedo) * extinction)};
         d.planes = {plane_of({0, 0, 0}, {0, 1, 0}, "half")};
         d.lights = {sky_of({1, 1, 1})};
-        d.camera = narrow_view(Vec3d{std::sin(angle * degree), std::cos(angle * degree), 0}, {0, 0, 0});
-        const stats::Tally t = tally(shoot(d, narrow(max_component(albedo) < 0.5f ? 2560 : 768)));
-        const auto exact = [&](float a) { return HalfSpace(double{a}).reflects(std::cos(angle * degree)); };
+        d.camera = narrow_view(Vec3d{std::sin(angle * per_degree), std::cos(angle * per_degree), 0}, {0, 0, 0});
+        const stats::Tally t = tally(shoot(d, narrow_shot(max_component(albedo) < 0.5f ? 2560 : 768)));
+        const auto exact = [&](float a) { return HalfSpace(double{a}).reflects(std::cos(angle * per_degree)); };
         const double expected = luminance(exact(albedo.r), exact(albedo.g), exact(albedo.b));
         EXPECT_LT(4 * t.error(), 0.02 * expected);
         family.add(stats::mean_p(t, expected, 2e-4), std::to_string(albedo.r) + " at " + std::to_string(angle));
@@ -145,7 +146,7 @@ TEST(Scattering, WhiteMediaAreNotSeenInAWhiteFurnace)
                 d.spheres = {sphere_of({0, 0, 0}, 0.5, "milk")};
                 d.lights = {sky_of({1, 1, 1})};
                 d.camera = narrow_view({0, 0.2, 2}, {0.15, 0.1, 0});
-                const stats::Tally t = tally(shoot(d, narrow(256)));
+                const stats::Tally t = tally(shoot(d, narrow_shot(256)));
                 EXPECT_LT(4 * t.error(), 0.05);
                 // Rough glass keeps its energy to 0.3 %, and a walk meets it often.
                 family.add(stats::mean_p(t, 1, ior == 1 || roughness == 0 ? 1e-3 : 0.02),
@@ -231,7 +232,7 @@ TEST(Scattering, CostsNothingWhereThereIsNone)
     EXPECT_EQ(sizeof(PathState), 136u) << "each path of a batch has one: what few scenes need goes elsewhere";
 }
 
-void expect_refused(const SceneDescription& d, const std::string& why)
+void expect_refused_medium(const SceneDescription& d, const std::string& why)
 {
     Diagnostics diagnostics;
     try {
@@ -245,13 +246,13 @@ TEST(Scattering, RefusesWhatCannotBe)
 {
     SceneDescription d = scattering_scene();
     d.materials[0].opacity = 0.5f;
-    expect_refused(d, "material 'cloud' has 'absorption' and an opacity");
+    expect_refused_medium(d, "material 'cloud' has 'absorption' and an opacity");
     d = scattering_scene();
     d.materials[2].thin = true;
-    expect_refused(d, "material 'wax' is thin and has a 'subsurface_color'");
+    expect_refused_medium(d, "material 'wax' is thin and has a 'subsurface_color'");
     d = scattering_scene();
     d.materials[2].scattering = {1, 1, 1};
-    expect_refused(d, "material 'wax' has a 'subsurface_color', which says what is inside");
+    expect_refused_medium(d, "material 'wax' has a 'subsurface_color', which says what is inside");
 }
 
 // A lamp in a body of milk is found by light samples; without one there, none are sent.

@@ -10,7 +10,7 @@ namespace lancer {
 namespace {
 
 constexpr double beam_radius = 0.3, half_width = 2;
-constexpr uint32_t side = 48;
+constexpr uint32_t pixels_across = 48;
 constexpr std::array<double, 5> rings{0.4, 0.7, 1.0, 1.4, 2.0};  // radii between which light is counted
 
 struct Milk {
@@ -20,7 +20,7 @@ struct Milk {
 std::optional<size_t> ring_of(double x, double y)
 {
     // By the middle of the pixel, as in the picture.
-    const double pixel = 2 * half_width / side;
+    const double pixel = 2 * half_width / pixels_across;
     const auto middle = [&](double v) { return (std::floor(v / pixel) + 0.5) * pixel; };
     const double r = std::hypot(middle(x), middle(y));
     for (size_t i = 0; i + 1 < rings.size(); ++i)
@@ -78,14 +78,14 @@ TEST(Searchlight, SpreadsInMilkAsPhotonsDo)
         spot.inner_deg = static_cast<float>(angle * 0.9999), spot.outer_deg = static_cast<float>(angle);
         d.lights = {spot};
         d.camera = make_camera({0, 0, far}, {0, 0, 0}, 2 * std::atan(half_width / far) * 180 / std::numbers::pi);
-        const Film film = shoot(d, {.width = side, .height = side, .spp = 320});
+        const Film film = shoot(d, {.width = pixels_across, .height = pixels_across, .spp = 320});
         const std::vector<stats::Tally> expected = photons(milk, 200000);
-        const double pixel = 2 * half_width / side;
+        const double pixel = 2 * half_width / pixels_across;
         for (size_t k = 0; k < expected.size(); ++k) {
             stats::Tally seen;
             double pixels = 0;
-            for (uint32_t y = 0; y < side; ++y)
-                for (uint32_t x = 0; x < side; ++x)
+            for (uint32_t y = 0; y < pixels_across; ++y)
+                for (uint32_t x = 0; x < pixels_across; ++x)
                     if (ring_of((x + 0.5) * pixel - half_width, (y + 0.5) * pixel - half_width) == k)
                         seen.add(tally(film.at(x, y)).mean), ++pixels;
             const double area = pixels * pixel * pixel;

@@ -12,7 +12,7 @@ namespace {
 const std::vector<float> asymmetries{-0.999f, -0.9f, -0.4f, -1e-3f, 0, 1e-7f, 1e-4f, 0.3f, 0.8f, 0.999f};
 
 // In long double, by its formula.
-long double exact(long double g, long double cosine)
+long double exact_phase(long double g, long double cosine)
 {
     return (1 - g * g) / (4 * std::numbers::pi_v<long double> * std::pow(1 + g * g - 2 * g * cosine, 1.5L));
 }
@@ -29,7 +29,7 @@ TEST(PhaseFunction, IsTheFormulaAndTheSameBothWays)
             const HenyeyGreenstein phase{g};
             const Vec3d a = to_double(from), b = to_double(to);
             const long double cosine = dot(a, b) / (length(a) * length(b));
-            const auto expected = static_cast<double>(exact(static_cast<long double>(g), cosine));
+            const auto expected = static_cast<double>(exact_phase(static_cast<long double>(g), cosine));
             EXPECT_NEAR(double{phase.eval(from, to)} / expected, 1, 2e-3) << g;
             EXPECT_EQ(phase.eval(from, to), phase.eval(to, from)) << g;
             EXPECT_EQ(phase.eval(from, to), phase.eval(-to, -from)) << g;

@@ -5,7 +5,7 @@
 namespace reference {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double without_end = std::numeric_limits<double>::infinity();
 
 // The albedo of a single scattering at which a half-space reflects `diffuse`, by bisection of van de Hulst's formula.
 double single_albedo(double diffuse, double g)
@@ -73,7 +73,7 @@ Within along(const World& world, const Inside& in, const Ray& ray, double t)
         const double a = (low - org) / dir, b = (high - org) / dir;
         w.from = std::max(w.from, std::min(a, b)), w.to = std::min(w.to, std::max(a, b));
     };
-    const lancer::Vec3d none{infinity, infinity, infinity};
+    const lancer::Vec3d none{without_end, without_end, without_end};
     const lancer::Vec3d low = world.fog->low.value_or(-none), high = world.fog->high.value_or(none);
     clip(ray.org.x, ray.dir.x, low.x, high.x);
     clip(ray.org.y, ray.dir.y, low.y, world.fog->height && !world.fog->z_up ? *world.fog->height : high.y);
