@@ -58,7 +58,15 @@ Phong Principled::phong(const ShadingPoint& p) const
         glass.diffuse *= p.eval(transmittance);
         dielectric = mix(through, body, glass);
     }
-    return mix(in_unit(p.eval(metallic)), dielectric, metal);
+    Phong all = mix(in_unit(p.eval(metallic)), dielectric, metal);
+    // Parts and colours are interpolated alike, so that their products may exceed all light.
+    const auto sent = [&](float d, float s) {
+        return all.diffusion * (d + s) + all.reflexion * s + all.refraction * std::max(d, s);
+    };
+    const float most = std::max({sent(all.diffuse.r, all.specular.r), sent(all.diffuse.g, all.specular.g),
+                                 sent(all.diffuse.b, all.specular.b)});
+    if (most > 1) all.diffusion /= most, all.reflexion /= most, all.refraction /= most;
+    return all;
 }
 
 }  // namespace lancer
