@@ -36,7 +36,7 @@ lancer=${LANCER:-build/release/lancer}
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 
-plain=split=false,roulette=false,learned_nee=false,multi_nee=false,mis_compensation=false,mirror_nee=false,light_tree=false
+plain=split=false,roulette=false,learned_nee=false,mis_compensation=false,mirror_nee=false,light_tree=false
 # draw SCENE NAME SPP SEED SETTINGS
 draw() {
     "$lancer" render "$1" -q --size "$size" -s "$3" --seed "$4" --sampler independent --filter box --aov variance \
@@ -48,7 +48,7 @@ same=0 differ=0
 for scene in "${scenes[@]}"; do
     draw "$scene" plain $((4 * spp)) 1 "$plain"
     # The default, and each estimator alone beside plain path tracing.
-    for estimator in default split roulette learned_nee multi_nee mis_compensation mirror_nee light_tree; do
+    for estimator in default split roulette learned_nee mis_compensation mirror_nee light_tree; do
         settings=''
         [[ $estimator == default ]] || settings=${plain/$estimator=false/$estimator=true}
         draw "$scene" it "$spp" 2 "$settings"

@@ -81,9 +81,6 @@ void print_plan(const Renderer& renderer, const CameraDescription& description, 
     const std::shared_ptr<const SamplingPlan> plan = renderer.plan(camera, size.width, size.height);
     const LightChoice& choice = plan->light_choice;
     print_field("splitting", plan->split == 1 ? "none" : "paths split into " + std::to_string(plan->split));
-    print_field("light samples", plan->light_samples == 1 ? "one"
-                                                          : std::to_string(plan->light_samples) +
-                                                                " at the first surface that spreads light");
     print_field("roulette", plan->importance.empty()
                                 ? "by the throughput"
                                 : format_text("by an importance map, cells of %u pixels", plan->cell));

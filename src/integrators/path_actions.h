@@ -20,9 +20,7 @@ struct PathState {
     Ray ray;
     Color throughput{1, 1, 1};     // of the path up to this ray
     Color importance{-1, -1, -1};  // see SamplingPlan::importance_at()
-    // Density of the BSDF's sample per solid angle, over the number of light samples to be expected at the ray's
-    // origin.
-    float pdf = 0;
+    float pdf = 0;               // density of the BSDF's sample per solid angle, over the rate of light sampling there
     uint32_t cell = 0;           // of the ray's origin, if lights are chosen by place; see LightChoice
     Vec3 normal;                 // shading normal at the ray's origin; 0 where a medium scattered
     RayCone cone;                // ray cone, for texture filtering
@@ -35,7 +33,6 @@ struct PathState {
     uint32_t depth = 0;          // number of vertices before this ray: at surfaces, and where a medium scattered
     bool specular = true;        // sampled from a delta lobe or by the camera
     bool light_sampled = false;  // light sampling at its origin could have found what it hits
-    bool many_lights = false;    // with SamplingPlan::light_samples
     PathSegment segment = PathSegment::view;  // segment of the path
     bool last = false;                        // only emission counts at its end
     bool has_split = false;                   // the path has passed the vertex where it splits

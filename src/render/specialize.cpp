@@ -76,9 +76,8 @@ void trace_pilot(const View& view, const Accelerator& accel, const Path& path, c
                  const ArrivalListener& listener)
 {
     if (!choice.wide) return Kernels<Path>::trace(view, accel, camera, width, settings, path, w, counters, listener);
-    const WideScene& wide = choice.wide_for(view.plan);
-    with_wide_kernel(wide.shading, [&](auto kernel) {
-        kernel.trace(view, accel, camera, width, settings, path, wide, w, counters, listener);
+    with_wide_kernel(choice.wide->shading, [&](auto kernel) {
+        kernel.trace(view, accel, camera, width, settings, path, *choice.wide, w, counters, listener);
     });
 }
 

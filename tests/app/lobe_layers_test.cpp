@@ -69,11 +69,8 @@ TEST_F(LobeLayers, AreThePicturesOfEachLobeAlone)
             if (integrator == "whitted" && c.all.find("interface") == std::string::npos) continue;
             SCOPED_TRACE(integrator + " " + c.all);
             // The same random numbers for all materials.
-            const Arguments way{"--integrator", integrator,
-                                "-s",           "16",
-                                "--set",        "learned_nee=false,multi_nee=false",
-                                "--set",        "split=false",
-                                "--set",        "roulette=false"};
+            const Arguments way{"--integrator",      integrator, "-s",          "16",    "--set",
+                                "learned_nee=false", "--set",    "split=false", "--set", "roulette=false"};
             Arguments with_layers = way;
             with_layers.insert(with_layers.end(), {"--aov", "lobes"});
             write_sheet("all.toml", c.all, lights);

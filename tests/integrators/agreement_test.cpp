@@ -184,7 +184,7 @@ TEST(Agreement, DirectIsPathOfOneVertex)
             continue;
         for (const DirectLight how : {DirectLight{true, true}, DirectLight{true, false}, DirectLight{false, false}}) {
             Path path{.max_depth = 1, .direct = how};
-            path.split = path.roulette_by_pixel = path.learned_nee = false, path.light_samples = 1;
+            path.split = path.roulette_by_pixel = path.learned_nee = false;
             EXPECT_TRUE(same_bits(shoot(d, {.integrator = Direct{.direct = how}}), shoot(d, {.integrator = path})))
                 << name;
         }

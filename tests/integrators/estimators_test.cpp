@@ -15,21 +15,12 @@ Path path_with(bool split, bool roulette, DirectLight direct = {})
     return path;
 }
 
-// The given number of light samples, with splitting and without.
-Path path_with_lights(uint32_t light_samples, bool split)
-{
-    Path path = path_with(split, split);
-    path.light_samples = light_samples;
-    return path;
-}
-
 void expect_estimators_agree(const SceneDescription& d, double detectable, const std::string& name)
 {
     std::vector<TilesOverSeeds> ways;
     uint64_t seed = 100;
-    for (const Path& path :
-         {path_with(false, false), path_with(true, false), path_with(false, true), path_with(true, true),
-          path_with(false, false, {.always = true}), path_with_lights(2, false), path_with_lights(4, true)})
+    for (const Path& path : {path_with(false, false), path_with(true, false), path_with(false, true),
+                             path_with(true, true), path_with(false, false, {.always = true})})
         ways.emplace_back(d, Shot{.integrator = path, .spp = 8, .seed = ++seed});
     expect_one_mean(std::move(ways), {.pictures = 16, .detectable = detectable, .rounding = 1e-5}, name);
 }

@@ -56,8 +56,7 @@ TEST(LightParts, AddUpToTheWhole)
 TEST(LightParts, WithoutIndirectLightIsTheDirectIntegrator)
 {
     for (const auto& [name, d] : all_test_scenes()) {
-        const RenderSettings switches{
-            .indirect = false, .learned_nee = false, .multi_nee = false, .split = false, .roulette = false};
+        const RenderSettings switches{.indirect = false, .learned_nee = false, .split = false, .roulette = false};
         EXPECT_TRUE(same_bits(shoot_with(d, switches), shoot_with(d, {.integrator = IntegratorKind::direct}))) << name;
     }
 }

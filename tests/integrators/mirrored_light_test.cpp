@@ -132,10 +132,6 @@ TEST(MirroredLight, IsWhatBsdfSamplingFinds)
                 names.push_back(name);
             };
             add("mirrors", {}, 4);
-            Path many{.max_depth = 4};
-            many.light_samples = 4;
-            found.emplace_back(d, Shot{.integrator = many, .spp = 4, .seed = found.size() + 1});
-            names.emplace_back("mirrors and four light samples");
             add("mirrors without mis", {.mis = false}, 4);
             add("without mirrors", {.mirrors = false}, 16);
             add("bsdf sampling", {.nee = false, .mis = false}, 64);
@@ -168,9 +164,6 @@ TEST(MirroredLight, HasTheSameBitsHoweverItIsTraced)
             d.camera->fov_deg = 60;
             RenderRequest request;
             request.spp = {32};
-            Path path;
-            path.light_samples = floor.type == MaterialType::plastic ? 2 : 1;
-            request.settings.integrator = path;
             const Film film = render(d, request).film;
             RenderRequest other = request;
             other.settings.kernel.profile = Profile::all;

@@ -46,7 +46,7 @@ RendererConfig with(bool split, bool roulette)
 {
     RendererConfig settings;
     Path path;
-    path.split = split, path.roulette_by_pixel = roulette, path.light_samples = 1;
+    path.split = split, path.roulette_by_pixel = roulette;
     settings.integrator = path;
     return settings;
 }
@@ -62,48 +62,6 @@ TEST(Pilot, PlansNothingThatIsSwitchedOff)
     const SamplingPlan roulette = planned(cornell_scene(), with(false, true)).plan;
     EXPECT_EQ(roulette.split, 1u);
     EXPECT_EQ(roulette.importance.size(), 4u * 3u);
-}
-
-// Of a picture large enough for a pilot that measures noise.
-uint32_t planned_light_samples(const SceneDescription& d, uint32_t asked, DirectLight direct = {})
-{
-    RendererConfig settings;
-    Path path{.direct = direct};
-    path.light_samples = asked;
-    settings.integrator = path;
-    uint32_t samples = 0;
-    with_threads(1, [&] {
-        const Renderer renderer(build_scene(d, test_picture), settings);
-        samples = renderer.plan(camera_of(d, renderer.scene(), 256, 192), 256, 192)->light_samples;
-    });
-    return samples;
-}
-
-// A black blind between a floor and a lamp: all noise is that of light sampling.
-SceneDescription floor_behind_bars()
-{
-    SceneDescription d;
-    d.meshes.push_back(make_mesh(
-        make_quad({-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}, make_lambert("floor", {0.5f, 0.5f, 0.5f}))));
-    d.meshes.push_back(
-        make_mesh(make_quad({-2, 3, -2}, {2, 3, -2}, {2, 3, 2}, {-2, 3, 2}, make_emitter("lamp", {5, 5, 5}))));
-    const MaterialDescription black = make_lambert("bar", {});
-    for (int i = -4; i <= 4; ++i) {
-        const double x = 0.5 * i;
-        d.meshes.push_back(
-            make_mesh(make_quad({x, 1.5, -4}, {x + 0.25, 1.5, -4}, {x + 0.25, 1.5, 4}, {x, 1.5, 4}, black)));
-    }
-    d.camera = make_camera({0, 1, 4}, {0, 0, 0}, 40);
-    return d;
-}
-
-TEST(Pilot, PlansLightSamplesWhereTheyPay)
-{
-    EXPECT_EQ(planned_light_samples(cornell_scene(), 1), 1u);
-    EXPECT_EQ(planned_light_samples(cornell_scene(), 4), 4u);
-    EXPECT_EQ(planned_light_samples(cornell_scene(), 0, {.nee = false}), 1u);
-    EXPECT_EQ(planned_light_samples(cornell_scene(), 0, {.mis = false}), 1u);
-    EXPECT_GT(planned_light_samples(floor_behind_bars(), 0), 1u);
 }
 
 // Where nothing shines there is nothing to plan for, and no 0 / 0.

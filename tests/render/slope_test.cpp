@@ -27,8 +27,7 @@ SceneDescription matt_scene()
     return d;
 }
 
-// Exponents of the error as a power of the number of samples, from 4 to 64; each of other random numbers. One number of
-// light samples for all, as pilots of so small pictures differ.
+// Exponents of the error as a power of the number of samples, from 4 to 64; each of other random numbers.
 stats::Tally exponents(uint32_t max_depth, SamplerKind sampler)
 {
     stats::Tally found;
@@ -36,13 +35,12 @@ stats::Tally exponents(uint32_t max_depth, SamplerKind sampler)
         const auto error = [&](uint32_t spp) {
             // The pictures of 4 samples are no part of those of 64.
             const auto film = [&](uint64_t seed) {
-                return shoot(matt_scene(),
-                             {.integrator = without_roulette({.max_depth = max_depth, .light_samples = 1}),
-                              .width = 24,
-                              .height = 24,
-                              .spp = spp,
-                              .sampler = sampler,
-                              .seed = 1000 * spp + seed});
+                return shoot(matt_scene(), {.integrator = without_roulette({.max_depth = max_depth}),
+                                            .width = 24,
+                                            .height = 24,
+                                            .spp = spp,
+                                            .sampler = sampler,
+                                            .seed = 1000 * spp + seed});
             };
             return apart(film(2 * pair), film(2 * pair + 1));
         };

@@ -132,20 +132,6 @@ TEST(Wide, HasThemWithAnyTechnique)
                     }
 }
 
-TEST(Wide, HasThemWithSeveralLightSamples)
-{
-    for (const Built& c : built_cases())
-        for (const uint32_t lights : {2u, 4u})
-            for (const bool split : {true, false}) {
-                Path path;
-                path.light_samples = lights, path.split = split;
-                RenderRequest r;
-                r.spp = {4};
-                r.settings.integrator = path;
-                expect_same(c, r, std::to_string(lights) + " light samples");
-            }
-}
-
 TEST(Wide, HasThemForEachPartOfTheLight)
 {
     for (const Built& c : built_cases())

@@ -70,11 +70,8 @@ private:
         print_result("  throughput     " + numbers_of(s.throughput));
         const View view{scene_, *plan_};
         const float rate = s.light_sampled ? view.light_rate(s.cell) : 1;
-        const uint32_t lights = s.many_lights ? plan_->light_samples : 1;
-        if (s.pdf > 0)
-            print_result(format_text("  pdf            %.9g", double(s.pdf * rate * static_cast<float>(lights))));
+        if (s.pdf > 0) print_result(format_text("  pdf            %.9g", double(s.pdf * rate)));
         if (rate < 1) print_result(format_text("  light sampled  with probability %g at its origin", double(rate)));
-        if (lights > 1) print_result(format_text("  light samples  %u at its origin", lights));
         if (!h) {
             print_result("  left the scene");
             return;

@@ -51,9 +51,7 @@ void print_sampling_plan(const AnyIntegrator& integrator, const SamplingPlan& pl
         print_note(format_text("background only: %zu of %zu cells of %u pixels; their camera rays are not traced", open,
                                plan.background_only.size(), plan.background_cell));
     if (!std::holds_alternative<Path>(integrator)) return;
-    print_note(format_text("sampling plan: paths split into %u", plan.split) +
-               (plan.light_samples == 1 ? "" : format_text(", %u light samples there", plan.light_samples)) +
-               "; Russian roulette by " +
+    print_note(format_text("sampling plan: paths split into %u", plan.split) + "; Russian roulette by " +
                (plan.importance.empty() ? std::string("the throughput")
                                         : format_text("an importance map, cells of %u pixels", plan.cell)));
 }

@@ -170,16 +170,14 @@ bool needs_tint(const V& view, const LightSample& light)
     return (light.delta && view.scene.passes_glass) || view.scene.passes_bare;
 }
 
-// Next-event estimation at a vertex: one light sample. cell: of LightChoice; number: of samples to be expected there,
-// which their density counts.
+// Next-event estimation at a vertex. cell: the density counts its rate; see LightChoice.
 template <class V, class B>
 void sample_direct(const V& view, const PathState& s, const Surface& surface, const Frame& frame, Vec3 wo,
-                   const B& bsdf, const Sampler& sampler, DirectLight how, uint32_t cell, float number,
-                   PathActions& actions)
+                   const B& bsdf, const Sampler& sampler, DirectLight how, uint32_t cell, PathActions& actions)
 {
     auto light = view.sample_light(surface, sampler, s.depth, bsdf.transmits(), cell);
     if (!light) return;
-    light->pdf *= number;
+    light->pdf *= view.light_rate(cell);
     const Vec3 wi = frame.to_local(light->wi);
     if (!sides_agree(surface, light->wi, wi)) return;
     const BsdfValue f = bsdf.eval(wo, wi);

@@ -80,15 +80,13 @@ inline PathState to_mirror(PathState s)
 
 // Keeps in n, the path that goes on from a mirror, what the density of sample_mirrored() at the vertex before depends
 // on.
-template <class V>
-void follow_mirror(const V& view, const PathState& s, const Surface& surface, DirectLight how, PathState& n)
+inline void follow_mirror(const PathState& s, const Surface& surface, DirectLight how, PathState& n)
 {
     n.mirror_distance = 0;
     if (s.mirror == 0 || !s.light_sampled || !n.specular || !how.mirrors) return;
     n.mirror_distance = surface.t;
     n.normal = mirror_image(s.normal, surface.n);
     n.pdf = s.pdf / mirror_rate(s.segment == PathSegment::direct ? PathSegment::view : PathSegment::indirect);
-    if (s.many_lights) n.pdf *= static_cast<float>(view.plan.light_samples);
 }
 
 }  // namespace lancer

@@ -16,7 +16,6 @@ struct Path {
     LightParts parts{};
     bool split = true, roulette_by_pixel = true;  // allow splitting and adjoint-driven roulette
     bool learned_nee = true;                      // allow SamplingPlan::light_choice
-    uint32_t light_samples = 0;                   // of SamplingPlan; 0: as a pilot finds best
 
     void take(const RenderSettings& settings)
     {
@@ -26,7 +25,6 @@ struct Path {
         split = settings.split;
         roulette_by_pixel = settings.roulette;
         learned_nee = settings.learned_nee;
-        light_samples = settings.multi_nee ? 0 : 1;
     }
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,

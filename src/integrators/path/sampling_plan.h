@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/color.h"
-#include "core/layers.h"
 #include "integrators/path/light_choice.h"
 
 namespace lancer {
@@ -48,15 +47,6 @@ struct SamplingPlan {
     }
 
     LightChoice light_choice;
-
-    // Number of light samples at a path's first diffuse or rough vertex: 1, 2 or 4. Sample i of path j uses the light
-    // numbers of sample j * light_samples + i, so that those of a pixel form one low-discrepancy sequence.
-    uint32_t light_samples = 1;
-    // That at a vertex. in: segment of the ray that met it; has_split: as in PathState.
-    uint32_t light_samples_at(PathSegment in, bool has_split) const
-    {
-        return in == PathSegment::view && !has_split ? light_samples : 1;
-    }
 
     // Importance for a pixel; negative if it is unknown.
     Color importance_at(uint32_t x, uint32_t y) const

@@ -151,7 +151,6 @@ void trace_flight(const V& view, PathState& s, const Flight& flight, float t, co
         ++n.depth;
         if (!survives_roulette(n, sampler, roulette_depth, view.plan.split)) return false;
         n.light_sampled = samples;
-        n.many_lights = false;
         n.last = is_last(n) || (n.segment == PathSegment::direct && !parts.indirect);
         return true;
     });

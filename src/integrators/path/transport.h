@@ -109,14 +109,6 @@ bool splits_at(const PathState& s, const B& bsdf)
     return !s.has_split && !bsdf.only_delta();
 }
 
-// Calls f with the random numbers of each light sample at a vertex. lights: their number.
-template <class F>
-void sample_lights(const PathState& s, const Sampler& sampler, uint32_t lights, const F& f)
-{
-    if (lights == 1) return f(sampler);
-    for (uint32_t i = 0; i < lights; ++i) f(sampler.of_sample(s.sample * lights + i));
-}
-
 // One vertex of a path tracer: emission, next-event estimation, BSDF sampling. is_last(next): whether only emission
 // counts at the end of the next ray.
 template <class V, class IsLast>
@@ -133,23 +125,18 @@ void trace_vertex(const V& view, const PathState& s, const Surface& surface, con
         const uint32_t cell = samples ? view.light_cell(surface) : 0;
         // Next-event estimation, with the probability of its cell; see LightChoice.
         const float rate = samples ? view.light_rate(cell) : 0;
-        const uint32_t lights = view.plan.light_samples_at(s.segment, s.has_split);
-        const float expected = rate * static_cast<float>(lights);
         if (rate == 1 || (rate > 0 && sampler.get1(s.depth, Dim::roulette) < rate)) {
             if (parts.has(segment_after(s.segment, false)))
-                sample_lights(s, sampler, lights, [&](const Sampler& numbers) {
-                    sample_direct(view, s, surface, frame, wo, bsdf, numbers, how, cell, expected, actions);
-                });
+                sample_direct(view, s, surface, frame, wo, bsdf, sampler, how, cell, actions);
             if (parts.indirect && how.mirrors && !view.scene.mirrors.empty() && !is_last(to_mirror(s))) [[unlikely]]
                 sample_mirrored(view, s, surface, wo, bsdf, sampler, how, rate, actions);
         }
         const auto send = [&](PathState& n, const Sampler& numbers) {
             if (!scatter(view, s, n, surface, frame, wo, bsdf, numbers)) return false;
             if (!survives_roulette(n, numbers, roulette_depth, view.plan.split)) return false;
-            follow_mirror(view, s, surface, how, n);
+            follow_mirror(s, surface, how, n);
             n.light_sampled = samples && !n.specular;
-            n.many_lights = n.light_sampled && lights > 1;
-            if (n.light_sampled) n.pdf /= expected, n.cell = cell;
+            if (n.light_sampled) n.pdf /= view.light_rate(cell), n.cell = cell;
             n.last = is_last(n) || (n.segment == PathSegment::direct && !parts.indirect);
             return true;
         };

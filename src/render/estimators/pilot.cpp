@@ -5,7 +5,6 @@
 #include "core/parallel.h"
 #include "integrators/view.h"
 #include "render/estimators/arrivals.h"
-#include "render/estimators/light_samples.h"
 #include "render/estimators/stop_rule.h"
 
 namespace lancer {
@@ -67,11 +66,6 @@ struct PilotGrid {
     // Their slot is the index of a pixel. Empty if nothing is to be learned.
     std::vector<Arrival> arrivals;
 
-    // Pixel in the middle of a column or row of cells. size: number of pixels along it.
-    uint32_t middle(size_t index, uint32_t size) const
-    {
-        return std::min(static_cast<uint32_t>(index) * cell + cell / 2, size - 1);
-    }
     double brightness() const { return luminance(mean[0], mean[1], mean[2]); }
     double floor() const { return dark * brightness(); }  // as bright as what is darker counts
     // The square of a pixel's radiance, to which its error is relative.
@@ -79,17 +73,6 @@ struct PilotGrid {
     {
         const double y = luminance(pixel.mean[0], pixel.mean[1], pixel.mean[2]), least = floor();
         return y * y + least * least;
-    }
-    // At most about a thousand of the pixels, evenly.
-    std::vector<PilotPixel> some_pixels(uint32_t width, uint32_t height) const
-    {
-        std::vector<PilotPixel> some;
-        const uint32_t step = pixels.size() > 1024 ? 2 : 1;
-        for (uint32_t row = 0; row < rows; row += step)
-            for (uint32_t column = 0; column < columns; column += step)
-                some.push_back(
-                    {middle(column, width), middle(row, height), square_of(pixels[size_t{row} * columns + column])});
-        return some;
     }
 };
 
@@ -120,10 +103,13 @@ PilotGrid measure_grid(const Scene& scene, const Accelerator& accel, const Path&
         size_t named = 0;  // arrivals that know their pixel
         for (uint32_t first = 0; first < s.columns; first += paths) {
             const uint32_t end = std::min(s.columns, first + paths);
+            const auto middle = [&](size_t cell, uint32_t size) {
+                return std::min(static_cast<uint32_t>(cell) * s.cell + s.cell / 2, size - 1);
+            };
             w.slots.clear();
             for (uint32_t column = first; column < end; ++column)
                 for (uint32_t i = 0; i < paths * parts; ++i)
-                    w.slots.push_back({s.middle(column, width), s.middle(row, height), i});
+                    w.slots.push_back({middle(column, width), middle(row, height), i});
             trace_pilot({scene, shared}, accel, pilot, settings, kernel, camera, width, w, counters[row],
                         ArrivalListener(learns ? &arrivals[row] : nullptr));
             for (; named < arrivals[row].size(); ++named) {
@@ -167,21 +153,6 @@ uint32_t best_split(const PilotGrid& s, const LightTable& lights)
     if (!(above > 0)) return most_split;
     const double best = std::sqrt(below * first / (left * above * rest));
     return best < 1 ? 1 : static_cast<uint32_t>(std::min(static_cast<float>(most_split), rounded(best)));
-}
-
-PathCost cost_of_paths(const PilotGrid& s, uint32_t split)
-{
-    PathCost cost{.below = 0, .camera = packed, .shadow = occlusion, .split = static_cast<double>(split)};
-    for (const PixelStatistics& pixel : s.pixels) {
-        const double weight = s.square_of(pixel) * static_cast<double>(s.pixels.size());
-        if (!(weight > 0)) continue;
-        cost.below += pixel.among_parts / (weight * split);
-    }
-    const auto per_sample = [&](uint64_t n) {
-        return static_cast<double>(n) / static_cast<double>(std::max<uint64_t>(1, s.counters.camera_rays));
-    };
-    cost.bounces = per_sample(s.counters.bounce_rays), cost.shadows = per_sample(s.counters.shadow_rays);
-    return cost;
 }
 
 LightChoice best_light_choice(PilotGrid& s, const Scene& scene)
@@ -241,18 +212,13 @@ SamplingPlan make_plan(const Scene& scene, const Accelerator& accel, const Path&
                        const std::stop_token& stop)
 {
     SamplingPlan plan;
-    plan.light_samples = std::max(1u, path.light_samples);
-    const bool samples = path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
-    const bool learns = path.learned_nee && samples, counts = path.light_samples == 0 && samples;
-    if (!path.split && !path.roulette_by_pixel && !learns && !counts) return plan;
+    const bool learns = path.learned_nee && path.direct.nee && path.direct.mis && !scene.lights.pick.empty();
+    if (!path.split && !path.roulette_by_pixel && !learns) return plan;
     PilotGrid s = measure_grid(scene, accel, path, settings, kernel, camera, width, height, learns, stop);
     if (stop.stop_requested()) return plan;
     if (path.split) plan.split = plan.parts = best_split(s, scene.lights);
     if (path.roulette_by_pixel) estimate_importance(s, plan);
     if (learns) plan.light_choice = best_light_choice(s, scene);
-    if (counts)
-        plan.light_samples = best_light_samples(scene, accel, path, settings, kernel, camera, width, plan,
-                                                s.some_pixels(width, height), cost_of_paths(s, plan.split), stop);
     return plan;
 }
 

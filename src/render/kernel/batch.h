@@ -67,13 +67,13 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         return Sampler(settings.sampler, seed, uint64_t{id.y} * width + id.x, sample, branch);
     };
     w.queue.radiance.assign(w.slots.size(), RadianceSum{});
-    // Integrators request at most one ray of each kind per part of a path, or light sample. Reserving that much avoids
-    // allocations in later batches.
-    const size_t most_shadows = w.slots.size() * std::max(view.plan.split, view.plan.light_samples);
-    w.queue.next.reserve(w.slots.size() * view.plan.split);
-    w.queue.shadow_rays.reserve(most_shadows);
-    w.queue.shadows.reserve(most_shadows);
-    w.occluded.reserve(most_shadows);
+    // Integrators request at most one ray of each kind per part of a path. Reserving that much avoids allocations in
+    // later batches.
+    const size_t most = w.slots.size() * view.plan.split;
+    w.queue.next.reserve(most);
+    w.queue.shadow_rays.reserve(most);
+    w.queue.shadows.reserve(most);
+    w.occluded.reserve(most);
     w.states.clear();
     std::array<std::optional<Sampler>, lookahead> samplers;
     const auto prepare_camera = [&](uint32_t first) {

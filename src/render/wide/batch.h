@@ -55,7 +55,6 @@ public:
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.leaves_sky_to_cosine())),
           samples_on_matt_(samples_ && !view.leaves_sky_to_cosine()),
           learned_(samples_ && !view.plan.light_choice.empty()),
-          many_lights_(samples_ && view.plan.light_samples > 1),
           keeps_cells_(learned_ && view.plan.light_choice.chooses()),
           tiles_(textured && samples_ && view.plan.light_choice.has_tiles),
           samples_sky_(textured && samples_ && (tiles_ || view.scene.environment_light != Scene::none)),
@@ -65,8 +64,7 @@ public:
           prefetches_(tables_exceed_caches(view.scene))
     {
         const size_t most = w.slots.size() * view.plan.split;
-        now_.reserve(most), next_.reserve(most);
-        shadows_.reserve(w.slots.size() * std::max(view.plan.split, view.plan.light_samples));
+        now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
         if (keeps_normals_) w.wide.normals_now.reserve(most), w.wide.normals_next.reserve(most);
         if (keeps_cells_) w.wide.cells_now.reserve(most), w.wide.cells_next.reserve(most);
@@ -170,10 +168,7 @@ private:
     void sample_any_light(const Vertices& v, const ChosenLights& chosen, LightQuery& query);
     void sample_direct(std::span<Vertices> vertices);
     uint32_t lanes_by_rate(uint32_t lanes, Vertices& v) const;
-    uint32_t lanes_of_many_lights(const Lanes& path) const;
-    Float8 expected_lights(const Vertices& v) const;
-    void find_light_sampling(Vertices& v) const;
-    void query_light(const Vertices& v, uint32_t part, LightQuery& query);
+    void query_light(Vertices& v, LightQuery& query);
     void eval_non_lambert(const Vertices& v, const LightQuery& query, uint32_t lanes, Vec3x8& f_cos, Float8& pdf) const;
     void send_through_glass(const Vertices& v, uint32_t lanes, const LightQuery& query, const Vec3x8& origin,
                             const Vec3x8& dir, const Float8& distance, const Vec3x8& radiance);
@@ -190,8 +185,7 @@ private:
     void send(uint32_t lanes, const Vec3x8& origin, const Vec3x8& wi, const Vertices& v);
     Float8 survival(const Lanes& next) const;
     template <class Of>
-    void set_alpha_keys(PackedStates<Of>& sent, uint32_t lanes, const KeyLanes& key, UInt8 sample, uint32_t bounce,
-                        Dim dim);
+    void set_alpha_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path, uint32_t bounce, Dim dim);
     PathState state_of(size_t i, const Lanes& path, uint32_t lane) const;
     void add_emission(size_t i, const Lanes& path, uint32_t lane);
     void add_background(uint32_t missed, size_t first, const Lanes& path);
@@ -243,7 +237,6 @@ private:
     // Whether light sampling is done, for all and for Lambertian surfaces.
     bool samples_, samples_on_matt_;
     bool learned_;                               // there is a LightChoice
-    bool many_lights_;                           // there are vertices with several light samples
     bool keeps_cells_;                           // see WideWorkspace
     bool tiles_;                                 // LightChoice chooses tiles of the sky
     bool samples_sky_;                           // the environment is one of the lights, as a whole or in tiles
@@ -301,7 +294,7 @@ inline void WideBatch<shading>::generate_camera_rays(const Camera& camera, uint3
     const uint32_t all = (1u << n) - 1;
     now_.push(all, org, dir, broadcast(Ray{}.t_max), path);
     now_.set_leaf_hints(all, UInt8{} + Ray::no_leaf_hint);
-    set_alpha_keys(now_, all, path.key, path.sample, 0, Dim::alpha);
+    set_alpha_keys(now_, all, path, 0, Dim::alpha);
 }
 
 // Reports the camera rays and their hits to the listener. Ray i is that of slot i.
@@ -349,14 +342,14 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
 // Sets Ray::key of the rays that were just appended; see View::set_alpha_key().
 template <Shading shading>
 template <class Of>
-inline void WideBatch<shading>::set_alpha_keys(PackedStates<Of>& sent, uint32_t lanes, const KeyLanes& key,
-                                               UInt8 sample, uint32_t bounce, Dim dim)
+inline void WideBatch<shading>::set_alpha_keys(PackedStates<Of>& sent, uint32_t lanes, const PathLanes& path,
+                                               uint32_t bounce, Dim dim)
 {
     if constexpr (!textured) return;
     if (!view_.scene.geometry.alpha_test.passes_through) return;
-    const AddressLanes address = numbers(key, bounce, dim);
+    const AddressLanes address = numbers(path.key, bounce, dim);
     Ray* ray = sent.last_rays(static_cast<size_t>(std::popcount(lanes))).data();
-    for_each_lane(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, sample[i]); });
+    for_each_lane(lanes, [&](uint32_t i) { (ray++)->key = address.key(i, path.sample[i]); });
 }
 
 // See render/kernel/batch.h. The listener receives camera rays and their hits only.

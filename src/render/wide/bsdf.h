@@ -44,7 +44,6 @@ inline void WideBatch<shading>::scatter(Vertices& v)
     std::optional<AddressLanes> roulette;  // only computed if needed
     if (!is_certain) roulette = numbers(next.key, depth_ + 1, Dim::roulette);
     const uint32_t parts = splits ? plan.split : 1;
-    const Float8 lights = expected_lights(v);
     for (uint32_t part = 0; part < parts; ++part, next.sample += 1u) {
         const Vec2x8 u = address.get2(next.sample);
         const Vec3x8 local = square_to_cosine_hemisphere(u.x, u.y);
@@ -53,7 +52,7 @@ inline void WideBatch<shading>::scatter(Vertices& v)
         if (roulette) goes &= roulette->get2_x(next.sample) < q;
         next.pdf = pdf_cosine_hemisphere(local.z);
         if constexpr (textured) next.spread = opened(spread, next.pdf);
-        if (learned_ || many_lights_) next.pdf = next.pdf / lights;
+        if (learned_) next.pdf = next.pdf / v.light_rate;
         send(movemask(goes) & v.hit, v.origin, wi, v);
     }
 }
@@ -146,7 +145,6 @@ inline void WideBatch<shading>::begin_scatter(Vertices& v, ScatterState& g)
     const uint32_t sampled = (samples_on_matt_ ? ~non_lambert.lanes : 0) | (samples_ ? non_lambert.lanes : 0);
     g.spreading =
         kept | segment(PathSegment::direct) | (reinterpret_cast<UInt8>(lanes_of(sampled & 255)) & has_sampled_light);
-    if (many_lights_) g.spreading |= reinterpret_cast<UInt8>(lanes_of(v.many_lights & sampled)) & has_many_lights;
     g.straight = kept | segment(PathSegment::view) | was_specular;
 }
 
@@ -192,8 +190,7 @@ inline void WideBatch<shading>::finish_part(Vertices& v, const ScatterState& g, 
         next.eta_scale = g.eta_scale * (s.eta * s.eta);
         next.path_flags = select(is_delta, g.straight, g.spreading);
         next.spread = spread_after(is_delta, g.spread, s.pdf);
-        if (learned_ || many_lights_)
-            next.pdf = select(is_set(next.path_flags, has_sampled_light), next.pdf / expected_lights(v), next.pdf);
+        if (learned_) next.pdf = select(is_set(next.path_flags, has_sampled_light), next.pdf / v.light_rate, next.pdf);
         if (by_mirrors_) next.pdf = select(lanes_of(v.non_lambert.mirrored), v.non_lambert.mirrored_pdf, next.pdf);
         const Float8 q = survival(next);
         if ((movemask(q != one) & goes) != 0) {
@@ -217,7 +214,7 @@ inline void WideBatch<shading>::send(uint32_t lanes, const Vec3x8& origin, const
     invalidate(lanes & ~traceable, v.path.slot);
     next_.push(lanes & traceable, origin, wi, no_end, v.path);
     next_.set_leaf_hints(lanes & traceable, v.leaf_hint);
-    set_alpha_keys(next_, lanes & traceable, v.path.key, v.path.sample, depth_ + 1, Dim::alpha);
+    set_alpha_keys(next_, lanes & traceable, v.path, depth_ + 1, Dim::alpha);
     if (by_mirrors_) {
         if constexpr (any) {
             const NonLambert& m = v.non_lambert;

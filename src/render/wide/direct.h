@@ -134,47 +134,17 @@ inline uint32_t WideBatch<shading>::lanes_by_rate(uint32_t lanes, Vertices& v) c
     return lanes & movemask(certain | (u < v.light_rate));
 }
 
-// SamplingPlan::light_samples_at() is for these lanes.
 template <Shading shading>
-inline uint32_t WideBatch<shading>::lanes_of_many_lights(const Lanes& path) const
-{
-    if constexpr (any)
-        return movemask((path.path_flags >> segment_shift) == static_cast<uint32_t>(PathSegment::view)) &
-               ~movemask(is_set(path.path_flags, has_split));
-    return depth_ == 0 ? 255 : 0;
-}
-
-// Number of light samples to be expected at the vertices; see PathState::pdf.
-template <Shading shading>
-inline Float8 WideBatch<shading>::expected_lights(const Vertices& v) const
-{
-    const Float8 rate = learned_ ? v.light_rate : broadcast(1.0f);
-    if (!many_lights_) return rate;
-    return select(lanes_of(v.many_lights), rate * static_cast<float>(view_.plan.light_samples), rate);
-}
-
-// Decides where light is sampled and how often.
-template <Shading shading>
-inline void WideBatch<shading>::find_light_sampling(Vertices& v) const
+inline void WideBatch<shading>::query_light(Vertices& v, LightQuery& query)
 {
     v.samples_light = light_sampling_lanes(v);
     if (learned_) v.samples_light = lanes_by_rate(v.samples_light, v);
-    if (many_lights_) v.many_lights = lanes_of_many_lights(v.path);
-}
-
-// Takes the light sample `part` of each vertex that has so many.
-template <Shading shading>
-inline void WideBatch<shading>::query_light(const Vertices& v, uint32_t part, LightQuery& query)
-{
-    query.active = shown_lanes(v), query.by_place = keeps_cells_, query.sample = v.path.sample;
-    if (part > 0) query.active &= v.many_lights;
+    query.active = shown_lanes(v), query.by_place = keeps_cells_;
     if (query.active == 0) return;
-    if (many_lights_)
-        query.sample = select(lanes_of(v.many_lights), query.sample * view_.plan.light_samples + part, query.sample);
     const AddressLanes address = numbers(v.path.key, depth_, Dim::light);
-    const Vec2x8 u = address.get2(query.sample);
+    const Vec2x8 u = address.get2(v.path.sample);
     sample_light(v, address, u, query);
-    if (learned_ || many_lights_) query.light.pdf *= expected_lights(v);
+    if (learned_) query.light.pdf *= v.light_rate;
     if constexpr (any) {
         const uint32_t non_lambert = query.active & v.non_lambert.lanes & movemask(query.light.found);
         if (non_lambert == 0) return;
@@ -211,29 +181,19 @@ inline void WideBatch<shading>::eval_non_lambert(const Vertices& v, const LightQ
 template <Shading shading>
 inline void WideBatch<shading>::sample_direct(std::span<Vertices> vertices)
 {
-    uint32_t many = 0;
-    for (Vertices& v : vertices) {
-        find_light_sampling(v);
-        if (many_lights_) many |= v.samples_light & v.many_lights;
-    }
-    const uint32_t parts = many == 0 ? 1 : view_.plan.light_samples;
     if constexpr (any) {
-        // A sample's path has one vertex at a time until it splits, so that its light samples are added in their order.
-        for (uint32_t part = 0; part < parts; ++part) {
-            for (size_t i = 0; i < vertices.size(); ++i) query_light(vertices[i], part, non_lambert_.query[i]);
-            non_lambert_.plastic.eval();
-            for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], non_lambert_.query[i]);
-        }
+        for (size_t i = 0; i < vertices.size(); ++i) query_light(vertices[i], non_lambert_.query[i]);
+        non_lambert_.plastic.eval();
+        for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], non_lambert_.query[i]);
         // The mirror is a vertex as well.
         if (by_mirrors_ && path_.parts.indirect && depth_ + 1 != path_.max_depth)
             for (Vertices& v : vertices) sample_mirrored(v);
     } else {
-        for (const Vertices& v : vertices)
-            for (uint32_t part = 0; part < parts; ++part) {
-                LightQuery query;
-                query_light(v, part, query);
-                send_shadows(v, query);
-            }
+        for (Vertices& v : vertices) {
+            LightQuery query;
+            query_light(v, query);
+            send_shadows(v, query);
+        }
     }
 }
 
@@ -279,7 +239,7 @@ inline void WideBatch<shading>::send_shadows(const Vertices& v, const LightQuery
         }
     shadows_.push(sent, origin, dir, distance, {radiance, v.path.slot});
     if (arrivals_) w_.wide.shadow_lights.push(sent, to.ids);
-    set_alpha_keys(shadows_, sent, v.path.key, to.sample, depth_, Dim::shadow_alpha);
+    set_alpha_keys(shadows_, sent, v.path, depth_, Dim::shadow_alpha);
 }
 
 // Requests shadow rays that smooth glass does not stop.
@@ -292,7 +252,7 @@ inline void WideBatch<shading>::send_through_glass(const Vertices& v, uint32_t l
     const auto color = [](Vec3 c) { return Color{c.x, c.y, c.z}; };
     for_each_lane(lanes, [&](uint32_t i) {
         Ray ray{.org = lane(origin, i), .dir = lane(dir, i), .t_max = distance[i]};
-        if (view_.scene.geometry.alpha_test.passes_through) ray.key = address.key(i, query.sample[i]);
+        if (view_.scene.geometry.alpha_test.passes_through) ray.key = address.key(i, v.path.sample[i]);
         PathActions(w_.queue, v.path.slot[i])
             .tinted_shadow(ray, color(lane(radiance, i)), color(lane(query.light.radiance, i)), query.ids[i]);
     });

@@ -35,7 +35,7 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
     const LightTable& lights = view_.scene.lights;
     if (query.by_place) {
         const LightChoice& choice = view_.plan.light_choice;
-        const Float8 number = address.get1(query.sample);
+        const Float8 number = address.get1(v.path.sample);
         ChosenLights chosen{.u = u};
         Float8& probability = chosen.probability.emplace();
         for_each_lane(query.active, [&](uint32_t i) {
@@ -52,7 +52,7 @@ inline typename WideBatch<shading>::ChosenLights WideBatch<shading>::choose_ligh
         const Discrete::RemappedLanes chosen = lights.pick.sample_remapped(u.x);
         return {.ids = chosen.index, .u = {chosen.u, u.y}};
     }
-    const Float8 number = address.get1(query.sample);
+    const Float8 number = address.get1(v.path.sample);
     std::array<double, float_lanes> numbers;
     for (uint32_t i = 0; i < float_lanes; ++i) numbers[i] = extend_precision(number[i], Vec2{u.x[i], u.y[i]});
     ChosenLights chosen{.u = u};

@@ -11,7 +11,7 @@ template <Shading shading>
 inline void WideBatch<shading>::sample_mirrored(Vertices& v)
 {
     LightQuery query;
-    query.active = v.samples_light, query.sample = v.path.sample;
+    query.active = v.samples_light;
     if (query.active == 0) return;
     const AddressLanes address = numbers(v.path.key, depth_, Dim::mirror);
     const Vec2x8 number = address.get2(v.path.sample);
@@ -79,8 +79,6 @@ inline void WideBatch<shading>::follow_mirrors(Vertices& v)
         more.mirrored |= 1u << i;
         const bool is_first = segment_of(v.path.path_flags, i) == PathSegment::direct;
         more.mirrored_pdf[i] = v.path.pdf[i] / mirror_rate(is_first ? PathSegment::view : PathSegment::indirect);
-        if ((v.path.path_flags[i] & has_many_lights) != 0)
-            more.mirrored_pdf[i] *= static_cast<float>(view_.plan.light_samples);
         more.mirror_distance[i] = hits[i].t;
         if (!keeps_normals_) return;
         set_lane(more.mirrored_normal, i, mirror_image(w_.wide.normals_now[v.first + i], lane(v.n, i)));

@@ -114,8 +114,7 @@ struct AnyPathLanes : ConePathLanes {
     Float8 eta_scale;  // as in PathState
     UInt8 path_flags;  // the flags below; above them PathState::segment
 };
-inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, has_many_lights = 8,
-                          segment_shift = 4;
+inline constexpr uint32_t was_specular = 1, has_sampled_light = 2, has_split = 4, segment_shift = 3;
 inline UInt8 bits_of(PathSegment segment) { return UInt8{} + (static_cast<uint32_t>(segment) << segment_shift); }
 inline Mask8 is_set(UInt8 path_flags, uint32_t bit) { return (path_flags & bit) != 0; }
 

@@ -52,7 +52,6 @@ struct Vertices {
     Vec3x8 albedo;
     Vec3x8 n, ns, origin;    // as in Surface
     uint32_t samples_light;  // lanes that sample a light
-    uint32_t many_lights;    // lanes that take SamplingPlan::light_samples; only set if these are several
     UInt8 light_cell;        // see LightChoice; only set if there is one, like light_rate
     Float8 light_rate;
     Float8 cos_o;  // between the shading normal and wo
@@ -76,7 +75,6 @@ struct ChosenLights {
 struct LightQuery {
     uint32_t active = 0;    // lanes that sample a light
     bool by_place = false;  // by LightChoice
-    UInt8 sample;           // index of the random numbers
     LightSampleLanes light;
     UInt8 ids;  // of the lights
     Vec3x8 wi;  // direction to the light, local; of lanes that are not Lambertian

@@ -107,11 +107,6 @@ constexpr std::array rows{
                  .help =
                      "path samples lights as often, and of several the one, as a pilot's shadow rays brought light to "
                      "places near by; BSDF sampling finds the rest (needs nee and mis)"},
-    RenderOption{.name = "multi_nee",
-                 .field = SwitchField{&S::multi_nee},
-                 .help =
-                     "path takes 2 or 4 light samples at the first surface that spreads light, if a pilot finds that "
-                     "this pays (needs nee and mis)"},
     RenderOption{.name = "mirror_nee",
                  .field = SwitchField{&S::mirror_nee},
                  .help = "path samples lights also by way of large flat mirrors; without it nothing finds what points "

@@ -64,7 +64,6 @@ struct RenderSettings {
     bool always_nee = false;
     bool mis_compensation = true;
     bool learned_nee = true;
-    bool multi_nee = true;
     bool mirror_nee = true;
     bool light_tree = true;
     bool split = true;
