@@ -121,51 +121,66 @@ void AovListener::vertex(const PathState& s, const Surface& surface) const
 {
     if (!is_from_camera(s)) return;
     if (!film_.sets.empty()) add_features(s, surface);
-    const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     if (wants(AovSum::albedo) || wants(AovSum::flat)) {
         const ShadingPoint point = scene_.shading_point(surface);
-        if (wants(AovSum::albedo)) add(sum_of(id, AovSum::albedo), albedo_at(scene_, surface.material, point));
-        if (wants(AovSum::flat)) add(sum_of(id, AovSum::flat), base_color_at(scene_, surface.material, point));
+        if (wants(AovSum::albedo)) add(sum_of(s, AovSum::albedo), albedo_at(scene_, surface.material, point));
+        if (wants(AovSum::flat)) add(sum_of(s, AovSum::flat), base_color_at(scene_, surface.material, point));
     }
-    if (wants(AovSum::normal)) add(sum_of(id, AovSum::normal), surface.ns);
-    if (wants(AovSum::position)) add(sum_of(id, AovSum::position), surface.p);
+    if (wants(AovSum::normal)) add(sum_of(s, AovSum::normal), surface.ns);
+    if (wants(AovSum::position)) add(sum_of(s, AovSum::position), surface.p);
     if (wants(AovSum::uv)) {
-        double* const uv = sum_of(id, AovSum::uv);
+        double* const uv = sum_of(s, AovSum::uv);
         uv[0] += double{surface.uv.x}, uv[1] += double{surface.uv.y};
     }
     add_distance(s, s.passed_distance() + surface.t);
-    if (wants(AovSum::material) && id.sample == 0) *sum_of(id, AovSum::material) = surface.material + 1.0;
+    if (wants(AovSum::material) && w_.slots[s.slot].sample == 0) *sum_of(s, AovSum::material) = surface.material + 1.0;
 }
 
 void AovListener::add_distance(const PathState& s, float distance) const
 {
-    const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
-    if (wants(AovSum::depth)) *sum_of(id, AovSum::depth) += double{distance};
-    if (wants(AovSum::z)) *sum_of(id, AovSum::z) += double{distance * dot(s.ray.dir, axis_)};
-    if (wants(AovSum::hits)) ++*sum_of(id, AovSum::hits);
+    if (wants(AovSum::depth)) *sum_of(s, AovSum::depth) += double{distance};
+    if (wants(AovSum::z)) *sum_of(s, AovSum::z) += double{distance * dot(s.ray.dir, axis_)};
+    if (wants(AovSum::hits)) ++*sum_of(s, AovSum::hits);
 }
 
 void AovListener::scattered(const PathState& s, float t, const Medium& medium, const Surface* end) const
 {
     if (!is_from_camera(s)) return;
     if (end && !is_skipped(scene_, s.media, *end)) return vertex(s, *end);
-    const SampleId& id = w_.slots[s.slot];
     const auto wants = [&](AovSum sum) { return film_.aov_layout.has(sum); };
     const Color albedo = medium.albedo();
-    if (wants(AovSum::albedo)) add(sum_of(id, AovSum::albedo), albedo);
-    if (wants(AovSum::flat)) add(sum_of(id, AovSum::flat), albedo);
-    if (wants(AovSum::normal)) add(sum_of(id, AovSum::normal), -s.ray.dir);
-    if (wants(AovSum::position)) add(sum_of(id, AovSum::position), s.ray.org + s.ray.dir * t);
+    if (wants(AovSum::albedo)) add(sum_of(s, AovSum::albedo), albedo);
+    if (wants(AovSum::flat)) add(sum_of(s, AovSum::flat), albedo);
+    if (wants(AovSum::normal)) add(sum_of(s, AovSum::normal), -s.ray.dir);
+    if (wants(AovSum::position)) add(sum_of(s, AovSum::position), s.ray.org + s.ray.dir * t);
     add_distance(s, s.passed_distance() + t);
 }
 
 void AovListener::add_features(const PathState& s, const Surface& surface) const
 {
     const SampleSet::Features seen = features_seen(scene_, accel_, s, surface);
-    SampleSet::Features& sum = set_of(w_.slots[s.slot]).features;
+    SampleSet::Features& sum = features_of(s);
     for (size_t i = 0; i < sum.size(); ++i) sum[i] += seen[i];
+}
+
+void AovListener::begin_late() const
+{
+    w_.late_aovs.assign(w_.slots.size() * film_.aov_layout.size(), 0);
+    if (!film_.sets.empty()) w_.late_features.assign(w_.slots.size(), {});
+}
+
+void AovListener::add_late() const
+{
+    const size_t size = film_.aov_layout.size();
+    for (size_t i = 0; i < w_.slots.size(); ++i) {
+        double* const sums = size > 0 ? sums_of(w_.slots[i]) : nullptr;
+        for (size_t c = 0; c < size; ++c) sums[c] += w_.late_aovs[i * size + c];
+        if (film_.sets.empty()) continue;
+        SampleSet::Features& sum = set_of(w_.slots[i]).features;
+        for (size_t c = 0; c < sum.size(); ++c) sum[c] += w_.late_features[i][c];
+    }
 }
 
 void AovListener::add_alpha() const

@@ -43,7 +43,8 @@ public:
           w_(w),
           sees_through_glass_(film.aov_layout.has(AovSum::through)),
           catches_shadows_(film.aov_layout.has(AovSum::caught)),
-          follows_(film.layers.has_lobes || sees_through_glass_ || catches_shadows_)
+          follows_(film.layers.has_lobes || sees_through_glass_ || catches_shadows_),
+          waits_(!scene.media.empty())
     {
     }
     void ray(const PathState& s, const Hit& hit) const
@@ -105,9 +106,11 @@ public:
     {
         if (follows_) w_.trails.begin(w_.slots.size());
         if (sees_through_glass_ || catches_shadows_) w_.alpha.begin(w_.slots.size());
+        if (waits_) begin_late();
     }
     void end_samples() const
     {
+        if (waits_) add_late();
         if (sees_through_glass_ || catches_shadows_) add_alpha();
     }
     void end_rays(Counters& counters) const
@@ -142,16 +145,32 @@ private:
     void add_features(const PathState& s, const Surface& surface) const;
     void add_distance(const PathState& s, float distance) const;
     void add_alpha() const;
+    void begin_late() const;
+    void add_late() const;
     // Whether the camera sees what the ray meets, as it is or through smooth glass.
     bool is_straight(const PathState& s) const
     {
         return sees_through_glass_ ? w_.trails.of(index_of(s)).is_straight : is_from_camera(s);
     }
     // The sums of the sample's pixel, which must lie in the film.
-    double* sum_of(const SampleId& id, AovSum sum) const
+    double* sums_of(const SampleId& id) const
     {
         const size_t pixel = size_t{id.y - tile_.y0} * tile_.width() + (id.x - tile_.x0);
-        return &w_.aov_block[pixel * film_.aov_layout.size() + film_.aov_layout.offset(sum)];
+        return &w_.aov_block[pixel * film_.aov_layout.size()];
+    }
+    double* sum_of(const SampleId& id, AovSum sum) const { return sums_of(id) + film_.aov_layout.offset(sum); }
+
+    // Where a camera ray adds what it has met. Rays that skip surfaces meet theirs after other samples of the pixel
+    // have met theirs, sooner or later by the size of the batch: what they add waits for the end, or sums would depend
+    // on it.
+    double* sum_of(const PathState& s, AovSum sum) const
+    {
+        if (!waits_) return sum_of(w_.slots[s.slot], sum);
+        return &w_.late_aovs[size_t{s.slot} * film_.aov_layout.size() + film_.aov_layout.offset(sum)];
+    }
+    SampleSet::Features& features_of(const PathState& s) const
+    {
+        return waits_ ? w_.late_features[s.slot] : set_of(w_.slots[s.slot]).features;
     }
 
     const Scene& scene_;
@@ -160,7 +179,7 @@ private:
     Film& film_;
     const Tile& tile_;
     Workspace& w_;
-    bool sees_through_glass_, catches_shadows_, follows_;
+    bool sees_through_glass_, catches_shadows_, follows_, waits_;
 };
 
 // The channels of a picture file: albedo.R .G .B, flat.R .G .B, normal.X .Y .Z (world space), position.X .Y .Z and

@@ -25,8 +25,11 @@ struct Workspace {
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
     WideWorkspace wide;
-    std::vector<Pixel> block;         // one per pixel of the tile
-    std::vector<double> aov_block;    // the sums for AOVs of each, if there are any
+    std::vector<Pixel> block;       // one per pixel of the tile
+    std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
+    // Of each slot what it adds to the sums for AOVs and to the features, in scenes where that may come late.
+    std::vector<double> late_aovs;
+    std::vector<SampleSet::Features> late_features;
     std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
     std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
     std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any

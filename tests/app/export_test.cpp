@@ -314,7 +314,7 @@ TEST_F(Export, RefusesWhatItHasNoWordsFor)
     const std::string rest = ", which an exported scene cannot say";
     expect_refused(ball + "bump_texture = { type = \"waves\", waves = [[1, 0, 1, 0]] }\n",
                    "material 'x' has waves" + rest);
-    expect_refused(ball + "type = \"glass\"\nabsorption = 1\n", "a material absorbs or has a priority" + rest);
+    expect_refused(ball + "type = \"glass\"\nabsorption = 1\n", "a material absorbs, scatters or has a priority, or there is fog" + rest);
     expect_refused(std::string(lit) + "[[sphere]]\nmaterial = \"bronze\"\n", "material 'bronze' is of type interface");
     expect_refused("version = 1\n[background]\nsky = \"noon\"\n[[sphere]]\n",
                    "bad.toml:2:1: error: the background is not one colour" + rest);

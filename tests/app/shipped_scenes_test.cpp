@@ -64,7 +64,8 @@ TEST_P(Shipped, HasNoNegativeValueWithFewOrManySamples)
     }
 }
 
-// What the camera sees first does not depend on how light is followed: not one bit of albedo, normal and the rest.
+// What the camera sees first does not depend on how light is followed: not one bit of albedo, normal and the rest. A
+// medium that scatters is seen where no surface is behind it, by integrators that follow what it scatters.
 TEST_P(Shipped, LooksTheSameToEveryIntegrator)
 {
     const auto channels = [&](std::string_view integrator) {
@@ -73,6 +74,7 @@ TEST_P(Shipped, LooksTheSameToEveryIntegrator)
                                std::string(integrator), "-o", "a.exr"});
         EXPECT_EQ(said.code, 0) << said.err;
         std::vector<std::vector<float>> all;
+        if (said.err.find("this integrator follows no light that media scatter") != std::string::npos) return all;
         for (const ExrInfo::Channel& c : read_exr_info(file("a.exr")).channels)
             if (c.name.find('.') != std::string::npos) all.push_back(read_exr_channel(file("a.exr"), c.name));
         return all;
@@ -82,6 +84,7 @@ TEST_P(Shipped, LooksTheSameToEveryIntegrator)
     ASSERT_EQ(first.size(), 17u);
     for (size_t i = 1; i < names.size(); ++i) {
         const auto other = channels(names[i]);
+        if (other.empty()) continue;
         ASSERT_EQ(other.size(), first.size());
         for (size_t k = 0; k < first.size(); ++k)
             EXPECT_EQ(std::memcmp(first[k].data(), other[k].data(), first[k].size() * sizeof(float)), 0)

@@ -29,7 +29,8 @@ double luminance_of(const Film& film) { return tally(film).mean; }
 TEST(LightParts, AddUpToTheWhole)
 {
     std::array<double, 3> most{};
-    for (const auto& [name, d] : all_test_scenes())
+    for (const auto& [name, d] : all_test_scenes()) {
+        if (build_scene(d).scatters) continue;  // see the next test
         for (const bool nee : {true, false})
             for (const bool mis : {true, false}) {
                 const auto said = [&](RenderSettings s) {
@@ -49,7 +50,33 @@ TEST(LightParts, AddUpToTheWhole)
                         ASSERT_NEAR(sum, whole.pixels[k].sum[c], 1e-5 * sum + 1e-12) << name << " pixel " << k;
                     }
             }
+    }
     for (const double share : most) EXPECT_GT(share, 0.1) << "a part that is hardly there says nothing";
+}
+
+// A path of which only the next end counts is not scattered any more, but attenuated: in media that scatter the means
+// add up, not the samples.
+TEST(LightParts, AddUpInTheMeanWhereMediaScatter)
+{
+    stats::Family family;
+    for (const auto& [name, d] : all_test_scenes()) {
+        if (!build_scene(d).scatters) continue;
+        stats::Tally whole, sum;
+        for (uint64_t seed = 0; seed < 48; ++seed) {
+            const auto luminance_by = [&](const RenderSettings& settings, uint64_t number) {
+                Shot shot{.integrator = make_integrator(settings)};
+                shot.seed = number;
+                return luminance_of(shoot(d, shot));
+            };
+            whole.add(luminance_by({}, seed));
+            double parts_of_it = 0;
+            for (size_t i = 0; i < parts.size(); ++i)
+                parts_of_it += luminance_by(only(parts[i]), 1000 + parts.size() * seed + i);
+            sum.add(parts_of_it);
+        }
+        EXPECT_LT(whole.error() + sum.error(), 0.01 * whole.mean) << name << ": too noisy to say anything";
+        family.add(stats::welch_p(whole, sum), name);
+    }
 }
 
 // Mirrors and smooth glass are followed until light is spread, as the integrator of that name does it, to the bit.

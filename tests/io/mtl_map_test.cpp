@@ -177,7 +177,7 @@ TEST_F(MtlMapTest, StatementsEndWhereTheyShould)
 TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
 {
     const auto entries = scan_mtl(
-        "newmtl m\nKdd 1 0 0\nKdd 1 0 0\nmap_Kdd a.png\nKa 1 1 1\nmap_Ka a.png\nsharpness 60\nmap_Ps a.png\ndecal "
+        "newmtl m\nKdd 1 0 0\nKdd 1 0 0\nmap_Kdd a.png\nKa 1 1 1\nmap_Ka a.png\nsharpness 60\nmap_Ns a.png\ndecal "
         "a.png\n"
         "illum 11\nillum 2.5\nNs many\nNi 0\nNi 99\nNs -1\nd 2\nPr\nxyzzy\nillum 2\nKt 0 0 0\nKm .25\n",
         "a.mtl", diagnostics_);
@@ -188,7 +188,7 @@ TEST_F(MtlMapTest, WhatIsNotUnderstoodIsCounted)
     EXPECT_THAT(warnings(),
                 ElementsAre("a.mtl:2: warning: unknown statement 'Kdd' ignored; did you mean 'Kd'? (2 times)",
                             "a.mtl:4: warning: unknown statement 'map_Kdd' ignored; did you mean 'map_Kd'?",
-                            "a.mtl:8: warning: statement 'map_Ps', 'decal' and 'Km' is not supported; ignored",
+                            "a.mtl:8: warning: statement 'map_Ns', 'decal' and 'Km' is not supported; ignored",
                             "a.mtl:10: warning: illum is not a whole number from 0 to 10; ignored (2 times)",
                             "a.mtl:12: warning: Ns is not a finite number; ignored",
                             "a.mtl:13: warning: Ni is not above 0; ignored",

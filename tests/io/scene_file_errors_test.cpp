@@ -46,7 +46,7 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[material.a]\nalbedo = 1",
           "2:1: error: unknown key 'albedo' in [material.a]; known: preset, type, base_color, texture, "
           "transmittance, transmittance_texture, roughness, roughness_texture, metallic, metallic_texture, ior, thin, "
-          "absorption, priority, scattering, scattering_anisotropy, subsurface_color, subsurface_radius, eta, k and 48 "
+          "absorption, priority, scattering, scattering_anisotropy, subsurface_color, subsurface_radius, eta, k and 53 "
           "more"},
          {"[[light]]\ntype = \"environment\"\nradiance = 1\nradience = 1",
           "4:1: error: unknown key 'radience' in [[light]]; did you mean 'radiance'? known: type, position, "

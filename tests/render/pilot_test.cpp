@@ -31,7 +31,7 @@ Planned planned(const SceneDescription& d, RendererConfig settings = {})
         for (uint32_t i = 0; i < 4; ++i) {
             auto& numbers = out.numbers.emplace_back();
             PathListener listener{[&](const PathState& s, const Hit&) {
-                                      if (s.depth != 1) return;
+                                      if (s.depth != 1 || s.branch != 0) return;  // else it skipped a surface
                                       EXPECT_TRUE(numbers.insert(s.sample).second);
                                   },
                                   [](const PathState&, const Surface&) {}, [](const PathState&, Color) {},

@@ -189,7 +189,7 @@ TEST(Specialisation, NoShadowRayIsTracedForNothing)
     for (const NamedScene& named : all_test_scenes()) {
         const std::string name = named.name;
         // What a medium absorbs on the way is taken off when the ray is on its way.
-        if (name == "media") continue;
+        if (!build_scene(named.description).media.empty()) continue;
         // Lamps of no albedo; a throughput so small that the next bounce leaves nothing of it.
         SceneDescription scene = named.description;
         scene.materials.push_back(make_lambert("dark", {1e-30f, 1e-30f, 1e-30f}));
