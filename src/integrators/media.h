@@ -4,10 +4,10 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 
 #include "integrators/path_actions.h"
-#include "integrators/view.h"
+#include "scene/scene.h"
+#include "scene/surface.h"
 
 namespace lancer {
 
@@ -58,13 +58,13 @@ class MediaAtHit {
 public:
     // Attenuates `s` and sets the relative index of `surface`. Returns false if the surface is skipped; the ray has
     // then been continued, and the integrator must not be called. attenuated: `s` has been.
-    bool enter(const View& view, PathState& s, Surface& surface, bool attenuated, const Queue& queue,
+    bool enter(const Scene& scene, PathState& s, Surface& surface, bool attenuated, const Queue& queue,
                PathActions& actions)
     {
-        at_ = cross(view.scene.media, s.media, view.scene.traits[surface.material].medium, surface.front);
-        if (!attenuated) s.throughput *= transmittance_along(view.scene, at_.here, s.ray.org, s.ray.dir, surface.t);
+        at_ = cross(scene.media, s.media, scene.traits[surface.material].medium, surface.front);
+        if (!attenuated) s.throughput *= transmittance_along(scene, at_.here, s.ray.org, s.ray.dir, surface.t);
         if (at_.absent) {
-            actions.next(passed(view.scene, s, surface, at_.beyond));
+            actions.next(passed(scene, s, surface, at_.beyond));
             return false;
         }
         surface.eta = at_.eta;
@@ -72,7 +72,7 @@ public:
         return true;
     }
     // Called after the integrator: sets the media of the rays that it emitted and attenuates its shadow rays.
-    void leave(const View& view, const Surface& surface, Queue& queue) const
+    void leave(const Scene& scene, const Surface& surface, Queue& queue) const
     {
         const auto medium_towards = [&](Vec3 w) -> const MediumStack& {
             return dot(w, surface.side) < 0 ? at_.beyond : at_.here;
@@ -82,7 +82,7 @@ public:
         for (size_t i = before_.shadows; i < queue.shadows.size(); ++i) {
             const Ray& ray = queue.shadow_rays[i];
             queue.shadows[i].radiance *=
-                transmittance_along(view.scene, medium_towards(ray.dir), ray.org, ray.dir, ray.t_max);
+                transmittance_along(scene, medium_towards(ray.dir), ray.org, ray.dir, ray.t_max);
         }
         for (size_t i = before_.tinted_shadows; i < queue.tinted_shadows.size(); ++i)
             queue.tinted_shadows[i].media = medium_towards(queue.tinted_shadows[i].ray.dir);
@@ -102,10 +102,10 @@ inline bool is_skipped(const Scene& scene, const MediumStack& media, const Surfa
 // Transmittance of a tinted shadow ray across a surface and the medium before it. `in` becomes the medium behind.
 // through(): the integrator's transmittance of `surface`, whose eta is set before the call.
 template <class F>
-Color shadow_in_media(const View& view, const Ray& ray, MediumStack& in, Surface& surface, const F& through)
+Color shadow_in_media(const Scene& scene, const Ray& ray, MediumStack& in, Surface& surface, const F& through)
 {
-    const Boundary c = cross(view.scene.media, in, view.scene.traits[surface.material].medium, surface.front);
-    const Color part = transmittance_along(view.scene, c.here, ray.org, ray.dir, surface.t);
+    const Boundary c = cross(scene.media, in, scene.traits[surface.material].medium, surface.front);
+    const Color part = transmittance_along(scene, c.here, ray.org, ray.dir, surface.t);
     in = c.beyond;
     if (c.absent) return part;
     surface.eta = c.eta;
@@ -113,10 +113,9 @@ Color shadow_in_media(const View& view, const Ray& ray, MediumStack& in, Surface
 }
 
 // Attenuates a ray that left the scene.
-inline void miss_in_media(const View& view, PathState& s)
+inline void miss_in_media(const Scene& scene, PathState& s)
 {
-    s.throughput *=
-        transmittance_along(view.scene, s.media, s.ray.org, s.ray.dir, std::numeric_limits<float>::infinity());
+    s.throughput *= transmittance_along(scene, s.media, s.ray.org, s.ray.dir, std::numeric_limits<float>::infinity());
 }
 
 }  // namespace lancer

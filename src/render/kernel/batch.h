@@ -157,14 +157,14 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
                 Surface& surface = *surfaces[k];
                 if (!has_media || !is_skipped(view.scene, s.media, surface)) listener.vertex(s, surface);
                 const QueueSizes queued(w.queue);
-                if (!has_media || media.enter(view, s, surface, has_flown, w.queue, actions)) {
+                if (!has_media || media.enter(view.scene, s, surface, has_flown, w.queue, actions)) {
                     if (!listener.takes(view, s, surface, *samplers[k]))
                         integrator.hit(view, s, surface, *samplers[k], actions);
-                    if (has_media) media.leave(view, surface, w.queue);
+                    if (has_media) media.leave(view.scene, surface, w.queue);
                 }
                 listener.left(view, integrator, s, surface, *samplers[k], queued);
             } else {
-                if (has_media && !has_flown) miss_in_media(view, s);
+                if (has_media && !has_flown) miss_in_media(view.scene, s);
                 if (!listener.hides_sky(s)) integrator.miss(view, s, actions);
             }
             listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "integrators/path/scattering.h"
+#include "integrators/view.h"
 #include "render/workspace.h"
 
 namespace lancer {

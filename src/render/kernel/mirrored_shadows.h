@@ -3,6 +3,7 @@
 
 #include "geometry/accel.h"
 #include "integrators/path/light_sampling.h"
+#include "integrators/view.h"
 #include "render/workspace.h"
 
 namespace lancer {

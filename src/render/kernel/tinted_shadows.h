@@ -5,6 +5,7 @@
 
 #include "geometry/accel.h"
 #include "integrators/media.h"
+#include "integrators/view.h"
 #include "render/workspace.h"
 
 namespace lancer {
@@ -43,7 +44,8 @@ void trace_tinted_shadows(const View& view, const Accelerator& accel, const Inte
                 const auto through = [&] {
                     return s.passes_sheets ? integrator.through(view, s.ray, surface) : Color{};
                 };
-                const Color part = has_media ? shadow_in_media(view, s.ray, s.media, surface, through) : through();
+                const Color part =
+                    has_media ? shadow_in_media(view.scene, s.ray, s.media, surface, through) : through();
                 s.radiance *= part;
                 s.light *= part;
                 if (is_black(s.radiance)) {
