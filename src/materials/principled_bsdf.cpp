@@ -45,21 +45,6 @@ private:
 
 }  // namespace
 
-struct PrincipledBsdf::Lobes {
-    Vec3 wo;
-    Vec3d o, along;                 // unit; along: in the frame of the tangent, where facets are anisotropic
-    float fuzz_scale = 0;           // of Fuzz::eval(), with the part that is covered
-    float under_fuzz = 1;           // factor of all below
-    Color under_coat = white;       // likewise; with that of the fuzz
-    Color through = white;          // of the dielectric's reflection: 1 - E
-    float mean_through = 1;         // its mean
-    float lost = 0, mean_lost = 0;  // of the metal's facets
-    Color further{};                // the light of multiple scattering over that lost
-    AlbedoTable::Row coat_row{}, dielectric_row{}, metal_row{};
-    AnisotropicTable::At wide_dielectric{}, wide_metal{};
-    float diffuse_chance = 0, coat_chance = 0, facet_chance = 0, glass_chance = 0;
-};
-
 void PrincipledBsdf::finish()
 {
     const float body = part_of_body(), inside = part_of_glass();
@@ -310,10 +295,17 @@ void PrincipledBsdf::add_glass(const Lobes& s, Vec3 wi, BsdfValue& f) const
     f.pdf += s.glass_chance * v.pdf;
 }
 
-BsdfValue PrincipledBsdf::eval(Vec3 wo, Vec3 wi) const
+BsdfValue PrincipledBsdf::eval(Vec3 wo, Vec3 wi) const { return wo.z > 0 ? eval(seen_from(wo), wi) : BsdfValue{}; }
+
+std::optional<BsdfSample> PrincipledBsdf::sample(Vec3 wo, float u, Vec2 v) const
 {
-    if (!has_smooth || wo.z <= 0 || wi.z == 0 || (wi.z < 0 && !sends_through)) return {};
-    return eval_lobes(seen_from(wo), wi);
+    return wo.z > 0 ? sample(seen_from(wo), u, v) : std::nullopt;
+}
+
+BsdfValue PrincipledBsdf::eval(const Lobes& s, Vec3 wi) const
+{
+    if (!has_smooth || wi.z == 0 || (wi.z < 0 && !sends_through)) return {};
+    return eval_lobes(s, wi);
 }
 
 Color PrincipledBsdf::eval_diffuse(Vec3 wo, Vec3 wi) const
@@ -325,10 +317,9 @@ Color PrincipledBsdf::eval_diffuse(Vec3 wo, Vec3 wi) const
 
 // Delta lobes of one direction are one: the mirror image first, what goes through last, so that the number that chooses
 // finds them at both ends.
-std::optional<BsdfSample> PrincipledBsdf::sample(Vec3 wo, float u, Vec2 v) const
+std::optional<BsdfSample> PrincipledBsdf::sample(const Lobes& s, float u, Vec2 v) const
 {
-    if (wo.z <= 0) return {};
-    const Lobes s = seen_from(wo);
+    const Vec3 wo = s.wo;
     Color reflected{}, sent{};
     float mirror = 0, ahead = 0, smooth_coat = s.coat_chance, smooth_facets = s.facet_chance, smooth_glass = 0;
     Vec3 beyond{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "materials/anisotropic.h"
+#include "materials/anisotropic_table.h"
 #include "materials/bsdf.h"
 #include "materials/glass.h"
 
@@ -35,9 +36,13 @@ struct PrincipledBsdf {
     Color eval_diffuse(Vec3 wo, Vec3 wi) const;
     std::optional<BsdfSample> sample(Vec3 wo, float u, Vec2 v) const;
 
-private:
-    struct Lobes;  // what depends on wo alone
+    // The same with what depends on wo alone computed once. wo.z > 0.
+    struct Lobes;
     Lobes seen_from(Vec3 wo) const;
+    BsdfValue eval(const Lobes& lobes, Vec3 wi) const;
+    std::optional<BsdfSample> sample(const Lobes& lobes, float u, Vec2 v) const;
+
+private:
     void add_coat(Lobes& lobes) const;
     void add_base(Lobes& lobes) const;
     void choose(Lobes& lobes) const;
@@ -56,5 +61,20 @@ private:
     float part_of_glass() const { return (1 - metallic) * transmission; }
 };
 static_assert(Bsdf<PrincipledBsdf>);
+
+struct PrincipledBsdf::Lobes {
+    Vec3 wo;
+    Vec3d o, along;                 // unit; along: in the frame of the tangent, where facets are anisotropic
+    float fuzz_scale = 0;           // of Fuzz::eval(), with the part that is covered
+    float under_fuzz = 1;           // factor of all below
+    Color under_coat{1, 1, 1};      // likewise; with that of the fuzz
+    Color through{1, 1, 1};         // of the dielectric's reflection: 1 - E
+    float mean_through = 1;         // its mean
+    float lost = 0, mean_lost = 0;  // of the metal's facets
+    Color further{};                // the light of multiple scattering over that lost
+    AlbedoTable::Row coat_row{}, dielectric_row{}, metal_row{};
+    AnisotropicTable::At wide_dielectric{}, wide_metal{};
+    float diffuse_chance = 0, coat_chance = 0, facet_chance = 0, glass_chance = 0;
+};
 
 }  // namespace lancer

@@ -226,6 +226,16 @@ float eta_through(const B& bsdf)
         return 1;
 }
 
+// The first argument of eval() and sample(): what depends on wo alone, where the BSDF computes that apart, or wo.
+template <class B>
+auto seen(const B& bsdf, Vec3 wo)
+{
+    if constexpr (requires { bsdf.seen_from(wo); })
+        return bsdf.seen_from(wo);
+    else
+        return wo;
+}
+
 // Roughness of its facets, where that is told.
 template <class B>
 float alpha_of(const B& bsdf)

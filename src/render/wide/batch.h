@@ -150,6 +150,9 @@ private:
     void lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v);
     template <class At>
     void lookup_bsdf(uint32_t lanes, Vertices& v, const At& at);
+    static void see_principled(NonLambert& non_lambert);
+    template <class F>
+    static auto with_bsdf(const NonLambert& non_lambert, uint32_t lane, const F& f);
     // Origin of a ray that leaves on the other side of the surface.
     static Vec3 origin_behind(const Vertices& v, uint32_t i)
     {

@@ -109,12 +109,9 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
         s.lanes |= plastic & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
     }
     for_each_lane(lanes & non_lambert.lanes & ~plastic, [&](uint32_t i) {
-        const Vec3 wo = lane(non_lambert.wo, i);
-        const auto sampled = std::visit(
-            [&](const auto& bsdf) {
-                return bsdf.sample(wo, g.lobe[i], {g.u.x[i], g.u.y[i]});
-            },
-            *non_lambert.bsdf[i]);
+        const auto sampled = with_bsdf(non_lambert, i, [&](const auto& bsdf, const auto& from) {
+            return bsdf.sample(from, g.lobe[i], Vec2{g.u.x[i], g.u.y[i]});
+        });
         if (!sampled || is_black(sampled->weight)) return;
         set_lane(s.wi, i, sampled->wi);
         set_lane(s.weight, i, {sampled->weight.r, sampled->weight.g, sampled->weight.b});

@@ -121,7 +121,34 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     if constexpr (any) {
         v.non_lambert.wo = FrameT<Float8>(v.ns).to_local(found.wo);
         if (v.non_lambert.plastic.lanes != 0) non_lambert_.plastic.put_wo(v.non_lambert.plastic, v.non_lambert.wo);
+        see_principled(v.non_lambert);
     }
+}
+
+// Light sampling and each part of a path that splits ask the same lobes.
+template <Shading shading>
+inline void WideBatch<shading>::see_principled(NonLambert& non_lambert)
+{
+    non_lambert.principled = 0;
+    const uint32_t seen = non_lambert.lanes & ~non_lambert.plastic.lanes & movemask(non_lambert.wo.z > Float8{});
+    for_each_lane(seen, [&](uint32_t i) {
+        const auto* bsdf = std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]);
+        if (!bsdf) return;
+        non_lambert.principled |= 1u << i;
+        non_lambert.lobes[i] = bsdf->seen_from(lane(non_lambert.wo, i));
+    });
+}
+
+// Calls f(bsdf, from) for a lane that is neither Lambertian nor plastic. from: the first argument of the BSDF's eval()
+// and sample().
+template <Shading shading>
+template <class F>
+inline auto WideBatch<shading>::with_bsdf(const NonLambert& non_lambert, uint32_t i, const F& f)
+{
+    if ((non_lambert.principled >> i & 1) != 0)
+        return f(*std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]), *non_lambert.lobes[i]);
+    const Vec3 wo = lane(non_lambert.wo, i);
+    return std::visit([&](const auto& bsdf) { return f(bsdf, wo); }, *non_lambert.bsdf[i]);
 }
 
 // keep_reflection_outside() for lanes whose material is specular; few of them change.
