@@ -100,6 +100,11 @@ look_up() {
     done
 }
 
+# Studies take no options for that.
+make_small() {
+    sed -E 's/^(seeds = ).*/\12/; s/^(spp = ).*/\18/; s/^(reference_spp = ).*/\116/; s/^(options = .*--size )[0-9]+x[0-9]+/\132x18/'
+}
+
 run_page() {
     local page=$1 folder=$scratch/run/${1//\//_} blocks=$scratch/blocks/${1//\//_} block line
     mkdir -p "$blocks"
@@ -111,7 +116,7 @@ run_page() {
         fi
         : >"$FAULTS"
         case $block in
-            *.save) tail -n +2 "$block" >"$folder/$(head -n 1 "$block")" ;;
+            *.save) tail -n +2 "$block" | make_small >"$folder/$(head -n 1 "$block")" ;;
             *.inline)
                 read -r -a words <"$block"
                 [[ ${words[*]} != "lancer checkpoint "* ]] || continue  # the first bytes of a file

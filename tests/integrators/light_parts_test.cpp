@@ -62,7 +62,7 @@ TEST(LightParts, AddUpInTheMeanWhereMediaScatter)
     for (const auto& [name, d] : all_test_scenes()) {
         if (!build_scene(d).scatters) continue;
         stats::Tally whole, sum;
-        for (uint64_t seed = 0; seed < 48; ++seed) {
+        for (uint64_t seed = 0; seed < 20; ++seed) {
             const auto luminance_by = [&](const RenderSettings& settings, uint64_t number) {
                 Shot shot{.integrator = make_integrator(settings)};
                 shot.seed = number;
