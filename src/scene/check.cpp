@@ -11,13 +11,18 @@ namespace lancer {
 namespace {
 
 // Number of triangles with the same corners as an earlier one, in any order.
-uint64_t count_repeated(std::vector<std::array<uint32_t, 3>> triangles)
+uint64_t count_repeated(const std::vector<std::array<uint32_t, 3>>& triangles)
 {
-    for (auto& t : triangles) std::sort(t.begin(), t.end());
-    std::sort(triangles.begin(), triangles.end());
+    std::vector<std::array<uint32_t, 3>> sorted;
+    sorted.reserve(triangles.size());
+    for (auto t : triangles) {
+        std::sort(t.begin(), t.end());
+        sorted.push_back(t);
+    }
+    std::sort(sorted.begin(), sorted.end());
     uint64_t repeated = 0;
-    for (size_t i = 1; i < triangles.size(); ++i)
-        if (triangles[i] == triangles[i - 1]) ++repeated;
+    for (size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i] == sorted[i - 1]) ++repeated;
     return repeated;
 }
 
