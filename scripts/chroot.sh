@@ -106,7 +106,7 @@ remove_chroots() {
 close_chroots() {
     local target
     while read -r target; do umount "$target" || umount -l "$target" || true; done < <(mounts_inside "$1")
-    [[ -z $(mounts_inside "$1") ]] && return
+    [[ -z $(mounts_inside "$1") ]] && return 0  # in a trap, return alone would give the status from before it
     echo "still mounted, left alone: $(mounts_inside "$1" | tr '\n' ' ')" >&2
     return 1
 }
