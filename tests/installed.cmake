@@ -1,6 +1,7 @@
 # Installs into a folder, moves that, and runs the program from there: what is installed must not know where it lies,
 # nor need the source or the build. With a blank in its name, as folders of users have.
-#   cmake -DBUILD=<build folder> -DSCRATCH=<folder to use> -DREADELF=<program> -DVIEW=<whether there is a window> -P tests/installed.cmake
+#   cmake -DBUILD=<build folder> -DGENERATOR=<its generator> -DSCRATCH=<folder to use> -DREADELF=<program>
+#     -DVIEW=<whether there is a window> -P tests/installed.cmake
 cmake_minimum_required(VERSION 3.23)
 set(first ${SCRATCH}/first)
 set(tree "${SCRATCH}/moved here")
@@ -111,7 +112,7 @@ target_link_libraries(use lancer::lancer)
 file(GLOB library "${tree}/lib*/*/liblancer.so.1" "${tree}/lib*/liblancer.so.1")
 get_filename_component(libraries "${library}" DIRECTORY)
 set(scene "${scenes}/still_life_textured.toml")
-run(0 ${CMAKE_COMMAND} -S . -B cmake_build -DCMAKE_PREFIX_PATH=${tree})
+run(0 ${CMAKE_COMMAND} -G ${GENERATOR} -S . -B cmake_build -DCMAKE_PREFIX_PATH=${tree})
 run(0 ${CMAKE_COMMAND} --build cmake_build)
 run(0 cmake_build/use "${scene}")
 find_program(PKG_CONFIG pkg-config)
