@@ -5,7 +5,7 @@
     layers = lancer.render("room.toml", layers=("color", "albedo", "depth"), size=(320, 180))
 
     scene = lancer.Scene.from_text('[[light]]\\ntype = "environment"\\nradiance = 1\\n')
-    scene.add_mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], material="gold")
+    scene.add_mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     picture = scene.render(spp=16)["color"]
 
 It loads liblancer.so.1 by ctypes: the one that LANCER_LIBRARY names, one beside this file or in the build folder of a
@@ -15,6 +15,7 @@ source tree, else the installed one. A render releases Python's lock, so that ot
 import ctypes
 import os
 import pathlib
+import threading
 
 import numpy
 
@@ -93,9 +94,10 @@ def version():
     return _library.lancer_version().decode()
 
 
-def _check(code):
+def _check(code, text=None):
+    """text: of a call of another thread, as each thread has an error of its own."""
     if code:
-        text = _library.lancer_error().decode()
+        text = _library.lancer_error().decode() if text is None else text
         raise Cancelled(code, text or "cancelled") if code == _CANCELLED else Error(code, text)
 
 
@@ -166,32 +168,46 @@ class Scene:
 
     def render(self, layers=("color",), threads=0, progress=None, **settings):
         """A dict of float32 arrays, height x width or height x width x channels, rows from the top. settings: keys of
-        [render], as spp=64 or size=(320, 180). progress(done): called with the part that is done; the render is
-        cancelled if it returns something true."""
+        [render], as spp=64 or size=(320, 180). progress(done): called with the part that is done, by threads of the
+        render; that is cancelled if it returns something true or raises something, and by Ctrl-C."""
         self.define(**{f"render__{key}": value for key, value in settings.items()})
         width, height = self.size
         arrays, wanted = {}, (_Layer * len(layers))()
         for place, name in zip(wanted, layers):
             channels = _library.lancer_layer_channels(name.encode())
             if channels == 0:
-                raise ValueError(f"there is no layer {name!r}")
+                hint = ": layers is a tuple of names" if isinstance(layers, str) else ""
+                raise ValueError(f"there is no layer {name!r}{hint}; docs/library.md lists them")
             shape = (height, width) if channels == 1 else (height, width, channels)
             arrays[name] = numpy.zeros(shape, numpy.float32)
             place.name, place.values, place.count = name.encode(), arrays[name].ctypes.data, arrays[name].size
-        raised = []
+        raised, ended = [], []
+        is_over = threading.Event()
 
         def report(_, done):
             try:
-                return 1 if progress(done) else 0
-            except BaseException as error:  # it must not cross the library; KeyboardInterrupt is one
+                return 1 if is_over.is_set() or (progress and progress(done)) else 0
+            except BaseException as error:  # it must not cross the library
                 raised.append(error)
                 return 1
 
-        code = _library.lancer_scene_render(self._handle, wanted, len(layers), threads,
-                                            _PROGRESS(report) if progress else _PROGRESS(), None)
+        def call():
+            code = _library.lancer_scene_render(self._handle, wanted, len(layers), threads, _PROGRESS(report), None)
+            ended.append((code, _library.lancer_error().decode()))
+
+        # On a thread of its own: Python hears of Ctrl-C in the first one alone, and not inside of a call.
+        thread = threading.Thread(target=call)
+        thread.start()
+        try:
+            while thread.is_alive():
+                thread.join(0.05)
+        except BaseException:
+            is_over.set()
+            thread.join()
+            raise
         if raised:
             raise raised[0]
-        _check(code)
+        _check(*ended[0])
         return arrays
 
 

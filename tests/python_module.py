@@ -1,10 +1,13 @@
 """The Python module by itself: shapes, meshes in memory, exceptions, threads. That the library has the bits of the
 program is tested by tests/app/api_test.cpp."""
 
+import os
 import pathlib
+import signal
 import sys
 import tempfile
 import threading
+import time
 
 try:
     import numpy
@@ -58,6 +61,12 @@ def main():
         lancer.render(folder / "both.toml", progress=told.append)
         assert told and told == sorted(told) and told[-1] > 0.9
         raises(lancer.Cancelled, "", lambda: lancer.render(folder / "both.toml", progress=lambda done: True))
+
+        # Ctrl-C, long before the end.
+        threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        begin = time.monotonic()
+        raises(KeyboardInterrupt, "", lambda: lancer.render(folder / "both.toml", spp=10**6, size=(640, 480)))
+        assert time.monotonic() - begin < 60
 
         def fails(done):
             raise KeyboardInterrupt("by hand")
