@@ -350,6 +350,33 @@ TEST_F(ViewTest, OtherPicturesOfTheSameFilm)
     EXPECT_TRUE(same_pixels(shown(), light));
 }
 
+// Nearer to the picture of many samples than what it is made of, and as good after its camera has come back.
+TEST_F(ViewTest, ADenoisedPictureHasLessNoise)
+{
+    open("lit.toml", {64, 48}, 16);
+    const Image noisy = shown();
+    sight_.shown = ShownAs::denoised;
+    session_->show(sight_);
+    const Image denoised = shown();
+    Sight other = sight_;
+    other.camera.position.x += 1;
+    session_->show(other);
+    session_->show(sight_);
+    EXPECT_TRUE(same_pixels(shown(), denoised));
+    sight_.shown = ShownAs::light, sight_.settings.spp = 1024;
+    session_->show(sight_);
+    const Image reference = shown();
+    const auto error = [&](const Image& image) {  // relative
+        double sum = 0;
+        for (size_t i = 0; i < image.pixels.size(); ++i) {
+            const double x = luminance(image.pixels[i]), r = luminance(reference.pixels[i]);
+            sum += (x - r) * (x - r) / (r * r + 0.01);
+        }
+        return sum;
+    };
+    EXPECT_LT(error(denoised), 0.5 * error(noisy));
+}
+
 TEST_F(ViewTest, EveryKeyHasOneAction)
 {
     for (const KeyBinding& a : key_bindings()) {

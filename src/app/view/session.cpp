@@ -29,6 +29,13 @@ uint32_t end_of_pass(uint32_t done, const RenderSettings& s)
     return std::min(done + step, s.spp);
 }
 
+// It takes seconds: not before it shows something, then whenever the samples have doubled, and at the end.
+constexpr uint32_t least_denoised = 8;
+bool is_worth_denoising(uint32_t samples, uint32_t spp)
+{
+    return samples >= spp || (samples >= least_denoised && std::has_single_bit(samples));
+}
+
 }  // namespace
 
 Session::Session(SessionSetup setup, Sight first)
@@ -229,7 +236,7 @@ void Session::restart()
     film_ = nullptr;
     left_.clear();
     range_ = {}, samples_ = 0, reduction_ = coarsest_;
-    has_plan_ = false;
+    has_plan_ = owes_picture_ = false;
     const std::lock_guard lock(mutex_);
     status_.samples = 0, status_.is_complete = false;
 }
@@ -288,10 +295,28 @@ void Session::run_still(const Still& still)
 void Session::advance()
 {
     if (!has_more()) return;
-    if (reduction_ > 1)
+    if (owes_picture_)
+        show_whole(begin_step(true));
+    else if (reduction_ > 1)
         preview();
     else
         add_samples();
+}
+
+// What is stopped is owed.
+void Session::show_whole(const std::stop_token& stop)
+{
+    owes_picture_ = false;
+    if (shows_light() || (now_.shown == ShownAs::denoised && !is_worth_denoising(samples_, now_.settings.spp))) return;
+    const auto image = shown_image(*film_, now_.shown, renderer_->scene().normalisation, now_.settings.spp, stop);
+    if (image) store_.put(*image, now_number_);
+    owes_picture_ = !image;
+}
+
+bool Session::shows_light() const
+{
+    const bool is_first = samples_ < std::min(least_denoised, now_.settings.spp);
+    return now_.shown == ShownAs::light || (now_.shown == ShownAs::denoised && is_first);
 }
 
 Film& Session::empty_film(uint32_t reduction)
@@ -318,7 +343,7 @@ void Session::preview()
     const auto tiles = make_tiles(film.crop, tile_side);
     if (!renderer_->preview(camera, film, tiles, {0, 1}, stop).is_complete()) return;
     const double seconds = wall_seconds() - begin;
-    store_.put(shown_image(film, now_.shown, renderer_->scene().normalisation, now_.settings.spp), now_number_);
+    store_.put(*shown_image(film, now_.shown, renderer_->scene().normalisation, now_.settings.spp, {}), now_number_);
     {
         const std::lock_guard lock(mutex_);
         status_.sight = now_number_, status_.reduction = reduction_;
@@ -371,13 +396,12 @@ void Session::add_samples()
         left_ = make_tiles(film_->crop, tile_side);
     }
     const auto tile_done = [&](const Tile& tile) {
-        if (now_.shown == ShownAs::light) store_.put_tile(*film_, tile);
+        if (shows_light()) store_.put_tile(*film_, tile);
     };
     left_ = renderer_->pass(camera, *film_, left_, range_, stop, tile_done).left;
     if (!left_.empty()) return;
     samples_ = range_.end;
-    if (now_.shown != ShownAs::light)
-        store_.put(shown_image(*film_, now_.shown, renderer_->scene().normalisation, now_.settings.spp), now_number_);
+    show_whole(stop);
     const std::lock_guard lock(mutex_);
     status_.sight = now_number_, status_.reduction = 1, status_.samples = samples_;
     status_.is_complete = samples_ >= now_.settings.spp;

@@ -89,9 +89,12 @@ private:
     void preview();
     void add_samples();
     Film& empty_film(uint32_t reduction);
+    // Whether tiles are shown as they come: also what will be denoised, until it first is.
+    bool shows_light() const;
+    void show_whole(const std::stop_token& stop);
     bool make_plan(const Camera& camera, const std::stop_token& stop);
     void publish_whole(const Film& film);
-    bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty(); }
+    bool has_more() const { return reduction_ > 1 || samples_ < now_.settings.spp || !left_.empty() || owes_picture_; }
     std::stop_token begin_step(bool can_be_cut);
     void fail(const std::string& problem);
 
@@ -109,7 +112,7 @@ private:
     std::vector<Tile> left_;  // of the pass that was cut
     SampleRange range_;
     uint32_t samples_ = 0;
-    bool has_plan_ = false, has_failed_ = false;
+    bool has_plan_ = false, has_failed_ = false, owes_picture_ = false;
 
     mutable std::mutex mutex_;  // guards what follows
     mutable std::condition_variable wake_, rest_;

@@ -5,6 +5,7 @@
 
 #include "app/render/outputs.h"
 #include "render/aov.h"
+#include "render/denoise/film_halves.h"
 
 namespace lancer {
 namespace {
@@ -21,6 +22,7 @@ std::vector<Aov> aovs_of(ShownAs what)
         case ShownAs::light:
         case ShownAs::noise:
         case ShownAs::samples:
+        case ShownAs::denoised:
             break;
     }
     return {};
@@ -37,12 +39,23 @@ float noise_of(const Pixel& pixel)
 
 }  // namespace
 
-AovLayout layout_of(ShownAs what) { return layout_of(aovs_of(what)); }
+void keep_for(ShownAs what, Film& film)
+{
+    film.keep_aovs(layout_of(aovs_of(what)));
+    if (what == ShownAs::denoised) film.keep_sets({});  // whatever the number of samples will be
+}
 
-Image shown_image(const Film& film, ShownAs what, const Normalisation& normalisation, uint32_t most)
+std::optional<Image> shown_image(const Film& film, ShownAs what, const Normalisation& normalisation, uint32_t most,
+                                 const std::stop_token& stop)
 {
     Image image = to_image(film);
-    if (what == ShownAs::light) return image;
+    if (what == ShownAs::light || (what == ShownAs::denoised && film.sets.empty())) return image;
+    if (what == ShownAs::denoised) {
+        Denoised denoised = denoise_film(film, UsedSets::all, stop);
+        if (denoised.pixels.empty()) return {};
+        image.pixels = std::move(denoised.pixels);
+        return image;
+    }
     const std::vector<ImagePlane> planes = aov_planes(film, aovs_of(what), normalisation);
     for (size_t i = 0; i < image.pixels.size(); ++i) {
         Color& c = image.pixels[i];

@@ -14,7 +14,8 @@ Film film_of(const Sight& sight, uint32_t reduction)
     const RenderSettings& s = sight.settings;
     const uint32_t width = std::max(1u, s.size.width / reduction), height = std::max(1u, s.size.height / reduction);
     Film film(width, height, {0, 0, width, height});
-    film.keep_aovs(layout_of(sight.shown));
+    // Reduced pictures are gone before they could be denoised.
+    keep_for(reduction > 1 && sight.shown == ShownAs::denoised ? ShownAs::light : sight.shown, film);
     keep_for_settings(s, film);
     return film;
 }
@@ -31,7 +32,7 @@ void clear(Film& film)
                       values.begin() + static_cast<std::ptrdiff_t>(pixels * (part + 1) / parts * each), Value{});
         };
         clear_part(film.pixels), clear_part(film.aovs), clear_part(film.open), clear_part(film.open_aovs);
-        clear_part(film.replicates), clear_part(film.wanted);
+        clear_part(film.replicates), clear_part(film.wanted), clear_part(film.sets);
     });
 }
 

@@ -20,15 +20,16 @@ Plane mean_of(const Plane& a, const Plane& b, float part_of_b)
                     [&](int x, int y) { return a.row(y)[x] + part_of_b * (b.row(y)[x] - a.row(y)[x]); });
 }
 
-FilteredHalves filter_halves(Halves& halves, const ColorPlanes& variance)
+FilteredHalves filter_halves(Halves& halves, const ColorPlanes& variance, const std::stop_token& stop)
 {
     filter_features(halves);
     const auto& [a, b] = halves.half;
     // Weights come from noise that is independent of what they weight. They compare noisy patches, whose variance
     // counts twice.
     constexpr float variance_factor = 2;
-    Fitted of_a = fit_first_order(a.color, b.features, {b.color, variance, variance_factor});
-    Fitted of_b = fit_first_order(b.color, a.features, {a.color, variance, variance_factor});
+    Fitted of_a = fit_first_order(a.color, b.features, {b.color, variance, variance_factor}, stop);
+    Fitted of_b = fit_first_order(b.color, a.features, {a.color, variance, variance_factor}, stop);
+    if (stop.stop_requested()) return {};
     return choose_bandwidth(halves, variance, std::move(of_a), std::move(of_b));
 }
 
@@ -85,14 +86,15 @@ void finish_channel(const Halves& halves, const FilteredHalves& filtered, const 
 }  // namespace
 }  // namespace denoise
 
-Denoised denoise_picture(const DenoiseInput& input)
+Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop)
 {
     using namespace denoise;
     if (input.width == 0 || input.height == 0) return {};
     Halves halves = load_halves(input);
     spread_outliers(halves);
     const ColorPlanes variance = variance_of_half(halves);
-    const FilteredHalves filtered = filter_halves(halves, variance);
+    const FilteredHalves filtered = filter_halves(halves, variance, stop);
+    if (stop.stop_requested()) return {};
     const size_t size = size_t{input.width} * input.height;
     Denoised out{std::vector<Color>(size), std::vector<float>(size), {}};
     for (size_t c = 0; c < 3; ++c) finish_channel(halves, filtered, variance[c], c, out);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/color.h"
@@ -42,7 +43,7 @@ struct Denoised {
     std::vector<std::vector<Color>> layers;  // of a film that has layers, each filtered alike
 };
 
-// Uses the threads of the innermost with_threads().
-Denoised denoise_picture(const DenoiseInput& input);
+// Uses the threads of the innermost with_threads(). Without pixels if it is stopped.
+Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop = {});
 
 }  // namespace lancer

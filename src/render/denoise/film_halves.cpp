@@ -94,16 +94,16 @@ HalfPlanes halves_of(const Film& film, UsedSets used)
     return planes;
 }
 
-Denoised denoise_film(const Film& film, UsedSets used)
+Denoised denoise_film(const Film& film, UsedSets used, const std::stop_token& stop)
 {
     HalfPlanes halves = halves_of(film, used);
     const auto denoised_of = [&](const HalfPlanes& planes) {
-        Denoised denoised = denoise_picture(planes.input(film.crop.width(), film.crop.height()));
-        if (film.hides_background) hide_background(film, denoised.pixels);
+        Denoised denoised = denoise_picture(planes.input(film.crop.width(), film.crop.height()), stop);
+        if (film.hides_background && !denoised.pixels.empty()) hide_background(film, denoised.pixels);
         return denoised;
     };
     Denoised denoised = denoised_of(halves);
-    if (used == UsedSets::without_held_out) return denoised;
+    if (used == UsedSets::without_held_out || stop.stop_requested()) return denoised;
     for (uint32_t k = 0; k < film.layers.size(); ++k) {
         set_layer(film, k, halves);
         denoised.layers.push_back(denoised_of(halves).pixels);

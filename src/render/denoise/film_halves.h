@@ -27,8 +27,9 @@ struct HalfPlanes {
 enum class UsedSets { all, without_held_out };
 HalfPlanes halves_of(const Film& film, UsedSets used = UsedSets::all);
 
-// The picture of a film that has sets, denoised: the pixels of its crop. Uses the threads of with_threads().
-Denoised denoise_film(const Film& film, UsedSets used = UsedSets::all);
+// The picture of a film that has sets, denoised: the pixels of its crop. Uses the threads of with_threads(). Without
+// pixels if it is stopped.
+Denoised denoise_film(const Film& film, UsedSets used = UsedSets::all, const std::stop_token& stop = {});
 
 // The names of the channels that hold halves in a picture file, "denoise.a.R", in the order of HalfPlanes; the last one
 // is of the variance.

@@ -225,7 +225,8 @@ static_assert(part_width >= 2 * (radius + group_width) && part_height >= 2 * (ra
 
 }  // namespace
 
-Fitted fit_first_order(const ColorPlanes& color, const Features& features, const Guide& guide)
+Fitted fit_first_order(const ColorPlanes& color, const Features& features, const Guide& guide,
+                       const std::stop_token& stop)
 {
     const int width = color[0].width(), height = color[0].height();
     const Plane none(width, height);
@@ -236,6 +237,7 @@ Fitted fit_first_order(const ColorPlanes& color, const Features& features, const
     for (const int turn : {0, 1, 2, 3}) {
         const int dx = turn & 1, dy = turn >> 1;
         for_parts_apart(width, height, [&](Part part) {
+            if (stop.stop_requested()) return;
             const int groups = (part.width() + group_width - 1) / group_width;
             part = {part.x0 + dx, part.y0 + dy, part.x0 + dx + groups * group_width, part.y1 + dy};
             const bool is_first = dx == 0 && dy == 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <stop_token>
 
 #include "render/denoise/halves.h"
 #include "render/denoise/normal_equations.h"
@@ -14,7 +15,8 @@ namespace lancer::denoise {
 using Fitted = std::array<ColorPlanes, bandwidths>;
 
 // color: what is filtered. guide: the other half's colour with its variance, which decides the weights. features: the
-// other half's. Margins are not mirrored.
-Fitted fit_first_order(const ColorPlanes& color, const Features& features, const Guide& guide);
+// other half's. Margins are not mirrored. What is stopped returns soon, with anything.
+Fitted fit_first_order(const ColorPlanes& color, const Features& features, const Guide& guide,
+                       const std::stop_token& stop);
 
 }  // namespace lancer::denoise
