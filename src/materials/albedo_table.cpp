@@ -135,6 +135,8 @@ void AlbedoTable::need_all()
 
 double mean_transmittance(double eta)
 {
+    // Within a narrow cone alone light leaves a dense medium; what enters by it, from everywhere, leaves by it.
+    if (eta < 1) return mean_transmittance(1 / eta) * (eta * eta);
     return cosine_mean(
         [=](double cos) { return 1 - fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta).reflectance; });
 }

@@ -14,15 +14,15 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
     b.front = p.front, b.media_eta = p.eta;
     b.base = p.base(base);
     b.metallic = in_unit(p.eval(metallic)), b.transmission = in_unit(p.eval(transmission));
-    // Seen from inside of a body, coat and fuzz are on the far side.
+    // Seen from inside of a body, coat and fuzz are on the far side; the base is as rough.
     const bool is_inside = !p.front && b.transmission > 0 && !tables->glass.thin;
+    const float coated = in_unit(p.eval(coat));
+    const float coat_alpha = coated > 0 && tables->coat ? alpha_of_roughness(p.eval(coat_roughness)) : 0;
     if (!is_inside) {
-        b.coat = in_unit(p.eval(coat)), b.fuzz = tables->fuzz ? in_unit(p.eval(fuzz)) : 0;
-        if (b.coat > 0 && tables->coat) b.coat_alpha = alpha_of_roughness(p.eval(coat_roughness));
-        if (b.fuzz > 0) b.fuzz_color = p.eval(fuzz_color), b.fuzz_roughness = in_unit(p.eval(fuzz_roughness));
+        b.coat = coated, b.coat_alpha = coat_alpha, b.fuzz = tables->fuzz ? in_unit(p.eval(fuzz)) : 0;
+        if (b.fuzz > 0) b.fuzz_color = p.part(fuzz_color), b.fuzz_roughness = in_unit(p.eval(fuzz_roughness));
     }
-    b.roughness =
-        roughness_under_coat(in_unit(p.eval(roughness)), b.coat, b.coat_alpha > 0 ? std::sqrt(b.coat_alpha) : 0);
+    b.roughness = roughness_under_coat(in_unit(p.eval(roughness)), coated, coat_alpha > 0 ? std::sqrt(coat_alpha) : 0);
     b.anisotropy = anisotropy.value > 0 ? in_unit(p.eval(anisotropy)) : 0;
     b.alpha = alphas_of(b.roughness, b.anisotropy);
     if (!b.alpha.is_even()) {
@@ -33,7 +33,7 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
     }
     b.film = in_unit(p.eval(film));
     if (b.film > 0) b.film_thickness = std::max(0.0f, p.eval(film_thickness));
-    if (b.transmission > 0) b.transmittance = p.eval(transmittance);
+    if (b.transmission > 0) b.transmittance = p.part(transmittance);
     b.finish();
     return b;
 }

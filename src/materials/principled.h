@@ -91,7 +91,11 @@ struct Principled {
     PrincipledBsdf at(const ShadingPoint& p) const;
     static constexpr bool mirrors() { return true; }
     // Whether its facets have a direction, for which a point needs a tangent.
-    bool is_anisotropic() const { return anisotropy.value > 0 && alpha_of_roughness(roughness.value) > 0; }
+    bool is_anisotropic() const
+    {
+        const bool under_rough_coat = coat.value > 0 && alpha_of_roughness(coat_roughness.value) > 0;
+        return anisotropy.value > 0 && (under_rough_coat || alpha_of_roughness(roughness.value) > 0);
+    }
     bool is_thin() const { return tables && tables->glass.thin; }
     std::optional<float> medium_ior(bool) const
     {

@@ -78,7 +78,7 @@ struct Translucent {
         std::tuple{parameter("base_color", &Translucent::reflectance, Color{0.4f, 0.4f, 0.4f}),
                    parameter("transmittance", &Translucent::transmittance)};
 
-    TranslucentBsdf at(const ShadingPoint& p) const { return {p.base(reflectance), p.eval(transmittance)}; }
+    TranslucentBsdf at(const ShadingPoint& p) const { return {p.base(reflectance), p.part(transmittance)}; }
     static constexpr bool mirrors() { return false; }
     // The model has no diffuse transmission: light from behind is missing.
     Phong phong(const ShadingPoint& p) const { return {.diffuse = at(p).reflected()}; }

@@ -251,5 +251,19 @@ TEST(Albedo, TablesAreWithinTheirBounds)
     }
 }
 
+// By the midpoint rule over the squared sine: also where light leaves within a narrow cone alone.
+TEST(Albedo, MeanTransmittanceOfAnyIndex)
+{
+    for (const double eta : {0.02, 0.1, 0.5, 0.75, 1.0, 1.33, 2.5}) {
+        constexpr int count = 1000000;
+        double sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const double sin2 = (i + 0.5) / count;
+            sum += 1 - fresnel_dielectric_double(std::sqrt(1 - sin2), sin2, eta).reflectance;
+        }
+        EXPECT_NEAR(mean_transmittance(eta), sum / count, 1e-5 * sum / count + 1e-7) << eta;
+    }
+}
+
 }  // namespace
 }  // namespace lancer

@@ -46,7 +46,7 @@ TEST(MediumStack, IsWhatWasEnteredAndNotLeft)
     Random random(5);
     MediumStack stack;
     std::vector<uint16_t> entered;
-    int depths[5] = {};
+    int depths[MediumStack::capacity + 1] = {};
     for (int i = 0; i < 20000; ++i) {
         const bool full = entered.size() == MediumStack::capacity;
         if (entered.empty() || (!full && random.unit() < 0.55f)) {
@@ -75,7 +75,7 @@ TEST(MediumStack, ForgetsTheOldestUntilItIsLeft)
     const std::vector<Medium> all{{.ior = 1.1f, .priority = 9}, {.ior = 1.2f, .priority = 1}};
     MediumStack stack;
     stack.enter(0);
-    for (int i = 0; i < 3; ++i) stack.enter(1);
+    for (size_t i = 1; i < MediumStack::capacity; ++i) stack.enter(1);
     EXPECT_EQ(stack.current(all).id, 0);
     stack.enter(1);
     EXPECT_EQ(stack.current(all).id, 1) << "one too many";

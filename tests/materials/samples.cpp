@@ -82,6 +82,12 @@ std::vector<Sample<Principled>> samples<Principled>()
         white("white roughly coated", 0.01, [](D& m) { m.coat = 0.8f, m.coat_roughness = 0.5f, m.roughness = 0.5f; }),
         white("white coated metal", 0.01, [](D& m) { m.coat = 1, m.metallic = 1.0f, m.roughness = 0.5f; }),
         white("white coated glass", 0.01, [](D& m) { m.coat = 1, m.transmission = 1, m.roughness = 0; }),
+        // A rough coat alone makes the base rough, of which both sides of a body and both directions of a metal know.
+        white("white glass under a rough coat", 0.01,
+              [](D& m) { m.coat = 1, m.coat_roughness = 0.6f, m.transmission = 1, m.roughness = 0; }),
+        white(
+            "white brushed under a rough coat", 0.01,
+            [](D& m) { m.coat = 1, m.coat_roughness = 0.6f, m.metallic = 0.5f, m.roughness = 0, m.anisotropy = 0.5f; }),
         white("white fuzzy", 0.01, [](D& m) { m.fuzz = 1, m.roughness = 0.7f; }),
         white("white finely fuzzy metal", 0.02,
               [](D& m) { m.fuzz = 1, m.fuzz_roughness = 0, m.metallic = 1.0f, m.roughness = 0.5f; }),

@@ -66,6 +66,27 @@ TEST(Specialisation, PicturesOfOneValueBecomeFactors)
     EXPECT_EQ(count_of(two, "constant textures"), 1u);
 }
 
+// Whether a picture is the same everywhere or not: no part of the light is above 1 or below 0, and no light negative.
+TEST(Specialisation, PicturesOfTooMuchOrTooLittleAreLimited)
+{
+    for (const bool is_constant : {true, false}) {
+        const RasterSource source = [&](const std::string&) {
+            Raster r{.width = 2, .height = 2, .channels = 3, .bytes = {}, .floats = {}, .is_float = true};
+            for (int i = 0; i < 4; ++i) r.floats.insert(r.floats.end(), {3.0f, -0.5f, 0.5f});
+            if (!is_constant) r.floats[2] = 0.25f;
+            std::promise<std::shared_ptr<const Raster>> promise;
+            promise.set_value(std::make_shared<const Raster>(std::move(r)));
+            return promise.get_future().share();
+        };
+        const Scene scene = build_scene(worn("one"), source);
+        const uint32_t id = scene.shading[0].material;
+        EXPECT_EQ(std::get<Lambert>(scene.materials[id]).albedo.texture == no_texture, is_constant);
+        ShadingPoint p{.uv = {0.75, 0.25}, .textures = scene.textures.data()};
+        EXPECT_EQ(std::get<Lambert>(scene.materials[id]).at(p).albedo, (Color{1, 0, 0.5f}));
+        EXPECT_EQ(scene.emission[id].towards(true, p), (Color{3, 0, 1.5f}));
+    }
+}
+
 TEST(Specialisation, TheSamePictureUnderTwoNamesIsKeptOnce)
 {
     MaterialDescription a = make_lambert("a", {1, 1, 1}), b = a;

@@ -1,6 +1,7 @@
 // Textures: images, checkers and other formulas, and the material parameters that they modulate.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -155,10 +156,20 @@ struct ShadingPoint {
         p.uv_width = p.second_uv_width = 0, p.uv_along = {};
         return p;
     }
-    Color eval(const ColorParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture); }
+    // What a picture holds below 0, or as NaN, counts as 0.
+    Color eval(const ColorParam& p) const
+    {
+        return p.texture == no_texture ? p.value : p.value * at_least_0(eval(p.texture));
+    }
+    // The same of a part of the light: what a picture has above 1 counts as 1.
+    Color part(const ColorParam& p) const { return p.texture == no_texture ? p.value : at_most_1(eval(p)); }
     // Base colour of a material: parameter times vertex colour.
-    Color base(const ColorParam& p) const { return eval(p) * vertex_color; }
+    Color base(const ColorParam& p) const { return part(p) * vertex_color; }
     float eval(const FloatParam& p) const { return p.texture == no_texture ? p.value : p.value * eval(p.texture).r; }
+
+private:
+    static Color at_least_0(Color c) { return {std::max(0.0f, c.r), std::max(0.0f, c.g), std::max(0.0f, c.b)}; }
+    static Color at_most_1(Color c) { return {std::min(1.0f, c.r), std::min(1.0f, c.g), std::min(1.0f, c.b)}; }
 };
 
 }  // namespace lancer

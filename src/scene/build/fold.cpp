@@ -32,7 +32,11 @@ std::optional<Color> value_of(const Texture& t)
     return {};
 }
 
-void fold(ColorParam& p, Color value) { p.value = p.value * value; }
+// As ShadingPoint::eval().
+void fold(ColorParam& p, Color value)
+{
+    p.value = p.value * Color{std::max(0.0f, value.r), std::max(0.0f, value.g), std::max(0.0f, value.b)};
+}
 void fold(FloatParam& p, Color value) { p.value = p.value * value.r; }
 
 // The part that a mix always is, if it is always the same and no mix itself.
@@ -90,7 +94,16 @@ void fold_constants(Scene& scene)
             fold(p, *values[p.texture]);
             p.texture = no_texture;
         };
+        // As ShadingPoint::part().
+        const auto fold_part = [&](auto& p) {
+            const bool is_folded = p.texture != no_texture && values[p.texture];
+            fold_into(p);
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(p)>, ColorParam>)
+                if (is_folded)
+                    p.value = {std::min(1.0f, p.value.r), std::min(1.0f, p.value.g), std::min(1.0f, p.value.b)};
+        };
         for (uint32_t id = 0; id < scene.materials.size(); ++id) {
+            std::visit([&](auto& m) { for_each_textured_parameter(m, fold_part); }, scene.materials[id]);
             for_params(scene, id, fold_into);
             uint32_t& bump = scene.traits[id].bump;
             if (bump != no_texture && values[bump]) bump = no_texture;

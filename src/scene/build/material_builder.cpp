@@ -100,26 +100,33 @@ std::shared_ptr<const AlbedoTable> MaterialBuilder::coat_of(float ior, const Nee
     return coat;
 }
 
+std::shared_ptr<const AnisotropicTable> MaterialBuilder::wide_of(FacetKind kind, double eta)
+{
+    auto& table = wide_[{kind, eta}];
+    if (!table) {
+        table = std::make_shared<AnisotropicTable>(kind, eta);
+        table->need_all();
+    }
+    return table;
+}
+
 void MaterialBuilder::finish(Principled& p, const MaterialDescription& m)
 {
     auto tables = std::make_shared<PrincipledTables>();
     const std::optional<float> roughness = only_roughness(p);
-    // Seen from inside of a body there is no coat that could roughen the base.
     const auto need_roughness = [&](auto& table) {
         if (!roughness) return table.need_all();
-        for (const float r : {*roughness, p.roughness.value})
-            if (const float alpha = alpha_of_roughness(r); alpha > 0) table.need(alpha);
+        if (const float alpha = alpha_of_roughness(*roughness); alpha > 0) table.need(alpha);
     };
     const bool is_rough = !roughness || alpha_of_roughness(*roughness) > 0;
     tables->dielectric_ior = ior_of_weight(m.ior, m.specular_weight);
     const auto index = double{tables->dielectric_ior};
     tables->mean_through = static_cast<float>(mean_transmittance(index));
     if (is_rough && p.is_anisotropic()) {
-        const bool is_even = roughness && p.anisotropy.texture == no_texture &&
-                             (p.transmission.value == 0 || *roughness == p.roughness.value);
-        const auto need = [&](FacetKind kind, double eta) {
+        const auto need = [&](FacetKind kind, double eta) -> std::shared_ptr<const AnisotropicTable> {
+            if (!roughness || !is_constant(p.anisotropy)) return wide_of(kind, eta);
             auto table = std::make_shared<AnisotropicTable>(kind, eta);
-            is_even ? table->need(*roughness, p.anisotropy.value) : table->need_all();
+            table->need(*roughness, p.anisotropy.value);
             return table;
         };
         tables->wide_dielectric = need(FacetKind::coat, index);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "materials/material.h"
 #include "scene/description/description.h"
@@ -55,10 +56,14 @@ private:
     template <class Need>
     std::shared_ptr<const AlbedoTable> reflectors(const Need& need);
 
+    // Of every roughness and anisotropy, which takes a second.
+    std::shared_ptr<const AnisotropicTable> wide_of(FacetKind kind, double eta);
+
     // Tables that rough materials share.
     std::map<float, std::shared_ptr<AlbedoTable>> coats_;  // per index of refraction
     std::shared_ptr<AlbedoTable> reflectors_;              // of metals, if there is one
     std::map<GlassKind, std::shared_ptr<GlassLosses>> glasses_;
+    std::map<std::pair<FacetKind, double>, std::shared_ptr<AnisotropicTable>> wide_;
     std::shared_ptr<const FuzzTable> fuzz_;
 };
 

@@ -268,7 +268,7 @@ uint32_t MaterialTable::banded(const std::string& name, const Bands& bands, Text
 void MaterialTable::finish()
 {
     if (d_.camera && !d_.camera->inside.empty()) put_camera_into(d_.camera->inside, d_.camera->where);
-    finish_media(scene_);
+    finish_media(scene_, diagnostics_);
     builder_.touch(scene_.media);
     for (size_t i = 0; i < d_.materials.size(); ++i)
         if (!used_[i]) {

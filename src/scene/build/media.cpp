@@ -109,7 +109,8 @@ uint16_t add_medium(const MaterialDescription& m, const Material& bsdf, Integrat
     return static_cast<uint16_t>(scene.media.size() - 1);
 }
 
-void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lights, IntegratorKind kind, Scene& scene)
+void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lights, IntegratorKind kind, Scene& scene,
+             Diagnostics& diagnostics)
 {
     if (scene.media.size() == no_medium) return;  // an error that has been told
     Medium medium;
@@ -124,7 +125,13 @@ void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lig
         (fog.z_up ? scene.fog.high.z : scene.fog.high.y) = fog.z_up ? top.z : top.y;
     }
     Bounds box = scene.bounds;
-    if (fog.low || fog.high || fog.height || box.empty()) return;
+    if (fog.low || fog.high || fog.height) return;
+    if (box.empty()) {
+        diagnostics.warning(fog.where,
+                            "[fog] has no end, as the scene has no mesh or sphere whose box it could fill: "
+                            "'min' and 'max' give it one");
+        return;
+    }
     for (const LightDescription& l : lights)
         for_each_parameter_of(l.type, [&](const auto& row) {
             if (row.key == "position") box.grow(scene.normalisation.to_scene(l.position));
@@ -132,7 +139,7 @@ void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lig
     scene.fog.low = to_float(box.lower), scene.fog.high = to_float(box.upper);
 }
 
-void finish_media(Scene& scene)
+void finish_media(Scene& scene, Diagnostics& diagnostics)
 {
     if (!scene.legacy && std::any_of(scene.media.begin(), scene.media.end(), matters)) {
         // Flights are short beside the scene: a way through all of it has more than these on the mean.
@@ -143,6 +150,16 @@ void finish_media(Scene& scene)
             m.is_dense = (sigma.r + sigma.g + sigma.b) / 3 * extent > many;
             scene.scatters |= m.scatters();
             scene.passes_bare |= m.is_bare;
+        }
+        // Its brightness was 4 % off where a body had 2e5 free paths across, 20 % at 2e6.
+        constexpr float too_many = 2e5f;
+        for (size_t id = 0; id < scene.traits.size(); ++id) {
+            const uint16_t inside = scene.traits[id].medium;
+            if (inside == no_medium || !scene.media[inside].scatters()) continue;
+            if (max_component(scene.media[inside].extinction()) * extent > too_many)
+                diagnostics.warning({scene.file}, "material " + in_quotes(scene.material_names[id]) +
+                                                      ": light goes less than 1/200000 of the scene's extent between "
+                                                      "two scatterings, and its brightness comes out wrong");
         }
         return;
     }

@@ -18,7 +18,8 @@ uint16_t add_medium(const MaterialDescription& material, const Material& bsdf, I
                     Diagnostics& diagnostics);
 
 // Fills the scene with fog. Its bounds must be known; lights: those with a place are in the fog.
-void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lights, IntegratorKind kind, Scene& scene);
+void add_fog(const FogDescription& fog, const std::vector<LightDescription>& lights, IntegratorKind kind, Scene& scene,
+             Diagnostics& diagnostics);
 
 // Whether a description says what is inside.
 bool has_inside(const MaterialDescription& material);
@@ -26,8 +27,9 @@ bool has_inside(const MaterialDescription& material);
 // Whether the medium affects rays inside it.
 bool matters(const Medium& medium);
 
-// Removes all media if none has a priority, absorbs or scatters, so that rendering skips them.
-void finish_media(Scene& scene);
+// Removes all media if none has a priority, absorbs or scatters, so that rendering skips them. Warns of those whose
+// free paths float does not resolve.
+void finish_media(Scene& scene, Diagnostics& diagnostics);
 
 // Finds the media without a light inside: Medium::is_dark. After all lights are listed.
 void mark_dark_media(Scene& scene);

@@ -69,7 +69,7 @@ public:
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
         if (d_.background) add_background(*d_.background);
-        if (d_.fog) add_fog(*d_.fog, d_.lights, integrator_, scene_);
+        if (d_.fog) add_fog(*d_.fog, d_.lights, integrator_, scene_, diagnostics_);
         materials_.finish();
         diagnostics_.throw_if_errors();
     }
