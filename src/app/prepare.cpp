@@ -1,5 +1,6 @@
 #include "app/prepare.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "app/console.h"
@@ -46,6 +47,32 @@ void turn_camera(Prepared& p, const SceneChoice& choice)
                     static_cast<double>(choice.frame.value_or(0)) / choice.turntable);
 }
 
+// The way of the camera while the shutter is open, unless an option has put another one in its place.
+void complete_camera_path(SceneDescription& d, const SceneChoice& choice)
+{
+    for (const CamerasAtTime& then : d.cameras_later) {
+        std::optional<CameraDescription> camera = then.own;
+        const auto named = std::find_if(then.named.begin(), then.named.end(), [&](const CameraDescription& c) {
+            return choice.camera.empty() || c.name == choice.camera;
+        });
+        if (named != then.named.end() && (!choice.camera.empty() || !camera)) camera = *named;
+        if (!camera) break;
+        // What the file leaves out stays as it was found.
+        if (camera->missing.target) camera->target = d.camera->target;
+        if (camera->missing.fov) camera->fov_deg = d.camera->fov_deg;
+        if (camera->missing.up || choice.up) camera->up = d.camera->up;
+        d.camera_path.push_back(*camera);
+    }
+    const auto is_seen_alike = [](const CameraDescription& a, const CameraDescription& b) {
+        return std::tie(a.position, a.target, a.up, a.fov_deg, a.aperture, a.focus) ==
+               std::tie(b.position, b.target, b.up, b.fov_deg, b.aperture, b.focus);
+    };
+    const bool stands_still = std::all_of(d.camera_path.begin(), d.camera_path.end(), [&](const CameraDescription& c) {
+        return is_seen_alike(c, d.camera_path.front());
+    });
+    if (stands_still || !is_seen_alike(d.camera_path.front(), *d.camera)) d.camera_path.clear();
+}
+
 // Tells of lights that a renderer's integrator cannot find, and of everything else that was found before.
 void report_scene(Prepared& p, const Renderer& renderer, Diagnostics& diagnostics)
 {
@@ -86,6 +113,7 @@ Prepared load_prepared(const PictureOptions& options, Diagnostics& diagnostics, 
     });
     if (film && options.scene.turntable) film->unturned.emplace(p.description, p.added);
     turn_camera(p, options.scene);
+    complete_camera_path(p.description, options.scene);
     if (!p.added.text.empty() && !quiet)
         print_note("added to the scene, as it says nothing about it; to change it, put this into a scene file:\n" +
                    p.added.text);

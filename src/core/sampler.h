@@ -28,9 +28,10 @@ enum class Dim : uint32_t {
     shadow_alpha,
     mirror,
     mirrored_light,
-    flight,        // where a medium scatters a path
-    near_light,    // which light is sampled along a ray, and where on the ray
-    along_the_ray  // where on that light
+    flight,         // where a medium scatters a path
+    near_light,     // which light is sampled along a ray, and where on the ray
+    along_the_ray,  // where on that light
+    time            // while the shutter is open
 };
 
 namespace sobol {

@@ -47,6 +47,30 @@ TEST_F(AnimationFile, MeshesAreDividedForTheFirstCamera)
     EXPECT_FALSE(at("[[mesh]]\nfile = \"a.obj\"\n" + moving, 5).first_camera) << "which nothing needs";
 }
 
+TEST_F(AnimationFile, TheShutterKnowsTheWayOfTheCamera)
+{
+    const std::string moving = track("camera.position", "[1, 9]", "[[0, 0, 5], [0, 0, 21]]");
+    const auto with_shutter = [&](const std::string& shutter, const std::string& tracks) {
+        return film("shutter = " + shutter + "\n" + tracks);
+    };
+    const SceneDescription s = at(with_shutter("0.5", moving), 5);
+    ASSERT_GT(s.cameras_later.size(), 2u);
+    EXPECT_EQ(s.cameras_later.front().own->position.z, 13);
+    EXPECT_EQ(s.cameras_later.back().own->position.z, 14) << "half of a frame later";
+    EXPECT_EQ(s.cameras_later.back().named.size(), 2u);
+    EXPECT_TRUE(at(with_shutter("0", moving), 5).cameras_later.empty());
+    EXPECT_TRUE(at(film(moving), 5).cameras_later.empty());
+    const std::string cut =
+        track("camera.position", "[1, 5.2]", "[[0, 0, 5], [0, 0, 21]]", "interpolation = \"step\"\n");
+    for (const CamerasAtTime& then : at(with_shutter("1", cut), 5).cameras_later)
+        EXPECT_EQ(then.own->position.z, 5) << "a cut is no motion";
+    Diagnostics diagnostics;
+    const std::string lamp = with_shutter("0.5", track("light.0.intensity", "[1, 9]", "[1, 5]"));
+    EXPECT_TRUE(parse_scene(lamp, path("s.toml"), options_, diagnostics).cameras_later.empty());
+    EXPECT_EQ(diagnostics.warnings().size(), 1u) << "that the lamp does not blur";
+    EXPECT_NE(mistakes("shutter = 2\n" + moving).find("from 0 to 1"), std::string::npos);
+}
+
 TEST_F(AnimationFile, EveryKeyMoves)
 {
     write("a.obj", "");

@@ -142,7 +142,7 @@ struct lancer_scene {
         Film film(s.size.width, s.size.height, {0, 0, s.size.width, s.size.height});
         film.keep_aovs(layout_of(aovs));
         keep_for_settings(s, film);
-        const Camera camera(*prepared.description.camera, renderer->scene().normalisation, film.width, film.height,
+        const Camera camera(prepared.description, renderer->scene().normalisation, film.width, film.height,
                             pixel_grid(s));
         if (!fill_film(*renderer, camera, film, s.spp, stop, report)) return;
         for (const lancer_layer& l : layers) copy(film, l);

@@ -122,7 +122,7 @@ int run_pixel(int argc, char** argv)
         begin_prepared(p, diagnostics);
         const auto made = make_renderer(p, options->picture, 1, diagnostics);
         const Renderer& renderer = *made;
-        const Camera camera(*p.description.camera, renderer.scene().normalisation, width, height,
+        const Camera camera(p.description, renderer.scene().normalisation, width, height,
                             pixel_grid(p.settings));
         Report report(renderer, p.description, renderer.plan(camera, width, height));
         const Color radiance =

@@ -312,7 +312,7 @@ void Run::render(const Renderer& renderer)
 {
     const RenderSettings& s = settings_;
     const uint32_t width = s.size.width, height = s.size.height;
-    const Camera camera(*prepared_.description.camera, renderer.scene().normalisation, width, height, pixel_grid(s));
+    const Camera camera(prepared_.description, renderer.scene().normalisation, width, height, pixel_grid(s));
     normalisation_ = renderer.scene().normalisation;
     light_groups_ = renderer.scene().light_groups.names;
     if (options_.mattes) manifests_ = matte_manifests(renderer.scene());

@@ -53,6 +53,8 @@ void read_whole(const TomlTable& table, AnimationDescription& d)
         table.error("frames", " must be the first and the last frame, from 0 to 1000000, such as [1, 48]");
     constexpr NumberRule rate{[](double x) { return x > 0 && x <= 1000; }, "greater than 0 and at most 1000"};
     d.fps = table.number("fps", rate).value_or(d.fps);
+    constexpr NumberRule part{[](double x) { return x >= 0 && x <= 1; }, "from 0 to 1"};
+    d.shutter = table.number("shutter", part).value_or(d.shutter);
 }
 
 // Whether each is a number, or each a list of as many numbers.
@@ -101,7 +103,7 @@ std::optional<Animation> Animation::read(const TomlValue& root, TomlProblems& pr
 {
     const std::optional<TomlTable> table = TomlTable(root, "", problems).table("animation");
     if (!table) return {};
-    table->allow({"frames", "fps", "track"});
+    table->allow({"frames", "fps", "shutter", "track"});
     Animation animation;
     read_whole(*table, animation.description_);
     for (const TomlTable& track : table->tables("track")) animation.read_track(track, root, problems);
@@ -148,12 +150,18 @@ void Animation::read_track(const TomlTable& table, const TomlValue& root, TomlPr
     tracks_.push_back(std::move(track));
 }
 
-std::vector<FrameValue> Animation::values_at(double time) const
+bool Animation::moves_views() const
+{
+    return std::any_of(tracks_.begin(), tracks_.end(), [](const AnimationTrack& t) { return t.moves_view(); });
+}
+
+std::vector<FrameValue> Animation::values_at(double time, std::optional<double> since) const
 {
     std::vector<FrameValue> all;
     for (const AnimationTrack& track : tracks_) {
-        KeyPlace place = place_among(track.times, time);
-        if (track.interpolation == Interpolation::step) place.u = 0;
+        const bool is_step = track.interpolation == Interpolation::step;
+        KeyPlace place = place_among(track.times, is_step ? since.value_or(time) : time);
+        if (is_step) place.u = 0;
         if (track.views) {
             const bool is_smooth = track.interpolation == Interpolation::smooth;
             for (TomlEntry& e : track.views->at(track.times, place, is_smooth)) {

@@ -43,8 +43,11 @@ public:
     static std::optional<Animation> read(const TomlValue& root, TomlProblems& problems);
 
     const AnimationDescription& description() const { return description_; }
-    // time: in frames.
-    std::vector<FrameValue> values_at(double time) const;
+    // Whether any track moves a camera.
+    bool moves_views() const;
+    // time: in frames. since: when the shutter has opened; what goes in steps stays as it was then, since a cut is no
+    // motion.
+    std::vector<FrameValue> values_at(double time, std::optional<double> since = {}) const;
 
 private:
     void read_track(const TomlTable& table, const TomlValue& root, TomlProblems& problems);

@@ -186,6 +186,31 @@ std::optional<CameraDescription> camera_of_file(const SceneDescription& scene)
     return camera && !camera->missing.position ? camera : std::nullopt;
 }
 
+// The cameras while the shutter is open, at steps so short that they are straight.
+void read_cameras_later(const TomlValue& root, const Animation& animation, double frame, const AssetFolder& assets,
+                        const SceneFileOptions& options, SceneDescription& scene, Diagnostics& diagnostics)
+{
+    const AnimationDescription& d = animation.description();
+    if (!(d.shutter > 0)) return;
+    if (!d.moves_views_only)
+        diagnostics.warning({scene.file},
+                            "[animation] shutter: the motion of cameras blurs the picture; what else "
+                            "moves stays where it is when the shutter opens");
+    if (!animation.moves_views()) return;
+    constexpr int steps = 16;
+    for (int i = 0; i <= steps; ++i) {
+        TomlValue tree = root;
+        SceneDescription then;
+        then.file = scene.file;
+        TomlProblems problems = problems_of(scene.file, options.definitions);
+        put_frame(tree, animation.values_at(frame + d.shutter * i / steps, frame), options.definitions, problems);
+        read_scene_tables(TomlTable(tree, "", problems), assets, then);
+        problems.report(diagnostics, ", while the shutter of a frame is open");
+        if (diagnostics.has_errors()) return;
+        scene.cameras_later.push_back({then.camera, then.cameras});
+    }
+}
+
 // Fills the description from the tree of values, with the definitions put over it.
 void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
                Diagnostics& diagnostics)
@@ -208,6 +233,8 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     }
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
+    if (animation && !diagnostics.has_errors())
+        read_cameras_later(of_file, *animation, frame, assets, options, scene, diagnostics);
     if (may_divide(scene)) {
         scene.first_camera = camera_of_file(scene);
         if (animation && frame != animation->description().first && !diagnostics.has_errors()) {

@@ -51,7 +51,8 @@ inline Vec2 on_film(const SampleId& id, Vec2 offset)
 template <class V>
 Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
 {
-    return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens));
+    const float time = camera.is_still() ? 0 : numbers.get1(0, Dim::time);
+    return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens), time);
 }
 
 // Traces the samples in w.slots to their end and sums their radiance into w.queue.radiance.

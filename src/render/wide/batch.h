@@ -285,12 +285,13 @@ inline void WideBatch<shading>::generate_camera_rays(const Camera& camera, uint3
     const Vec2x8 offset = settings_.filter.sample(numbers(path.key, 0, Dim::pixel).get2(path.sample));
     film.x += offset.x, film.y += offset.y;
     Vec3x8 org = broadcast(camera.position()), dir;
-    if (camera.is_pinhole()) {
+    if (camera.is_pinhole() && camera.is_still()) {
         dir = camera.middle_directions(film);
     } else {
         const Vec2x8 lens = numbers(path.key, 0, Dim::lens).get2(path.sample);
+        const Float8 time = camera.is_still() ? Float8{} : numbers(path.key, 0, Dim::time).get1(path.sample);
         for (uint32_t i = 0; i < n; ++i) {
-            const Ray ray = camera.ray({film.x[i], film.y[i]}, {lens.x[i], lens.y[i]});
+            const Ray ray = camera.ray({film.x[i], film.y[i]}, {lens.x[i], lens.y[i]}, time[i]);
             set_lane(org, i, ray.org), set_lane(dir, i, ray.dir);
         }
     }

@@ -133,6 +133,7 @@ struct CameraDescription {
 struct AnimationDescription {
     uint32_t first = 1, last = 1;  // frames, both included
     double fps = 24;               // frames per second, > 0
+    double shutter = 0;            // how long it is open from a frame on, in frames; in [0, 1]
     double frame = 1;              // the one that the rest of the description is of
     bool moves_views_only = true;  // and nothing of what is seen
 };
@@ -148,6 +149,12 @@ struct FogDescription {
     bool z_up = false;  // along which axis is the height
 };
 
+// What a scene file says of cameras at some time.
+struct CamerasAtTime {
+    std::optional<CameraDescription> own;  // [camera]
+    std::vector<CameraDescription> named;
+};
+
 struct SceneDescription {
     std::string file;
     std::optional<AnimationDescription> animation;
@@ -157,6 +164,11 @@ struct SceneDescription {
     // frames. Absent: for `camera`.
     std::optional<CameraDescription> first_camera{};
     std::vector<CameraDescription> cameras;  // the named ones
+    // `camera` at even steps of time from the opening of the shutter, where it is the same, to its closing. Empty: it
+    // stands still.
+    std::vector<CameraDescription> camera_path{};
+    // The cameras at these times, of which complete_camera_path() makes it.
+    std::vector<CamerasAtTime> cameras_later{};
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     std::vector<SphereDescription> spheres;

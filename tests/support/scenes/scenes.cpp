@@ -296,9 +296,8 @@ SceneDescription scaled_by(SceneDescription d, double s)
 
 Camera camera_of(const SceneDescription& d, const Scene& scene, uint32_t width, uint32_t height)
 {
-    const CameraDescription c =
-        d.camera ? *d.camera : fit_camera(subject_bounds(d), static_cast<double>(width) / height);
-    return {c, scene.normalisation, width, height};
+    if (d.camera) return {d, scene.normalisation, width, height};
+    return {fit_camera(subject_bounds(d), static_cast<double>(width) / height), scene.normalisation, width, height};
 }
 
 }  // namespace lancer

@@ -294,6 +294,21 @@ SceneDescription curtain_between_lights()
     return d;
 }
 
+// Through a lens whose focus moves as well.
+static SceneDescription from_a_moving_camera()
+{
+    SceneDescription d = smooth_scene();
+    CameraDescription c = d.camera ? *d.camera : make_camera({0, 0.5, 4}, {0, 0, 0}, 40);
+    c.type = CameraType::thin_lens, c.aperture = 0.05;
+    d.camera = c;
+    for (const double t : {0.0, 0.5, 1.0}) {
+        c.position.x = d.camera->position.x + 0.3 * t * t, c.focus = 3 + t;
+        d.camera_path.push_back(c);
+    }
+    d.camera = d.camera_path.front();
+    return d;
+}
+
 std::vector<WideCase> wide_cases()
 {
     std::vector<WideCase> cases{{"smooth", smooth_scene()},
@@ -326,7 +341,8 @@ std::vector<WideCase> wide_cases()
                                 {"smooth materials", smooth_materials()},
                                 {"pictured materials", pictured_materials()},
                                 {"few flat triangles", flat_scene(5, 8)},
-                                {"many flat triangles", flat_scene(30, 40)}};
+                                {"many flat triangles", flat_scene(30, 40)},
+                                {"from a moving camera", from_a_moving_camera()}};
     for (const NamedRoom& room : rooms_with_window()) cases.push_back({room.name, room.description});
     return cases;
 }
