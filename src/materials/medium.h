@@ -51,7 +51,7 @@ inline Color transmittance(const Medium& medium, float distance)
 // reappear.
 class MediumStack {
 public:
-    static constexpr size_t capacity = 8;
+    static constexpr size_t capacity = 4;
 
     void enter(uint16_t id)
     {
@@ -96,13 +96,7 @@ public:
     friend bool operator==(const MediumStack&, const MediumStack&) = default;
 
 private:
-    static constexpr std::array<uint16_t, capacity> none()
-    {
-        std::array<uint16_t, capacity> ids{};
-        for (uint16_t& id : ids) id = no_medium;
-        return ids;
-    }
-    std::array<uint16_t, capacity> ids_ = none();  // most recent first
+    std::array<uint16_t, capacity> ids_{no_medium, no_medium, no_medium, no_medium};  // most recent first
 };
 
 // The crossing of a surface from within `here`.

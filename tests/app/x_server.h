@@ -28,7 +28,11 @@ public:
         if (pid_ == 0) {
             dup2(ends[1], 1);
             close(ends[0]), close(ends[1]);
-            execlp("Xvfb", "Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp", nullptr);
+            // A number of its own: of two servers that take turns with one, the first to end removes the other's
+            // socket.
+            const std::string display = ":" + std::to_string(1000 + getpid() % 30000);
+            execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten",
+                   "tcp", nullptr);
             _exit(1);
         }
         close(ends[1]);
