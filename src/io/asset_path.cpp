@@ -63,8 +63,12 @@ AssetFolder::Found AssetFolder::find(const std::string& name) const
     }
     const Found in_folder = check(folder_ / name);
     if (in_folder.problem.empty() || root_ == folder_) return in_folder;
-    const Found in_root = check(root_ / name);
+    Found in_root = check(root_ / name);
     const bool is_only_missing = in_root.kind == ErrorKind::missing_input && in_folder.kind != ErrorKind::missing_input;
+    std::error_code ignored;
+    if (is_only_missing && fs::exists(folder_ / name, ignored))
+        in_root.problem = "does not exist in the --asset-root " + in_quotes(root_.string()) +
+                          "; the one in the folder of the scene lies outside of that";
     return in_root.problem.empty() || is_only_missing ? in_root : in_folder;
 }
 
