@@ -122,8 +122,7 @@ int run_pixel(int argc, char** argv)
         begin_prepared(p, diagnostics);
         const auto made = make_renderer(p, options->picture, 1, diagnostics);
         const Renderer& renderer = *made;
-        const Camera camera(p.description, renderer.scene().normalisation, width, height,
-                            pixel_grid(p.settings));
+        const Camera camera(p.description, renderer.scene().normalisation, width, height, pixel_grid(p.settings));
         Report report(renderer, p.description, renderer.plan(camera, width, height));
         const Color radiance =
             renderer.replay(camera, width, height, {options->x, options->y, options->sample}, report.listener());

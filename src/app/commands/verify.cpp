@@ -152,8 +152,8 @@ std::vector<Difference> compare(const Renderer& renderer, const Prepared& prepar
                                 const std::vector<size_t>& pixels)
 {
     const RenderSettings& settings = prepared.settings;
-    const Camera camera(prepared.description, renderer.scene().normalisation, settings.size.width,
-                        settings.size.height, pixel_grid(settings));
+    const Camera camera(prepared.description, renderer.scene().normalisation, settings.size.width, settings.size.height,
+                        pixel_grid(settings));
     renderer.plan(camera, settings.size.width, settings.size.height);  // once, not in each thread
     std::vector<std::vector<float>> again(pixels.size());
     const auto width = static_cast<size_t>(claim.data.width());

@@ -305,7 +305,8 @@ bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
 
 void find_background_only(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, SamplingPlan& plan)
 {
-    if (!camera.is_pinhole() || !camera.is_still() || !sees_one_colour(scene) || scene.triangle_count() > most_per_pixel * width * height)
+    if (!camera.is_pinhole() || !camera.is_still() || !sees_one_colour(scene) ||
+        scene.triangle_count() > most_per_pixel * width * height)
         return;
     Coverage coverage(camera, width, height);
     if (!coverage.is_useful()) return;

@@ -171,9 +171,8 @@ inline void WideBatch<shading>::eval_non_lambert(const Vertices& v, const LightQ
     for_each_lane(lanes & ~plastic, [&](uint32_t i) {
         BsdfValue f{};
         if ((movemask(disagree) >> i & 1) == 0)
-            f = with_bsdf(v.non_lambert, i, [&](const auto& bsdf, const auto& from) {
-                return bsdf.eval(from, lane(query.wi, i));
-            });
+            f = with_bsdf(v.non_lambert, i,
+                          [&](const auto& bsdf, const auto& from) { return bsdf.eval(from, lane(query.wi, i)); });
         set_lane(f_cos, i, {f.f_cos.r, f.f_cos.g, f.f_cos.b});
         pdf[i] = f.pdf;
     });
