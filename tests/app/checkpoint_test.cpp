@@ -130,6 +130,29 @@ TEST_F(Checkpoint, EverySignalThatStopsARenderLeavesOne)
     EXPECT_EQ(program.wait().code, 130) << "nothing to go on from";
 }
 
+// While a scene is built there is nothing to keep, but a batch system must hear that the job can be put in again.
+// Tables of two anisotropic materials take seconds.
+TEST_F(Checkpoint, StoppedBeforeTheFirstSampleARenderBeginsAgain)
+{
+    std::string scene = "[[light]]\ntype = \"environment\"\nradiance = 1\n";
+    for (const std::string ior : {"1.3", "1.5"})
+        scene += "[[sphere]]\nmaterial = \"" + ior + "\"\n[material.\"" + ior +
+                 "\"]\ntype = \"principled\"\nanisotropy = 0.5\nior = " + ior +
+                 "\nroughness_texture = { type = \"checker\", scale = 8 }\n";
+    write("slow.toml", scene);
+    const auto code_of = [&](const Arguments& more) {
+        Program program(folder_, Arguments{"slow.toml", "-s", "64", "--size", "48x48"} + more);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        program.send(SIGTERM);
+        const Said said = program.wait();
+        expect_words(said.err, "before the first sample");
+        return said.code;
+    };
+    EXPECT_EQ(code_of({"-o", "a.exr", "--checkpoint", "c.lancer", "--resume", "auto"}), 75);
+    EXPECT_EQ(code_of({"-o", "part.lancer", "--shard", "1/2"}), 75);
+    EXPECT_EQ(code_of({"-o", "a.exr"}), 130);
+}
+
 TEST_F(Checkpoint, OfAnotherPictureIsRefused)
 {
     ASSERT_EQ(render({"--checkpoint", "c.lancer"}).code, 0);

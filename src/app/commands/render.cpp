@@ -543,8 +543,11 @@ FrameEnd Run::execute()
 int Run::report()
 {
     if (options_.shard.is_whole() ? stats_.phases.back().name != "write" : !has_samples() && pixels_ > 0) {
-        print_problem("error: interrupted before the first sample; nothing is written");
-        return exit_interrupted;
+        // A batch system that waits for a code to go on is told to begin again: loading may take long.
+        const bool begins_again = !options_.shard.is_whole() || !options_.checkpoint.empty();
+        print_problem(std::string("error: interrupted before the first sample; nothing is written") +
+                      (begins_again ? ": to begin again, run the same command" : ""));
+        return begins_again ? exit_unfinished : exit_interrupted;
     }
     if (!options_.shard.is_whole() && !can_go_on_) has_failed_ = true;
     write_stats();
