@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/fresnel.h"
+#include "support/refused.h"
 #include "support/scenes/media_scenes.h"
 #include "support/ways.h"
 
@@ -230,16 +231,6 @@ TEST(Media, CostNothingWhereThereAreNone)
     EXPECT_TRUE(build_scene(d).media.empty());
 }
 
-void expect_refused(const SceneDescription& d, const std::string& why)
-{
-    Diagnostics diagnostics;
-    try {
-        Scene::build(d, d.render, diagnostics);
-        ADD_FAILURE() << "no error of: " << why;
-    } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
-    }
-}
 TEST(Media, RefuseWhatCannotBe)
 {
     SceneDescription d = aquarium();

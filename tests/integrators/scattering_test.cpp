@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/half_space.h"
+#include "support/refused.h"
 #include "support/scenes/media_scenes.h"
 #include "support/ways.h"
 
@@ -232,27 +233,17 @@ TEST(Scattering, CostsNothingWhereThereIsNone)
     EXPECT_EQ(sizeof(PathState), 136u) << "each path of a batch has one: what few scenes need goes elsewhere";
 }
 
-void expect_refused_medium(const SceneDescription& d, const std::string& why)
-{
-    Diagnostics diagnostics;
-    try {
-        Scene::build(d, d.render, diagnostics);
-        ADD_FAILURE() << "no error of: " << why;
-    } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
-    }
-}
 TEST(Scattering, RefusesWhatCannotBe)
 {
     SceneDescription d = scattering_scene();
     d.materials[0].opacity = 0.5f;
-    expect_refused_medium(d, "material 'cloud' has 'absorption' and an opacity");
+    expect_refused(d, "material 'cloud' has 'absorption' and an opacity");
     d = scattering_scene();
     d.materials[2].thin = true;
-    expect_refused_medium(d, "material 'wax' is thin and has a 'subsurface_color'");
+    expect_refused(d, "material 'wax' is thin and has a 'subsurface_color'");
     d = scattering_scene();
     d.materials[2].scattering = {1, 1, 1};
-    expect_refused_medium(d, "material 'wax' has a 'subsurface_color', which says what is inside");
+    expect_refused(d, "material 'wax' has a 'subsurface_color', which says what is inside");
 }
 
 // A lamp in a body of milk is found by light samples; without one there, none are sent.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/parallel.h"
 #include "scene/build/first_index.h"
 
@@ -12,26 +12,6 @@ namespace lancer {
 namespace {
 
 constexpr uint32_t nobody = FirstIndex::none;
-
-// Sets with a representative, which is the least of its members.
-class Groups {
-public:
-    explicit Groups(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    uint32_t of(uint32_t i)
-    {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(uint32_t a, uint32_t b)
-    {
-        a = of(a), b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<uint32_t> parent_;
-};
 
 Vec3d unit_or_zero(Vec3d v)
 {
@@ -144,7 +124,7 @@ private:
             const auto in_plane = [&](Vec3d v) { return unit_or_zero(v - n * dot(n, v)); };
             const uint32_t second = next_corner(c), third = next_corner(second);
             const double cos = dot(in_plane(position(second) - p), in_plane(position(third) - p));
-            sums_[groups_.of(c)] += in_plane(faces_[c / 3].along) * std::acos(std::clamp(cos, -1.0, 1.0));
+            sums_[groups_.find(c)] += in_plane(faces_[c / 3].along) * std::acos(std::clamp(cos, -1.0, 1.0));
         }
     }
 
@@ -160,7 +140,7 @@ private:
         for (uint32_t c = 0; c < welded_.size(); ++c) {
             if (!faces_[c / 3].has_uv) continue;
             const uint32_t giver = counts(c / 3) ? c : donor[welded_[c]];
-            const uint32_t group = giver == nobody ? c : groups_.of(giver);
+            const uint32_t group = giver == nobody ? c : groups_.find(giver);
             const Face& face = faces_[(giver == nobody ? c : giver) / 3];
             // The normals of the file say which side is the front, whatever the order of the corners.
             const bool is_positive = face.keeps != (dot(face.normal, normal(c)) < 0);
@@ -195,7 +175,7 @@ private:
     const std::vector<Vec2>& uvs_;
     std::vector<Face> faces_;
     std::vector<uint32_t> welded_;  // of each corner: the first one like it
-    Groups groups_;                 // of corners that share a tangent
+    DisjointSets groups_;           // of corners that share a tangent
     std::vector<Vec3d> sums_;       // of each group, at its first corner
 };
 
