@@ -10,76 +10,95 @@
 namespace lancer {
 namespace {
 
-// Mean of f(normal) over visible normals of `wo`. Half of the azimuths suffice by symmetry. Heights are denser towards
-// both ends, as the few strongly tilted normals lose most. finer: how many times as many of each, for
-// what has an edge.
+using Normals = Vec3T<Double4>;  // or directions: four at a time, each with the bits that it has alone
+
+// Mean of f(four normals) over visible normals of `wo`. Half of the azimuths suffice by symmetry. Heights are denser
+// towards both ends, as the few strongly tilted normals lose most. finer: how many times as many of each, at most
+// most_finer, for what has an edge.
+constexpr size_t most_finer = 3;
 template <class F>
-double mean_over_normals(const Ggx& ggx, Vec3d wo, const F& f, int finer = 1)
+double mean_over_normals(const Ggx& ggx, const Normals& wo, const F& f, size_t finer = 1)
 {
-    const int azimuths = 8 * finer, heights = 24 * finer;
+    const GgxT<Double4> facets{broadcast(ggx.alpha)};
+    const auto azimuths = static_cast<float>(8 * finer);
+    std::array<SinCosT<Double4>, 2 * most_finer> phi;
+    for (size_t i = 0; i < finer; ++i) {
+        const Float8 step = Float8{0.5f, 1.5f, 2.5f, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f} + static_cast<float>(8 * i);
+        const SinCosT<Float8> eight = sin_cos_2pi(step / (2 * azimuths));
+        phi[2 * i] = {to_double(lower(eight.sin)), to_double(lower(eight.cos))};
+        phi[2 * i + 1] = {to_double(upper(eight.sin)), to_double(upper(eight.cos))};
+    }
+    const size_t heights = 24 * finer;
     double sum = 0, weights = 0;
-    for (int j = 0; j < heights; ++j) {
-        const double s = (j + 0.5) / heights, weight = s * (1 - s), v = s * s * (3 - 2 * s);
-        for (int i = 0; i < azimuths; ++i)
-            sum += weight * f(ggx.sample_visible(wo, {(static_cast<float>(i) + 0.5f) / static_cast<float>(2 * azimuths),
-                                                      static_cast<float>(v)}));
-        weights += weight * azimuths;
+    for (size_t j = 0; j < heights; ++j) {
+        const double s = (static_cast<double>(j) + 0.5) / static_cast<double>(heights);
+        const double weight = s * (1 - s), v = s * s * (3 - 2 * s);
+        const Double4 height = broadcast(static_cast<double>(static_cast<float>(v)));
+        for (size_t i = 0; i < 2 * finer; ++i) {
+            const Double4 value = f(facets.sample_visible(wo, height, phi[i]));
+            for (size_t lane = 0; lane < double_lanes; ++lane) sum += weight * value[lane];
+        }
+        weights += weight * static_cast<double>(azimuths);
     }
     return sum / weights;
 }
 
-// Part of the light that other facets stop on its way to wi: 1 - G2 / G1 without cancellation. hidden_o: lambda(wo).
-double stopped(const Ggx& ggx, double hidden_o, Vec3d wi)
+// Part of the light that other facets stop on its way to wi: 1 - G2 / G1 without cancellation; all that goes below the
+// surface. hidden_o: lambda(wo).
+Double4 stopped(const Ggx& ggx, double hidden_o, const Normals& wi)
 {
-    const double hidden_i = ggx.lambda(wi);
+    const Double4 hidden_i = GgxT<Double4>{broadcast(ggx.alpha)}.lambda(wi);
     return hidden_i / (1 + hidden_o + hidden_i);
 }
 
-// L of a reflector or coat; reflectance(cos): of a facet.
-template <class F>
-double loss_of_reflection(const Ggx& ggx, Vec3d wo, const F& reflectance)
+// L of a reflector or coat.
+double loss_of_reflection(const Ggx& ggx, Vec3d wo, const FacetReflectance& reflectance)
 {
     const double smooth = reflectance(wo.z), hidden_o = ggx.lambda(wo);
     if (!(smooth > 0)) return 0;
-    return mean_over_normals(ggx, wo, [&](Vec3d h) {
-        const Vec3d wi = mirrored(wo, h);
-        if (!(wi.z > 0)) return 1.0;
-        const double ratio = reflectance(dot(wo, h)) / smooth;
-        return stopped(ggx, hidden_o, wi) * ratio + (1 - ratio);
+    const Normals from = in_four_lanes(wo);
+    return mean_over_normals(ggx, from, [&](const Normals& h) {
+        const Normals wi = mirrored(from, h);
+        const Double4 ratio = reflectance(dot(from, h)) / smooth;
+        return select(wi.z > 0.0, stopped(ggx, hidden_o, wi) * ratio + (1 - ratio), broadcast(1.0));
     });
 }
 
 double loss_of_boundary(const Ggx& ggx, Vec3d wo, double eta)
 {
     const double hidden_o = ggx.lambda(wo);
+    const Normals from = in_four_lanes(wo);
+    const Double4 one = broadcast(1.0);
     return mean_over_normals(
-        ggx, wo,
-        [&](Vec3d h) {
-            const double cos = std::min(1.0, dot(wo, h));
-            const auto [reflectance, cos_t] = fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta);
-            const Vec3d back = mirrored(wo, h), through = refracted(wo, h, cos, cos_t, eta);
-            const double of_back = back.z > 0 ? stopped(ggx, hidden_o, back) : 1;
-            const double of_through = reflectance < 1 && through.z < 0 ? stopped(ggx, hidden_o, through) : 1;
+        ggx, from,
+        [&](const Normals& h) {
+            const Double4 cos = smaller(one, dot(from, h));
+            const auto [reflectance, cos_t] = fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), broadcast(eta));
+            const Normals back = mirrored(from, h), through = refracted(from, h, cos, cos_t, eta);
+            const Double4 of_back = select(back.z > 0.0, stopped(ggx, hidden_o, back), one);
+            const Double4 of_through =
+                select((reflectance < 1.0) & (through.z < 0.0), stopped(ggx, hidden_o, through), one);
             return reflectance * of_back + (1 - reflectance) * of_through;
         },
-        eta < 1 ? 3 : 1);  // total reflection begins at an edge
+        eta < 1 ? most_finer : 1);  // total reflection begins at an edge
 }
 
 // The lobes of a sheet carry what it sends that way for wo or wi, whichever is less; see GlassBsdf.
 double loss_of_sheet(double alpha, Vec3d wo, double eta)
 {
-    const auto part = [eta](double cos, bool through) {
-        return part_of_sheet(fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta).reflectance, through);
+    const auto part = [eta]<class D>(D cos, bool through) {
+        return part_of_sheet(fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), D{} + eta).reflectance, through);
     };
+    const Normals from = in_four_lanes(wo);
     double lost = 0;
     for (const bool through : {false, true}) {
         const Ggx ggx{alpha_of_sheet(alpha, eta, through)};
         const double of_wo = part(wo.z, through), hidden_o = ggx.lambda(wo);
-        lost += mean_over_normals(ggx, wo, [&](Vec3d h) {
-            const Vec3d wi = mirrored(wo, h);
-            if (!(wi.z > 0)) return of_wo;
-            const double carried = std::min(of_wo, part(std::min(1.0, wi.z), through));
-            return carried * stopped(ggx, hidden_o, wi) + (of_wo - carried);
+        const Double4 all = broadcast(of_wo);
+        lost += mean_over_normals(ggx, from, [&](const Normals& h) {
+            const Normals wi = mirrored(from, h);
+            const Double4 carried = smaller(all, part(smaller(broadcast(1.0), wi.z), through));
+            return select(wi.z > 0.0, carried * stopped(ggx, hidden_o, wi) + (all - carried), all);
         });
     }
     return lost;
@@ -90,10 +109,7 @@ double loss_of_sheet(double alpha, Vec3d wo, double eta)
 void AlbedoTable::fill_row(uint32_t row)
 {
     if (std::exchange(is_filled_[row], true)) return;
-    const auto reflectance = [&](double cos) {
-        if (kind_ != FacetKind::coat) return 1.0;
-        return fresnel_dielectric_double(std::min(1.0, cos), (1 - cos) * (1 + cos), eta_).reflectance;
-    };
+    const FacetReflectance reflectance{kind_, eta_};
     const float alpha = node(least_row, row);
     const Ggx ggx{static_cast<double>(alpha)};
     for (uint32_t i = 0; i < cosines; ++i) {

@@ -12,12 +12,28 @@
 #include <numbers>
 
 #include "core/lanes/lanes.h"
+#include "materials/fresnel.h"
 
 namespace lancer {
 
 // What the facets are of. reflector: reflectance 1. coat: a dielectric of which only the reflection counts. boundary: a
 // dielectric, with what it lets through. sheet: a rough thin sheet of glass, see thin_sheet.h.
 enum class FacetKind { reflector, coat, boundary, sheet };
+
+// Of one facet of a reflector or coat, or of the smooth surface. eta: index beyond the surface over index before it.
+struct FacetReflectance {
+    FacetKind kind;
+    double eta;
+
+    // cos: in [0, 1], or rounded to above it. D: double or a vector of them.
+    template <class D>
+    D operator()(D cos) const
+    {
+        const D one = D{} + 1.0;
+        if (kind != FacetKind::coat) return one;
+        return fresnel_dielectric_double(smaller(one, cos), (1.0 - cos) * (1.0 + cos), eta + D{}).reflectance;
+    }
+};
 
 class AlbedoTable {
     // Nodes have few leading bits, four per power of two, as losses vary with cos / alpha near grazing and with cos

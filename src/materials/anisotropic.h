@@ -35,44 +35,52 @@ inline AlphaPair alphas_of(float roughness, float anisotropy)
     return {along, std::max(least_alpha, along * aspect)};
 }
 
-// All directions in double, unit, z > 0 unless stated otherwise; x is along the tangent.
-struct StretchedGgx {
-    double along, across;
+// All directions in double, unit, z > 0 unless stated otherwise; x is along the tangent. D: double or a vector of them.
+template <class D>
+struct StretchedGgxT {
+    D along, across;
 
     // Of normals; h need not be unit.
-    double density(Vec3d h) const
+    D density(const Vec3T<D>& h) const
     {
-        const double z2 = h.z * h.z, length2 = h.x * h.x + h.y * h.y + z2;
-        const double x = h.x / along, y = h.y / across, r = length2 / (x * x + y * y + z2);
+        const D z2 = h.z * h.z, length2 = h.x * h.x + h.y * h.y + z2;
+        const D x = h.x / along, y = h.y / across, r = length2 / (x * x + y * y + z2);
         return r * r / (pi_d * along * across);
     }
     // cos (1 + 2 Lambda), with Smith's Lambda. For any z.
-    double spread(Vec3d w) const
+    D spread(const Vec3T<D>& w) const
     {
-        const double x = along * w.x, y = across * w.y;
-        return std::sqrt(w.z * w.z + x * x + y * y);
+        const D x = along * w.x, y = across * w.y;
+        return sqrt(w.z * w.z + x * x + y * y);
     }
-    double visibility(Vec3d wo, Vec3d wi) const
+    D visibility(const Vec3T<D>& wo, const Vec3T<D>& wi) const
     {
-        return 0.5 / (std::abs(wo.z) * spread(wi) + std::abs(wi.z) * spread(wo));
+        return 0.5 / (abs(wo.z) * spread(wi) + abs(wi.z) * spread(wo));
     }
-    // As Ggx::sample_visible(): the sphere of stretched space does not know the alphas.
-    Vec3d sample_visible(Vec3d wo, Vec2 v) const
+    // As GgxT::sample_visible(): the sphere of stretched space does not know the alphas.
+    Vec3T<D> sample_visible(const Vec3T<D>& wo, D v, const SinCosT<D>& phi) const
     {
-        const Vec3d w = normalize(Vec3d{along * wo.x, across * wo.y, wo.z});
-        const Vec3d h = Ggx{1}.sample_visible(w, v);
-        return normalize(Vec3d{along * h.x, across * h.y, h.z});
+        const Vec3T<D> w = normalize(Vec3T<D>{along * wo.x, across * wo.y, wo.z});
+        const Vec3T<D> h = GgxT<D>{D{} + 1.0}.sample_visible(w, v, phi);
+        return normalize(Vec3T<D>{along * h.x, across * h.y, h.z});
+    }
+    Vec3T<D> sample_visible(const Vec3T<D>& wo, Vec2 v) const
+    {
+        const SinCos phi = sin_cos_2pi(v.x);
+        return sample_visible(wo, v.y, {phi.sin, phi.cos});
     }
 };
+using StretchedGgx = StretchedGgxT<double>;
 
 // As eval_facets(). Its name is another, so that a pair of braces with one alpha means isotropic facets.
-inline FacetReflection eval_stretched(const StretchedGgx& ggx, Vec3d wo, Vec3d wi)
+template <class D>
+inline FacetReflectionT<D> eval_stretched(const StretchedGgxT<D>& ggx, const Vec3T<D>& wo, const Vec3T<D>& wi)
 {
-    const Vec3d sum = wo + wi;
-    const double d = ggx.density(sum);
+    const Vec3T<D> sum = wo + wi;
+    const D d = ggx.density(sum);
     return {.f_cos = d * ggx.visibility(wo, wi) * wi.z,
             .pdf = 0.5 * d / (wo.z + ggx.spread(wo)),
-            .cos_h = std::min(1.0, 0.5 * length(sum))};
+            .cos_h = smaller(D{} + 1.0, 0.5 * length(sum))};
 }
 
 }  // namespace lancer

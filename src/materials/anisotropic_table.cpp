@@ -1,7 +1,5 @@
 #include "materials/anisotropic_table.h"
 
-#include "materials/fresnel.h"
-
 namespace lancer {
 namespace {
 
@@ -20,87 +18,108 @@ PlaceInRange place_in(float x, uint32_t nodes)
     return {index, at - static_cast<float>(index)};
 }
 
-// Albedo over that of the smooth surface, subtracted from 1.
-template <class F>
-double loss_of_stretched(const StretchedGgx& ggx, Vec3d wo, const F& reflectance)
+// Albedo over that of the smooth surface, subtracted from 1. Four normals at a time.
+double loss_of_stretched(const AlphaPair& alpha, Vec3d wo, const FacetReflectance& reflectance)
 {
-    constexpr int turns = 24, heights = 24;
+    constexpr size_t turns = 24, heights = 24;
     const double smooth = reflectance(wo.z);
     if (!(smooth > 0)) return 0;
+    std::array<SinCosT<Double4>, turns / double_lanes> phi;
+    for (size_t i = 0; i < turns; ++i) {
+        const SinCos at = sin_cos_2pi((static_cast<float>(i) + 0.5f) / turns);
+        phi[i / 4].sin[i % 4] = at.sin, phi[i / 4].cos[i % 4] = at.cos;
+    }
+    const StretchedGgxT<Double4> ggx{broadcast(double{alpha.along}), broadcast(double{alpha.across})};
+    const Vec3T<Double4> from = in_four_lanes(wo);
     double sum = 0, weights = 0;
-    for (int j = 0; j < heights; ++j) {
-        const double s = (j + 0.5) / heights, weight = s * (1 - s), v = s * s * (3 - 2 * s);
-        for (int i = 0; i < turns; ++i) {
-            const Vec3d h = ggx.sample_visible(wo, {(static_cast<float>(i) + 0.5f) / turns, static_cast<float>(v)});
-            const Vec3d wi = mirrored(wo, h);
-            weights += weight;
-            if (!(wi.z > 0)) continue;
-            const FacetReflection f = eval_stretched(ggx, wo, wi);
-            sum += weight * (f.f_cos / f.pdf) * (reflectance(std::min(1.0, dot(wo, h))) / smooth);
+    for (size_t j = 0; j < heights; ++j) {
+        const double s = (static_cast<double>(j) + 0.5) / heights, weight = s * (1 - s), v = s * s * (3 - 2 * s);
+        for (const SinCosT<Double4>& four : phi) {
+            const Vec3T<Double4> h = ggx.sample_visible(from, broadcast(double{static_cast<float>(v)}), four);
+            const Vec3T<Double4> wi = mirrored(from, h);
+            const FacetReflectionT<Double4> f = eval_stretched(ggx, from, wi);
+            const Double4 part =
+                select(wi.z > 0.0, (f.f_cos / f.pdf) * (reflectance(dot(from, h)) / smooth), Double4{});
+            for (size_t lane = 0; lane < double_lanes; ++lane) sum += weight * part[lane], weights += weight;
         }
     }
     return 1 - sum / weights;
 }
 
+// turn: of a quarter.
+Vec3d direction(double cos, double turn)
+{
+    const double r = std::sqrt((1 - cos) * (1 + cos)), phi = 0.5 * pi_d * turn;
+    return Vec3d{r * std::cos(phi), r * std::sin(phi), cos};
+}
+
 }  // namespace
 
-float AnisotropicTable::Slice::at(float cos, float x, float y) const
+AnisotropicTable::Slice::Place AnisotropicTable::Slice::place(float cos, float x, float y)
 {
     const auto [c, part] = place_in(std::sqrt(std::clamp(cos, 0.0f, 1.0f)), cosines);
     const float azimuth = x == 0 && y == 0 ? 0 : std::atan2(std::abs(y), std::abs(x)) * (2 / pi);
     const auto [a, side] = place_in(azimuth, azimuths);
-    const float* low = &loss[c * azimuths + a];
-    const float here = low[0] + side * (low[1] - low[0]),
-                there = low[azimuths] + side * (low[azimuths + 1] - low[azimuths]);
-    return here + part * (there - here);
+    return {c * azimuths + a, part, side};
 }
 
-AnisotropicTable::Slice AnisotropicTable::make(float roughness, float anisotropy) const
+float AnisotropicTable::Slice::at(const Place& p) const
 {
-    const auto reflectance = [&](double cos) {
-        if (kind_ != FacetKind::coat) return 1.0;
-        return fresnel_dielectric_double(std::min(1.0, cos), (1 - cos) * (1 + cos), eta_).reflectance;
-    };
+    const float* low = &loss[p.first];
+    const float here = low[0] + p.side * (low[1] - low[0]),
+                there = low[azimuths] + p.side * (low[azimuths + 1] - low[azimuths]);
+    return here + p.part * (there - here);
+}
+
+std::vector<AnisotropicTable::Slice::Place> AnisotropicTable::even_light()
+{
+    std::vector<Slice::Place> places;
+    places.reserve(steps * steps);
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const Vec3 w = to_float(direction(std::sqrt((i + 0.5) / steps), (j + 0.5) / steps));
+            places.push_back(Slice::place(w.z, w.x, w.y));
+        }
+    return places;
+}
+
+AnisotropicTable::Slice AnisotropicTable::make(float roughness, float anisotropy,
+                                               const std::vector<Slice::Place>& even) const
+{
+    const FacetReflectance reflectance{kind_, eta_};
     const AlphaPair alpha = alphas_of(roughness, anisotropy);
-    const StretchedGgx ggx{double{alpha.along}, double{alpha.across}};
     Slice slice;
-    const auto direction = [](double cos, double turn) {
-        const double r = std::sqrt((1 - cos) * (1 + cos)), phi = 0.5 * pi_d * turn;
-        return Vec3d{r * std::cos(phi), r * std::sin(phi), cos};
-    };
     for (uint32_t c = 0; c < cosines; ++c)
         for (uint32_t a = 0; a < azimuths; ++a) {
             const double root = std::max(2e-3, static_cast<double>(c) / (cosines - 1));
             const Vec3d wo = direction(root * root, static_cast<double>(a) / (azimuths - 1));
-            slice.loss[c * azimuths + a] = static_cast<float>(loss_of_stretched(ggx, wo, reflectance));
+            slice.loss[c * azimuths + a] = static_cast<float>(loss_of_stretched(alpha, wo, reflectance));
         }
-    // Under even light, of the interpolated losses.
-    constexpr int steps = 96;
+    // Of the interpolated losses.
     double sum = 0;
-    for (int i = 0; i < steps; ++i)
-        for (int j = 0; j < steps; ++j) {
-            const double cos = std::sqrt((i + 0.5) / steps);
-            const Vec3 w = to_float(direction(cos, (j + 0.5) / steps));
-            const double r = reflectance(cos);
-            sum += (1 - r) + r * static_cast<double>(slice.at(w.z, w.x, w.y));
-        }
+    const Slice::Place* place = even.data();
+    for (int i = 0; i < steps; ++i) {
+        const double r = reflectance(std::sqrt((i + 0.5) / steps));
+        for (int j = 0; j < steps; ++j) sum += (1 - r) + r * static_cast<double>(slice.at(*place++));
+    }
     slice.mean = static_cast<float>(sum / (steps * steps));
     return slice;
 }
 
 void AnisotropicTable::need(float roughness, float anisotropy)
 {
-    if (slices_.empty()) slices_.push_back(make(roughness, anisotropy));
+    if (slices_.empty()) slices_.push_back(make(roughness, anisotropy, even_light()));
 }
 
 void AnisotropicTable::need_all()
 {
     roughnesses_ = all_roughnesses, anisotropies_ = all_anisotropies;
     slices_.clear();
+    const std::vector<Slice::Place> even = even_light();
     for (uint32_t r = 0; r < roughnesses_; ++r)
         for (uint32_t a = 0; a < anisotropies_; ++a)
             slices_.push_back(make(std::max(0.02f, static_cast<float>(r) / (all_roughnesses - 1)),
-                                   static_cast<float>(a) / (all_anisotropies - 1)));
+                                   static_cast<float>(a) / (all_anisotropies - 1), even));
 }
 
 AnisotropicTable::At AnisotropicTable::at(float roughness, float anisotropy) const

@@ -16,9 +16,17 @@ class AnisotropicTable {
     // Of one roughness and anisotropy: losses row by row, at even steps of the root of the cosine and of the azimuth of
     // a quarter turn, and their mean.
     struct Slice {
+        // Between which losses a direction lies: the first of four, and the weights of the others.
+        struct Place {
+            uint32_t first;
+            float part, side;
+        };
+        static Place place(float cos, float x, float y);
+        float at(const Place& p) const;
+        float at(float cos, float x, float y) const { return at(place(cos, x, y)); }
+
         std::array<float, cosines * azimuths> loss{};
         float mean = 0;
-        float at(float cos, float x, float y) const;
     };
 
 public:
@@ -45,7 +53,10 @@ public:
     At at(float roughness, float anisotropy) const;
 
 private:
-    Slice make(float roughness, float anisotropy) const;
+    // Directions of even light: those of one cosine one behind the other.
+    static constexpr int steps = 96;
+    static std::vector<Slice::Place> even_light();
+    Slice make(float roughness, float anisotropy, const std::vector<Slice::Place>& even) const;
 
     FacetKind kind_;
     double eta_;

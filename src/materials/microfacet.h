@@ -45,9 +45,10 @@ inline Vec3T<D> mirrored(const Vec3T<D>& w, const Vec3T<D>& h)
 
 // w refracted by a boundary of normal h, both unit. cos: dot(w, h); cos_t: the cosine beyond; eta: index beyond over
 // index on w's side.
-inline Vec3d refracted(Vec3d w, Vec3d h, double cos, double cos_t, double eta)
+template <class D>
+inline Vec3T<D> refracted(const Vec3T<D>& w, const Vec3T<D>& h, D cos, D cos_t, double eta)
 {
-    return h * (cos / eta - cos_t) - w / eta;
+    return h * (cos / eta - cos_t) - w / (D{} + eta);
 }
 
 // All directions in double, unit, z > 0 unless stated otherwise. D: double or a vector of them.

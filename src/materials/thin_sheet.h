@@ -10,10 +10,18 @@ namespace lancer {
 
 // Part of the light that a clear sheet reflects. r: reflectance of one of its faces, in [0, 1]; it is the same from
 // both sides.
-inline double reflectance_of_sheet(double r) { return 2 * r / (1 + r); }
+template <class D>
+inline D reflectance_of_sheet(D r)
+{
+    return 2 * r / (1 + r);
+}
 
 // Part of the light that it reflects, or lets through.
-inline double part_of_sheet(double r, bool through) { return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r); }
+template <class D>
+inline D part_of_sheet(D r, bool through)
+{
+    return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r);
+}
 
 // What a tint changes: the light of both directions over that of a clear sheet. tint: the factor of each reflection and
 // each refraction, as of a solid body; in [0, 1]. Without one both are 1.

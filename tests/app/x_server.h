@@ -29,10 +29,10 @@ public:
             dup2(ends[1], 1);
             close(ends[0]), close(ends[1]);
             // A number of its own: of two servers that take turns with one, the first to end removes the other's
-            // socket.
+            // socket. No reset: it would drop who connects just as the last client leaves.
             const std::string display = ":" + std::to_string(1000 + getpid() % 30000);
-            execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten",
-                   "tcp", nullptr);
+            execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", "1", "-screen", "0", "1400x900x24", "-noreset",
+                   "-nolisten", "tcp", nullptr);
             _exit(1);
         }
         close(ends[1]);

@@ -145,7 +145,7 @@ run_some() {
 }
 half=() other=()
 for page in "${pages[@]}"; do
-    case $page in docs/cookbook.md | README.md | docs/farm.md) half+=("$page") ;; *) other+=("$page") ;; esac
+    case $page in docs/cookbook.md | docs/command-line.md | README.md | docs/farm.md) half+=("$page") ;; *) other+=("$page") ;; esac
 done
 run_some "${half[@]}" &
 run_some "${other[@]}"

@@ -46,6 +46,7 @@ inline Mask8 is_black(const Vec3x8& c)
 inline Vec3 lane(const Vec3x8& v, size_t i) { return {v.x[i], v.y[i], v.z[i]}; }
 inline void set_lane(Vec3x8& v, size_t i, Vec3 to) { v.x[i] = to.x, v.y[i] = to.y, v.z[i] = to.z; }
 
+inline Vec3T<Double4> in_four_lanes(Vec3d v) { return {broadcast(v.x), broadcast(v.y), broadcast(v.z)}; }
 inline Vec3T<Double4> to_double(const Vec3T<Float4>& v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
 inline Vec3T<Float4> to_float(const Vec3T<Double4>& v) { return {to_float(v.x), to_float(v.y), to_float(v.z)}; }
 inline Vec3T<Float4> lower(const Vec3x8& v) { return {lower(v.x), lower(v.y), lower(v.z)}; }

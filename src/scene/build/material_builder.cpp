@@ -150,6 +150,10 @@ void MaterialBuilder::finish(Principled& p, const MaterialDescription& m)
     }
     if (p.fuzz.value > 0) {
         if (!fuzz_) fuzz_ = std::make_shared<FuzzTable>();
+        if (is_constant(p.fuzz_roughness))
+            fuzz_->need(p.fuzz_roughness.value);
+        else
+            fuzz_->need_all();
         tables->fuzz = fuzz_;
     }
     tables->glass.ior = m.ior;

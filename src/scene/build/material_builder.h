@@ -64,7 +64,7 @@ private:
     std::shared_ptr<AlbedoTable> reflectors_;              // of metals, if there is one
     std::map<GlassKind, std::shared_ptr<GlassLosses>> glasses_;
     std::map<std::pair<FacetKind, double>, std::shared_ptr<AnisotropicTable>> wide_;
-    std::shared_ptr<const FuzzTable> fuzz_;
+    std::shared_ptr<FuzzTable> fuzz_;
 };
 
 }  // namespace lancer
