@@ -113,7 +113,7 @@ position = [6, 2, 6]
 position = [-6, 2, 6]
 [[light]]
 type = "environment"
-file = "scenes/textures/sky.hdr"
+file = "scenes/textures/evening_fish_eye.png"
 [[light]]
 type = "sphere"
 center = [3, 5, 4]

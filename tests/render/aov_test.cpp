@@ -119,7 +119,7 @@ TEST(Aovs, VarianceIsThatOfTheMean)
 
 class AovsSamePixels : public testing::TestWithParam<size_t> {
 protected:
-    SceneDescription scene = all_test_scenes()[GetParam()].description;
+    SceneDescription scene = test_scenes()[GetParam()].make();
     RenderRequest request = [] {
         RenderRequest r;
         r.width = 12, r.height = 9;
@@ -129,7 +129,7 @@ protected:
         return r;
     }();
 };
-INSTANTIATE_TEST_SUITE_P(Every, AovsSamePixels, testing::Range(size_t{0}, all_test_scenes().size()));
+INSTANTIATE_TEST_SUITE_P(Every, AovsSamePixels, testing::Range(size_t{0}, test_scenes().size()));
 
 TEST_P(AovsSamePixels, HoweverTheWorkIsCutUp)
 {
@@ -189,7 +189,7 @@ TEST(Aovs, ACropHasTheValuesOfTheWhole)
 {
     RenderRequest r;
     r.aovs = all_aovs();
-    const SceneDescription scene = all_test_scenes()[0].description;
+    const SceneDescription scene = cornell_scene();
     const Film whole = render(scene, r).film;
     r.crop = {5, 3, 22, 17};
     const Film crop = render(scene, r).film;

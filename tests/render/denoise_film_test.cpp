@@ -39,10 +39,10 @@ bool same(const SampleSet& a, const SampleSet& b)
 
 class SetsOf : public testing::TestWithParam<size_t> {
 protected:
-    NamedScene scene_ = all_test_scenes()[GetParam()];
-    Film draw(const RenderRequest& r) const { return render(scene_.description, r).film; }
+    SceneDescription scene_ = test_scenes()[GetParam()].make();
+    Film draw(const RenderRequest& r) const { return render(scene_, r).film; }
 };
-INSTANTIATE_TEST_SUITE_P(Every, SetsOf, testing::Range(size_t{0}, all_test_scenes().size()));
+INSTANTIATE_TEST_SUITE_P(Every, SetsOf, testing::Range(size_t{0}, test_scenes().size()));
 
 TEST_P(SetsOf, LeaveThePictureAlone)
 {
@@ -52,7 +52,7 @@ TEST_P(SetsOf, LeaveThePictureAlone)
     r.sets = SetDeal{.replicates = 4};
     const Film film = draw(r);
     for (size_t i = 0; i < film.pixels.size(); ++i) {
-        ASSERT_EQ(film.pixels[i].sum, plain.pixels[i].sum) << scene_.name << i;
+        ASSERT_EQ(film.pixels[i].sum, plain.pixels[i].sum) << "pixel " << i;
         SampleSet all;
         for (size_t k = 0; k < 4; ++k) all += film.sets[4 * i + k];
         ASSERT_EQ(all.n, film.pixels[i].n);
@@ -73,7 +73,7 @@ TEST_P(SetsOf, AreTheSameHoweverTheWorkIsCutUp)
     all.settings.kernel.profile = Profile::all;
     for (const RenderRequest& other : {cut, all}) {
         const Film again = draw(other);
-        for (size_t i = 0; i < film.sets.size(); ++i) ASSERT_TRUE(same(film.sets[i], again.sets[i])) << scene_.name;
+        for (size_t i = 0; i < film.sets.size(); ++i) ASSERT_TRUE(same(film.sets[i], again.sets[i]));
     }
 }
 

@@ -27,32 +27,28 @@ testing::AssertionResult same(const Film& a, const Film& b)
 }
 
 struct PixelCase {
-    const char* scene;
+    TestScene scene;
     AnyIntegrator integrator;
 
     std::string name() const
     {
         std::string name = std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, integrator);
         std::replace(name.begin(), name.end(), '-', '_');
-        return std::string(scene) + "_" + name;
+        return std::string(scene.name) + "_" + name;
     }
     friend void PrintTo(const PixelCase& c, std::ostream* out) { *out << c.name(); }
 };
 std::vector<PixelCase> pixel_cases()
 {
     std::vector<PixelCase> cases;
-    for (const NamedScene& s : all_test_scenes())
-        for (const AnyIntegrator& integrator : all_integrators()) cases.push_back({s.name, integrator});
+    for (const TestScene& s : test_scenes())
+        for (const AnyIntegrator& integrator : all_integrators()) cases.push_back({s, integrator});
     return cases;
 }
 
 class SamePixels : public testing::TestWithParam<PixelCase> {
 protected:
-    SceneDescription scene = [] {
-        for (NamedScene& s : all_test_scenes())
-            if (std::string(s.name) == GetParam().scene) return std::move(s.description);
-        return SceneDescription{};
-    }();
+    SceneDescription scene = GetParam().scene.make();
     RenderRequest request = [] {
         RenderRequest r;
         r.settings.integrator = GetParam().integrator;

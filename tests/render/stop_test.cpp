@@ -246,7 +246,7 @@ struct StopCase {
 std::vector<StopCase> stop_cases()
 {
     std::vector<StopCase> cases;
-    const size_t scenes = all_test_scenes().size();
+    const size_t scenes = test_scenes().size();
     for (size_t i = 0; i < scenes; ++i)
         for (const AnyIntegrator& integrator : all_integrators())
             for (const StopRule rule : {StopRule::confidence, StopRule::last_sample})
@@ -255,7 +255,7 @@ std::vector<StopCase> stop_cases()
 }
 class Stopped : public testing::TestWithParam<StopCase> {};
 INSTANTIATE_TEST_SUITE_P(Every, Stopped, testing::ValuesIn(stop_cases()), [](const auto& c) {
-    std::string name = std::string(all_test_scenes()[c.param.scene].name) + "_" +
+    std::string name = std::string(test_scenes()[c.param.scene].name) + "_" +
                        std::visit([](const auto& i) { return std::string(name_of(i.kind)); }, c.param.integrator) +
                        (c.param.rule == StopRule::confidence ? "_confidence" : "_last");
     std::replace(name.begin(), name.end(), '-', '_');
@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Stopped, testing::ValuesIn(stop_cases()), [](con
 
 TEST_P(Stopped, SamePixelsHoweverTheWorkIsCutUp)
 {
-    const SceneDescription scene = all_test_scenes()[GetParam().scene].description;
+    const SceneDescription scene = test_scenes()[GetParam().scene].make();
     RenderRequest r;
     r.width = 12, r.height = 9, r.tile = 5, r.spp = {64};
     r.settings = settings_of(GetParam().rule, 0.25, 0, SamplerKind::sobol);

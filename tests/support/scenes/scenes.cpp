@@ -230,20 +230,20 @@ SceneDescription glossy_scene()
     return d;
 }
 
+std::span<const TestScene> test_scenes()
+{
+    static constexpr TestScene all[] = {{"cornell", cornell_scene},       {"spheres", spheres_scene},
+                                        {"lights", lights_scene},         {"instances", instances_scene},
+                                        {"textured", textured_scene},     {"holes", holes_scene},
+                                        {"glossy", glossy_scene},         {"media", media_scene},
+                                        {"scattering", scattering_scene}, {"fog", fog_scene},
+                                        {"shapes", shapes_scene}};
+    return all;
+}
 std::vector<NamedScene> all_test_scenes()
 {
     std::vector<NamedScene> all;
-    all.push_back({"cornell", cornell_scene()});
-    all.push_back({"spheres", spheres_scene()});
-    all.push_back({"lights", lights_scene()});
-    all.push_back({"instances", instances_scene()});
-    all.push_back({"textured", textured_scene()});
-    all.push_back({"holes", holes_scene()});
-    all.push_back({"glossy", glossy_scene()});
-    all.push_back({"media", media_scene()});
-    all.push_back({"scattering", scattering_scene()});
-    all.push_back({"fog", fog_scene()});
-    all.push_back({"shapes", shapes_scene()});
+    for (const TestScene& s : test_scenes()) all.push_back({s.name, s.make()});
     return all;
 }
 

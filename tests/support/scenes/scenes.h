@@ -2,6 +2,8 @@
 // large, has its camera, and fits a picture of any size.
 #pragma once
 
+#include <span>
+
 #include "scene/camera.h"
 #include "scene/scene.h"
 #include "support/images.h"
@@ -40,6 +42,12 @@ SceneDescription glossy_scene();
 SceneDescription media_scene();   // in support/scenes/media_scenes.cpp
 SceneDescription shapes_scene();  // in support/scenes/shapes_scene.cpp
 
+// Laws hold for each of these. To list tests takes no scene: they are made where one is drawn.
+struct TestScene {
+    const char* name;
+    SceneDescription (*make)();
+};
+std::span<const TestScene> test_scenes();
 struct NamedScene {
     const char* name;
     SceneDescription description;
