@@ -120,20 +120,20 @@ void PrincipledBsdf::add_coat(Lobes& s) const
 {
     const PrincipledTables& tables = *material->tables;
     const float n = material->coat_ior;
-    const auto [reflected, cos_t] = fresnel_dielectric(std::min(1.0f, s.wo.z), n);
+    const Fresnel fresnel = fresnel_dielectric(std::min(1.0f, s.wo.z), n);
     if (coat_alpha > 0) s.coat_row = tables.coat->row(coat_alpha);
-    const float albedo = reflected * (1 - s.coat_row.loss(s.wo.z));
+    const float albedo = fresnel.reflectance * (1 - s.coat_row.loss(s.wo.z));
     s.coat_chance = s.under_fuzz * coat * albedo;
     s.under_coat *= s.under_fuzz * (1 - coat * albedo);
-    if (material->coat_color != white && cos_t > 0) {
-        const auto left = [&](float c) { return mix(1.0f, std::pow(c, 1 / cos_t), coat); };
+    if (material->coat_color != white && fresnel.cos_t > 0) {
+        const auto left = [&](float c) { return mix(1.0f, std::pow(c, 1 / fresnel.cos_t), coat); };
         const Color c = material->coat_color;
         s.under_coat *= Color{left(c.r), left(c.g), left(c.b)};
     }
     if (!(material->coat_darkening > 0)) return;
     // Light that the base sends is partly sent back by the coat, and meets the base again (OpenPBR, "coat darkening").
     const float even = 1 - (tables.coat_mean_through) / (n * n), rough = mix(1.0f, roughness, metallic);
-    const float returned = mix(reflected, even, rough), amount = coat * material->coat_darkening;
+    const float returned = mix(fresnel.reflectance, even, rough), amount = coat * material->coat_darkening;
     const auto darkened = [&](float color) {
         const float body = color * s.mean_through + (1 - s.mean_through);
         const float albedo_below = metallic * color + part_of_body() * body + part_of_glass();

@@ -21,6 +21,15 @@ struct Direct {
         direct = DirectLight::of(settings);
         parts = LightParts(settings);
     }
+
+private:
+    // Before its uses: its type is deduced.
+    auto last() const
+    {
+        return [depth = max_depth](const PathState& n) { return !n.specular || n.depth == depth; };
+    }
+
+public:
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
              PathActions& actions) const
@@ -38,12 +47,6 @@ struct Direct {
     void miss(const V& view, const PathState& s, PathActions& actions) const
     {
         add_environment(view, s, direct, parts, actions);
-    }
-
-private:
-    auto last() const
-    {
-        return [depth = max_depth](const PathState& n) { return !n.specular || n.depth == depth; };
     }
 };
 

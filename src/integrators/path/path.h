@@ -26,6 +26,15 @@ struct Path {
         roulette_by_pixel = settings.roulette;
         learned_nee = settings.learned_nee;
     }
+
+private:
+    // Before its uses: its type is deduced.
+    auto last() const
+    {
+        return [depth = max_depth](const PathState& n) { return n.depth == depth; };
+    }
+
+public:
     template <class V>
     void hit(const V& view, const PathState& s, const Surface& surface, const Sampler& sampler,
              PathActions& actions) const
@@ -43,12 +52,6 @@ struct Path {
     void miss(const V& view, const PathState& s, PathActions& actions) const
     {
         add_environment(view, s, direct, parts, actions);
-    }
-
-private:
-    auto last() const
-    {
-        return [depth = max_depth](const PathState& n) { return n.depth == depth; };
     }
 };
 
