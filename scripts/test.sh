@@ -7,8 +7,8 @@ usage() {
 usage: scripts/test.sh [--slow]
   (nothing)  release build with warnings as errors, benchmarks too, and all its tests
   --slow     the same, then the tests under AddressSanitizer + UBSan and under ThreadSanitizer; each way to leave
-             parts out, a build without x86 intrinsics, and one that compiles each file alone, is built and draws
-             a picture; each fuzz target runs for a minute
+             parts out, a build without x86 intrinsics, one that compiles each file alone, and one by clang
+             where it is installed, is built and draws the same picture; each fuzz target runs for a minute
 The last line is "N passed, N failed"; the exit code is 0 only if something passed and nothing failed.
 END
 }
@@ -92,16 +92,17 @@ run() {
     fi
 }
 
-# build_variant TARGET -DOPTION...: in a folder that all variants share, so that little is compiled twice. The program
-# must draw the pixels of the release build; counts as one test.
+# build_variant FOLDER TARGET -DOPTION...: variants of one compiler share a folder, so that little is compiled twice. The
+# program must draw the pixels of the release build; counts as one test.
 build_variant() {
-    local target=$1 folder=$PWD/build/parts status=0
-    shift
-    echo "Building $* (log: build/parts/build.log)"
+    local folder=$PWD/build/$1 target=$2 status=0
+    shift 2
+    echo "Building $* (log: $folder/build.log)"
+    mkdir -p "$folder"
     { cmake --preset release -B "$folder" -DLANCER_WERROR=ON "$@" &&
         cmake --build "$folder" -j "$(build_jobs)" --target "$target" &&
         "$folder/lancer" render scenes/spheres.toml -q --size 48x27 -s 4 -o "$folder/variant.exr" &&
-        "$folder/lancer" compare "$folder/variant.exr" "$folder/whole.exr" --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
+        "$folder/lancer" compare "$folder/variant.exr" build/whole.exr --metric rmse --fail-above 0; } >"$folder/build.log" 2>&1 </dev/null || status=$?
     if ((status == 0)); then passed=$((passed + 1))
     else tail -n 25 "$folder/build.log"; failed=$((failed + 1)); fi
 }
@@ -112,20 +113,20 @@ build_variants() {
     local i part options
     local parts=(OIIO DISPLAY_SERVER CLASSIC)
     local usual=(-DLANCER_TESTS=OFF -DLANCER_BENCH=OFF -DLANCER_UNITY=ON -DLANCER_PORTABLE_LANES=OFF)
-    mkdir -p build/parts
-    build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o build/parts/whole.exr || return
+    build/release/lancer render scenes/spheres.toml -q --size 48x27 -s 4 -o build/whole.exr || return
     for ((i = 0; i < (1 << ${#parts[@]}) - 1; ++i)); do
         options=()
         for part in "${!parts[@]}"; do
             if (((i >> part) & 1)); then options+=("-DLANCER_WITH_${parts[part]}=ON")
             else options+=("-DLANCER_WITH_${parts[part]}=OFF"); fi
         done
-        build_variant lancer "${usual[@]}" "${options[@]}"
+        build_variant parts lancer "${usual[@]}" "${options[@]}"
     done
     options=()
     for part in "${parts[@]}"; do options+=("-DLANCER_WITH_$part=ON"); done
-    build_variant lancer "${usual[@]}" "${options[@]}" -DLANCER_PORTABLE_LANES=ON
-    build_variant all "${options[@]}" -DLANCER_TESTS=ON -DLANCER_BENCH=ON -DLANCER_UNITY=OFF -DLANCER_PORTABLE_LANES=OFF
+    build_variant parts lancer "${usual[@]}" "${options[@]}" -DLANCER_PORTABLE_LANES=ON
+    build_variant parts all "${options[@]}" -DLANCER_TESTS=ON -DLANCER_BENCH=ON -DLANCER_UNITY=OFF -DLANCER_PORTABLE_LANES=OFF
+    if command -v clang++ >/dev/null; then build_variant clang all "${options[@]}" -DLANCER_BENCH=ON -DCMAKE_CXX_COMPILER=clang++; fi
 }
 
 # Each target of scripts/fuzz.sh counts as one test.

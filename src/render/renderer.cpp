@@ -33,7 +33,7 @@ std::shared_ptr<const Accelerator> with_scene(std::unique_ptr<Accelerator> accel
         std::shared_ptr<const Scene> scene;
         std::unique_ptr<Accelerator> accelerator;
     };
-    const auto both = std::make_shared<Both>(std::move(scene), std::move(accelerator));
+    const auto both = std::make_shared<Both>(Both{std::move(scene), std::move(accelerator)});
     return {both, both->accelerator.get()};
 }
 

@@ -83,7 +83,7 @@ TEST(Color, ArithmeticIsByComponent)
     EXPECT_FLOAT_EQ(luminance({1, 1, 1}), 1);
     EXPECT_EQ(max_component(b), 8);
     EXPECT_TRUE(is_black(Color{}));
-    EXPECT_FALSE(is_black({0, 0, 1e-30f}));
+    EXPECT_FALSE(is_black(Color{0, 0, 1e-30f}));
 }
 
 TEST(Bounds, GrowsFromEmptyAndIgnoresTheEmpty)

@@ -59,14 +59,14 @@ TEST(LightParts, AddUpToTheWhole)
 TEST(LightParts, AddUpInTheMeanWhereMediaScatter)
 {
     stats::Family family;
-    for (const auto& [name, d] : all_test_scenes()) {
-        if (!build_scene(d).scatters) continue;
+    for (const NamedScene& room : all_test_scenes()) {
+        if (!build_scene(room.description).scatters) continue;
         stats::Tally whole, sum;
         for (uint64_t seed = 0; seed < 20; ++seed) {
             const auto luminance_by = [&](const RenderSettings& settings, uint64_t number) {
                 Shot shot{.integrator = make_integrator(settings)};
                 shot.seed = number;
-                return luminance_of(shoot(d, shot));
+                return luminance_of(shoot(room.description, shot));
             };
             whole.add(luminance_by({}, seed));
             double parts_of_it = 0;
@@ -74,8 +74,8 @@ TEST(LightParts, AddUpInTheMeanWhereMediaScatter)
                 parts_of_it += luminance_by(only(parts[i]), 1000 + parts.size() * seed + i);
             sum.add(parts_of_it);
         }
-        EXPECT_LT(whole.error() + sum.error(), 0.01 * whole.mean) << name << ": too noisy to say anything";
-        family.add(stats::welch_p(whole, sum), name);
+        EXPECT_LT(whole.error() + sum.error(), 0.01 * whole.mean) << room.name << ": too noisy to say anything";
+        family.add(stats::welch_p(whole, sum), room.name);
     }
 }
 

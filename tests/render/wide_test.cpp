@@ -81,14 +81,15 @@ void expect_same(const Built& c, const RenderRequest& r, const std::string& how)
 // A picture so large that the pilot chooses tiles of the sky, by all shadings that can sample them.
 TEST(Wide, HasThemWithTilesOfTheSky)
 {
-    for (const auto& [name, d] : rooms_with_window()) {
-        const Built c({name, d});
+    for (const NamedRoom& room : rooms_with_window()) {
+        const Built c({room.name, room.description});
         RenderRequest r;
         r.width = 256, r.height = 192, r.spp = {1};
         with_threads(1, [&] {
-            const Renderer renderer(build_scene(d), {});
-            const auto plan = renderer.plan(camera_of(d, renderer.scene(), r.width, r.height), r.width, r.height);
-            EXPECT_TRUE(plan->light_choice.has_tiles) << name;
+            const Renderer renderer(build_scene(c.description), {});
+            const auto plan =
+                renderer.plan(camera_of(c.description, renderer.scene(), r.width, r.height), r.width, r.height);
+            EXPECT_TRUE(plan->light_choice.has_tiles) << c.name;
         });
         expect_same(c, r, "tiles");
     }

@@ -156,7 +156,7 @@ RaySet random_rays(const Bounds& box, size_t count)
         const Vec3d org = box.lower + Vec3d{x * size.x, y * size.y, w * size.z};
         const double z = 2 * uniform() - 1, turn = 2 * std::numbers::pi * uniform(), r = std::sqrt(1 - z * z);
         Ray ray;
-        ray.org = to_float(org), ray.dir = to_float({r * std::cos(turn), r * std::sin(turn), z});
+        ray.org = to_float(org), ray.dir = to_float(Vec3d{r * std::cos(turn), r * std::sin(turn), z});
         if (is_traceable(ray)) set.rays.push_back(ray);
     }
     return set;

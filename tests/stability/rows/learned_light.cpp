@@ -267,9 +267,10 @@ Outcome through_a_keyhole(const Setup& setup)
     }));
     constexpr uint32_t side = 512;  // for more places at which the pilot looks
     Outcome out;
-    for (const auto& [name, keyhole] : {std::pair<const char*, Keyhole>{"sky", {.sky = 2}},
-                                        {"lamp", {.glow = 20}},
-                                        {"sky and lamp", {.sky = 2, .glow = 20}}}) {
+    for (const auto& [name, hole] : {std::pair<const char*, Keyhole>{"sky", {.sky = 2}},
+                                     {"lamp", {.glow = 20}},
+                                     {"sky and lamp", {.sky = 2, .glow = 20}}}) {
+        const Keyhole keyhole = hole;
         const Case c{.name = name,
                      .scene = keyhole.scene(),
                      .radiance = [=](Vec3d p) { return keyhole.radiance(p); },
