@@ -30,10 +30,17 @@ using Ends = std::vector<uint32_t>;
 
 TEST(RenderLimits, SamplesDoubleFromEightOn)
 {
-    EXPECT_EQ(ends({.spp = 100, .time = {}, .error = {}}), (Ends{8, 16, 32, 64, 100}));
+    EXPECT_EQ(ends({.spp = 60, .time = {}, .error = {}}), (Ends{8, 16, 32, 60}));
     EXPECT_EQ(ends({.spp = 6, .time = {}, .error = {}}), (Ends{3, 6}));
     EXPECT_EQ(ends({.spp = 1, .time = {}, .error = {}}), (Ends{1}));
     EXPECT_EQ(ends({.spp = 12, .time = {}, .error = {}, .looks_early = true}), (Ends{1, 2, 4, 8, 12}));
+}
+
+// One that is stopped early leaves no tile without a sample.
+TEST(RenderLimits, ALongRenderBeginsWithASampleOfEachPixel)
+{
+    EXPECT_EQ(ends({.spp = 64, .time = {}, .error = {}}), (Ends{1, 2, 4, 8, 16, 32, 64}));
+    EXPECT_EQ(ends({.spp = 100, .time = {}, .error = {}}), (Ends{1, 2, 4, 8, 16, 32, 64, 100}));
 }
 
 TEST(RenderLimits, WithAStopRuleAPassIsATenthOfTheSamples)
@@ -45,7 +52,8 @@ TEST(RenderLimits, WithAStopRuleAPassIsATenthOfTheSamples)
 
 TEST(RenderLimits, PassesAreNeverLongerThanWhatATileMayTake)
 {
-    EXPECT_EQ(ends({.spp = 1200, .time = {}, .error = {}}), (Ends{8, 16, 32, 64, 128, 256, 512, 768, 1024, 1200}));
+    EXPECT_EQ(ends({.spp = 1200, .time = {}, .error = {}}),
+              (Ends{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1200}));
 }
 
 TEST(RenderLimits, PassesEndWhereHalvesAreCompared)

@@ -10,6 +10,9 @@ namespace {
 
 constexpr uint32_t most_per_pass = 256;
 constexpr uint32_t first_half = 8;  // samples; of so few, and as many again, something can be said
+// Renders of so many begin with a pass of one sample: one that is stopped early leaves no tile black. Fewer samples
+// take less time than the shorter passes cost.
+constexpr uint32_t least_for_short_passes = 64;
 // So many tell what the error is about; of fewer, all may have missed the same light.
 constexpr uint32_t least_to_judge = 16;
 
@@ -21,7 +24,7 @@ uint32_t RenderLimits::next_end(uint32_t done) const
     uint32_t end = std::min(doubled, done + most_per_pass);
     if (has_stop_rule())
         end = std::min(end, done + std::max(1u, done / 10));
-    else if (!given_.looks_early && done < first_half)
+    else if (!given_.looks_early && given_.spp < least_for_short_passes && done < first_half)
         end = done == 0 && given_.spp <= first_half ? given_.spp / 2 : first_half;
     return std::clamp(end, done + 1, given_.spp);
 }
