@@ -289,8 +289,7 @@ TEST_P(AccelLaws, TiesBetweenEqualShapesGoToTheFirst)
     }
 }
 
-// Of triangles in one place the first is met, by all but Embree, alone and in batches: to the last bit of a distance in
-// float they are not where they are in double.
+// Of triangles in one place the first is met, alone and in batches.
 TEST(Accelerators, OfEquallyFarTrianglesMeetTheFirst)
 {
     constexpr uint32_t count = 300;
@@ -298,9 +297,8 @@ TEST(Accelerators, OfEquallyFarTrianglesMeetTheFirst)
     const auto once = mesh.triangles;
     for (int copies = 0; copies < 2; ++copies) mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
     const Geometry g = of_mesh(mesh);
-    for (const AccelKind kind :
-         {AccelKind::list, AccelKind::list8, AccelKind::box, AccelKind::median, AccelKind::bvh2, AccelKind::bvh8}) {
-        const auto accel = make_accelerator(kind, g, "");
+    for (const AccelMaker& maker : accel_makers) {
+        const auto accel = maker(g);
         Random random(1);
         std::vector<Ray> rays;
         for (int i = 0; i < 5000; ++i) {
@@ -314,8 +312,8 @@ TEST(Accelerators, OfEquallyFarTrianglesMeetTheFirst)
             size_t met = 0;
             for (size_t i = 0; i < rays.size(); ++i) {
                 if (!hits[i]) continue;
-                ASSERT_LT(hits[i].primitive, count) << name_of(kind) << ' ' << i;
-                ASSERT_TRUE(same_bits(hits[i], accel->closest(rays[i]))) << name_of(kind) << ' ' << i;
+                ASSERT_LT(hits[i].primitive, count) << maker.name << ' ' << i;
+                ASSERT_TRUE(same_bits(hits[i], accel->closest(rays[i]))) << maker.name << ' ' << i;
                 ++met;
             }
             EXPECT_GT(met, 1000u);
@@ -323,10 +321,9 @@ TEST(Accelerators, OfEquallyFarTrianglesMeetTheFirst)
     }
 }
 
-// Surfaces a few units in the last place apart: float alone cannot tell which is nearer. Embree stays in float.
+// Surfaces a few units in the last place apart: float alone cannot tell which is nearer.
 TEST_P(AccelLaws, OrdersSurfacesThatFloatCannot)
 {
-    if (GetParam().kind == AccelKind::embree) return;
     Random random(5);
     Mesh layers;
     for (uint32_t i = 0; i < 24; ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <tuple>
 
 #include "geometry/embree/query.h"
 #include "geometry/large_shapes.h"
@@ -19,6 +20,7 @@ inline uint32_t first_instance_id(const Geometry& g) { return sphere_id(g) + 2; 
 struct UserData {
     const Geometry& geometry;
     LargeShapes wide;  // not in Embree's scene
+    float extent = 0;  // the largest coordinate of a mesh
 };
 inline const UserData& user_data(const void* pointer) { return *static_cast<const UserData*>(pointer); }
 
@@ -68,34 +70,48 @@ void bounds_callback(const RTCBoundsFunctionArguments* a)
     *a->bounds_o = outwards(left_out ? Bounds{} : bounds(shapes<kind>(data.geometry)[a->primID]));
 }
 
+inline Context& context_of(BaseContext* context) { return *static_cast<Context*>(context); }
+
+// Embree rounds the distance to a triangle, in its ways of traversal differently; which way a ray goes depends on the
+// rays beside it. The rounding is a few steps of float of the distance (stability row G6) or, of near hits, of the
+// coordinates: the slack of the ray. Hits that are closer together are all looked at and ordered by exact distances, so
+// that the nearest hit of a ray is the same in any packet. A small part of the distance bounds it: one far vertex must
+// not make everything close.
+inline float distance_error(float t, float slack) { return std::min(t * 0x1p-20f + slack, t * 0x1p-8f); }
+inline float beyond(float t, float slack) { return t + distance_error(t, slack); }
+
+// Whether `hit` of ray id is nearer than its nearest one so far, which it then replaces. Of equal distances the hit
+// that a loop over all primitives would find first wins.
+inline bool take(const Geometry& g, Context& context, uint32_t id, Hit hit)
+{
+    const Ray& ray = context.rays[id];
+    Hit& nearest = context.nearest[id];
+    if (nearest && hit.t >= nearest.t - distance_error(nearest.t, context.slack[id])) {
+        if (hit.t > beyond(nearest.t, context.slack[id])) return false;
+        nearest = refine(g, ray, nearest), hit = refine(g, ray, hit);
+        const auto place = [](const Hit& h) { return std::tuple(h.t, h.kind, h.instance, h.geometry, h.primitive); };
+        if (!(place(hit) < place(nearest))) return false;
+    }
+    nearest = hit;
+    return true;
+}
+
 template <Kind kind>
 void intersect_callback(const RTCIntersectFunctionNArguments* a)
 {
     const Geometry& g = user_data(a->geometryUserPtr).geometry;
     RTCRayN* rays = RTCRayHitN_RayN(a->rayhit, a->N);
-    RTCHitN* hits = RTCRayHitN_HitN(a->rayhit, a->N);
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
+        const uint32_t id = RTCRayN_id(rays, a->N, i);
+        Context& context = context_of(a->context);
         const Hit hit = first_opaque_hit<kind>(g, a->primID, lane_ray(a->context, rays, a->N, i));
+        const bool is_nearer = hit && take(g, context, id, hit);
 #if RTC_VERSION_MAJOR >= 4
-        a->valid[i] = hit ? -1 : 0;
+        a->valid[i] = is_nearer ? -1 : 0;
 #endif
-        if (!hit) continue;
-        // Ties go to the lowest (instance, geometry, primitive), whatever Embree's order.
-        const unsigned geometry = RTCHitN_geomID(hits, a->N, i);
-        if (geometry != RTC_INVALID_GEOMETRY_ID && hit.t == RTCRayN_tfar(rays, a->N, i) &&
-            (RTCHitN_instID(hits, a->N, i, 0) != RTC_INVALID_GEOMETRY_ID || geometry < a->geomID ||
-             (geometry == a->geomID && RTCHitN_primID(hits, a->N, i) < a->primID))) {
-#if RTC_VERSION_MAJOR >= 4
-            a->valid[i] = 0;
-#endif
-            continue;
-        }
-        RTCRayN_tfar(rays, a->N, i) = hit.t;
-        RTCHitN_u(hits, a->N, i) = hit.exit ? 1 : 0;
-        RTCHitN_geomID(hits, a->N, i) = a->geomID;
-        RTCHitN_primID(hits, a->N, i) = a->primID;
-        RTCHitN_instID(hits, a->N, i, 0) = a->context->instID[0];
+        if (is_nearer)
+            RTCRayN_tfar(rays, a->N, i) = std::min(RTCRayN_tfar(rays, a->N, i), beyond(hit.t, context.slack[id]));
     }
 }
 
@@ -113,19 +129,47 @@ void occluded_callback(const RTCOccludedFunctionNArguments* a)
     }
 }
 
-// Called for each candidate hit of a mesh with an alpha test, in any order, and repeatedly for triangles that are
-// split.
-inline void filter_callback(const RTCFilterFunctionNArguments* a)
+inline Hit candidate_triangle(const Geometry& g, const RTCFilterFunctionNArguments* a, unsigned i)
+{
+    return {RTCRayN_tfar(a->ray, a->N, i),
+            instance_of(g, RTCHitN_instID(a->hit, a->N, i, 0)),
+            RTCHitN_geomID(a->hit, a->N, i),
+            RTCHitN_primID(a->hit, a->N, i),
+            {},
+            Kind::triangle};
+}
+inline bool passes_through(const Geometry& g, const Ray& ray, const Hit& hit)
+{
+    return g.alpha_test.meshes[hit.geometry][hit.primitive] &&
+           g.alpha_test.passes_through(g.alpha_test.context, ray, refine(g, ray, hit));
+}
+
+// Both are called for each candidate hit of a mesh, in any order, and repeatedly for triangles that are split. A filter
+// may change tfar (Embree's documentation of RTCFilterFunctionN); Embree restores it where the hit is refused.
+template <bool alpha_test>
+void nearest_callback(const RTCFilterFunctionNArguments* a)
 {
     const Geometry& g = user_data(a->geometryUserPtr).geometry;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        const uint32_t mesh = RTCHitN_geomID(a->hit, a->N, i), triangle = RTCHitN_primID(a->hit, a->N, i);
-        if (!g.alpha_test.meshes[mesh][triangle]) continue;
+        const uint32_t id = RTCRayN_id(a->ray, a->N, i);
+        Context& context = context_of(a->context);
+        const Hit hit = candidate_triangle(g, a, i);
+        const bool is_nearer = !(alpha_test && passes_through(g, context.rays[id], hit)) && take(g, context, id, hit);
+        if (is_nearer)
+            RTCRayN_tfar(a->ray, a->N, i) = beyond(hit.t, context.slack[id]);
+        else
+            a->valid[i] = 0;
+    }
+}
+// Only for meshes with an alpha test.
+inline void occlusion_callback(const RTCFilterFunctionNArguments* a)
+{
+    const Geometry& g = user_data(a->geometryUserPtr).geometry;
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1) continue;
         const Ray& ray = original_ray(a->context, RTCRayN_id(a->ray, a->N, i));
-        const uint32_t instance = instance_of(g, RTCHitN_instID(a->hit, a->N, i, 0));
-        const Hit hit{RTCRayN_tfar(a->ray, a->N, i), instance, mesh, triangle, {}, Kind::triangle};
-        if (g.alpha_test.passes_through(g.alpha_test.context, ray, refine(g, ray, hit))) a->valid[i] = 0;
+        if (passes_through(g, ray, candidate_triangle(g, a, i))) a->valid[i] = 0;
     }
 }
 

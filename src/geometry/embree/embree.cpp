@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "geometry/embree/callbacks.h"
 #include "geometry/embree/large_shapes.h"
+#include "geometry/object_boxes.h"
 #include "geometry/refine_all.h"
 
 namespace lancer {
@@ -21,10 +22,31 @@ constexpr const char* build_threads = "";
 
 using namespace embree;
 
+float extent_of(const FloatBox& b)
+{
+    float extent = 0;
+    for (const Vec3 p : {b.lower, b.upper})
+        for (const float x : {p.x, p.y, p.z})
+            if (std::isfinite(x)) extent = std::max(extent, std::abs(x));
+    return extent;
+}
+float extent_of_meshes(const Geometry& g)
+{
+    std::vector<FloatBox> boxes(g.meshes.size());
+    for (size_t i = 0; i < boxes.size(); ++i)
+        for (const Vec3& p : g.meshes[i].positions) boxes[i].grow({p, p});
+    float extent = 0;
+    for (size_t i = 0; i < boxes.size(); ++i)
+        if (!g.meshes[i].instanced) extent = std::max(extent, extent_of(boxes[i]));
+    for (const Instance& i : g.instances)
+        if (!boxes[i.mesh].empty()) extent = std::max(extent, extent_of(box_of(boxes[i.mesh], i.to_world)));
+    return extent;
+}
+
 class Embree final : public Accelerator {
 public:
     Embree(const Geometry& geometry, const std::string& isa, EmbreeMode mode)
-        : g_(geometry), mode_(mode), data_{g_, choose_large_shapes(g_)}
+        : g_(geometry), mode_(mode), data_{g_, choose_large_shapes(g_), extent_of_meshes(g_)}
     {
         const auto start = std::chrono::steady_clock::now();
         device_ = rtcNewDevice(("isa=" + isa + build_threads).c_str());
@@ -85,12 +107,10 @@ public:
         RTCRayHit8 r;
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
-            query.load(rays.subspan(first, n), r);
-            if (!data_.wide.empty()) closest_large_shape(g_, data_.wide, r);
+            query.load(rays.subspan(first, n), data_.extent, r);
+            if (!data_.wide.empty()) start_with_large_shapes(query, r);
             if (attached_) query.closest(scene_, r);
-            for (size_t i = 0; i < n; ++i)
-                hits[first + i] =
-                    to_hit(r.hit.geomID[i], r.hit.primID[i], r.hit.instID[0][i], r.ray.tfar[i], r.hit.u[i]);
+            for (size_t i = 0; i < n; ++i) hits[first + i] = query.nearest(i);
         }
         refine_all(g_, rays, hits);
     }
@@ -137,11 +157,12 @@ private:
                                    m.vertices() * m.rows);
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
-        // Only if a mesh needs the alpha test: a scene with a filter is traced by slower code.
+        rtcSetGeometryUserData(g, &data_);
         if (g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty()) {
-            rtcSetGeometryUserData(g, &data_);
-            rtcSetGeometryIntersectFilterFunction(g, filter_callback);
-            rtcSetGeometryOccludedFilterFunction(g, filter_callback);
+            rtcSetGeometryIntersectFilterFunction(g, nearest_callback<true>);
+            rtcSetGeometryOccludedFilterFunction(g, occlusion_callback);
+        } else {
+            rtcSetGeometryIntersectFilterFunction(g, nearest_callback<false>);
         }
         attach(scene, g, index);
     }
@@ -182,13 +203,17 @@ private:
         }
     }
 
-    // Triangle hits are not refined here.
-    Hit to_hit(uint32_t geometry, uint32_t primitive, uint32_t instance, float t, float u) const
+    void start_with_large_shapes(Query& query, RTCRayHit8& r) const
     {
-        if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
-        if (geometry == sphere_id(g_)) return {t, Hit::no_instance, 0, primitive, {}, Kind::sphere, u != 0};
-        if (geometry == plane_id(g_)) return {t, Hit::no_instance, 0, primitive, {}, Kind::plane};
-        return {t, instance_of(g_, instance), geometry, primitive, {}, Kind::triangle};
+        closest_large_shape(g_, data_.wide, r);
+        for (size_t i = 0; i < packet; ++i) {
+            if (r.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+            const bool is_sphere = r.hit.geomID[i] == sphere_id(g_);
+            query.nearest(i) = {
+                r.ray.tfar[i],  Hit::no_instance, 0, r.hit.primID[i], {}, is_sphere ? Kind::sphere : Kind::plane,
+                r.hit.u[i] != 0};
+            r.ray.tfar[i] = beyond(r.ray.tfar[i], query.slack(i));
+        }
     }
 
     const Geometry& g_;

@@ -8,7 +8,9 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "geometry/accel.h"
@@ -27,9 +29,11 @@ using BaseContext = RTCIntersectContext;
 #endif
 
 // Embree passes the base class to every callback. Inside an instance Embree's rays are in the mesh's space; here are
-// the original rays, indexed by RTCRay::id.
+// the original rays, and the nearest hit of each so far, both indexed by RTCRay::id.
 struct Context : BaseContext {
     const Ray* rays = nullptr;
+    std::array<Hit, packet> nearest;  // of closest(): t of a triangle is Embree's, or exact after a comparison
+    std::array<float, packet> slack;  // see beyond()
 };
 inline const Ray& original_ray(const BaseContext* context, uint32_t id)
 {
@@ -58,13 +62,26 @@ public:
     Query& operator=(const Query&) = delete;
 
     // Up to `packet` rays of any kind for one of the two functions below.
-    void load(std::span<const Ray> rays, RTCRayHit8& r)
+    // extent: the largest coordinate of a mesh.
+    void load(std::span<const Ray> rays, float extent, RTCRayHit8& r)
     {
         load(rays, r.ray);
         static_assert(RTC_INVALID_GEOMETRY_ID == UINT32_MAX);
         std::memset(r.hit.geomID, 0xff, sizeof r.hit.geomID);
         std::memset(r.hit.instID[0], 0xff, sizeof r.hit.instID[0]);
+        context_.nearest.fill({});
+        const auto largest = [](float x, float y, float z) {
+            return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
+        };
+        for (size_t k = 0; k < packet; ++k) {
+            const float org = largest(r.ray.org_x[k], r.ray.org_y[k], r.ray.org_z[k]);
+            const float dir = largest(r.ray.dir_x[k], r.ray.dir_y[k], r.ray.dir_z[k]);
+            context_.slack[k] = 0x1p-22f * (std::max(extent, org) / dir);
+        }
     }
+    // The nearest hit of ray k, not refined; callbacks and who tests other shapes before the query set it.
+    Hit& nearest(size_t k) { return context_.nearest[k]; }
+    float slack(size_t k) const { return context_.slack[k]; }
     void load(std::span<const Ray> rays, RTCRay8& r)
     {
         fill(r, rays);
