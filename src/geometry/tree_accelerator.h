@@ -5,12 +5,12 @@
 
 #include <chrono>
 #include <optional>
-#include <tuple>
 
 #include "geometry/accel.h"
 #include "geometry/bvh2/builder.h"
 #include "geometry/bvh8/interleaved.h"
 #include "geometry/bvh8/packets.h"
+#include "geometry/candidate_hits.h"
 #include "geometry/object_boxes.h"
 #include "geometry/packet_tree.h"
 #include "geometry/refine_all.h"
@@ -170,16 +170,12 @@ private:
         uint32_t through = 0;
         for_each_lane(movemask(met), [&](uint32_t i) {
             const Hit hit{t[i], Hit::no_instance, id.mesh, id.triangle, {}, Kind::triangle};
-            through |= uint32_t{passes_through(rays[which[i]], hit)} << i;
+            through |= uint32_t{passes_through(g_, rays[which[i]], hit)} << i;
         });
         return lanes_of(through);
     }
 
     bool is_plain() const { return g_.planes.empty() && g_.instances.empty() && g_.spheres.empty(); }
-    static bool is_nearer(const Hit& hit, const Hit& best)
-    {
-        return !best || hit.t < best.t || (hit.t == best.t && precedes(hit, best));
-    }
     static float reach(const Ray& ray, const Hit& best) { return best ? best.t : ray.t_max; }
     static Ray up_to(const Ray& ray, const Hit& best)
     {
@@ -215,7 +211,7 @@ private:
             const TriangleSet::Id id = s.triangles.id(number);
             const Hit hit{t, instance, id.mesh, id.triangle, {}, Kind::triangle};
             if (!(orders_hits && is_of(best, instance)) && !is_nearer(hit, best)) return false;
-            if (passes_through(ray, hit)) return false;
+            if (passes_through(g_, ray, hit)) return false;
             best = hit;
             return true;
         };
@@ -248,7 +244,7 @@ private:
     {
         return s.tree.any(local, [&](uint32_t number, float t) {
             const TriangleSet::Id id = s.triangles.id(number);
-            return !passes_through(ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
+            return !passes_through(g_, ray, {t, instance, id.mesh, id.triangle, {}, Kind::triangle});
         });
     }
     bool occluded_by_object(const Ray& ray) const
@@ -260,18 +256,6 @@ private:
         });
     }
 
-    // Of equal distances the hit that a loop over all primitives would find first wins.
-    static bool precedes(const Hit& a, const Hit& b)
-    {
-        const auto place = [](const Hit& h) { return std::tuple(h.kind, h.instance, h.geometry, h.primitive); };
-        return place(a) < place(b);
-    }
-    bool passes_through(const Ray& ray, const Hit& hit) const
-    {
-        if (!g_.alpha_test.passes_through || g_.alpha_test.meshes[hit.geometry].empty()) return false;
-        return g_.alpha_test.meshes[hit.geometry][hit.primitive] &&
-               g_.alpha_test.passes_through(g_.alpha_test.context, ray, refine(g_, ray, hit));
-    }
     // Objects are numbered: instances first, then spheres.
     bool is_sphere(uint32_t object) const { return object >= g_.instances.size(); }
     uint32_t sphere(uint32_t object) const { return object - static_cast<uint32_t>(g_.instances.size()); }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <limits>
-#include <tuple>
 
+#include "geometry/candidate_hits.h"
 #include "geometry/embree/query.h"
 #include "geometry/large_shapes.h"
 #include "geometry/slab.h"
@@ -80,8 +80,7 @@ inline Context& context_of(BaseContext* context) { return *static_cast<Context*>
 inline float distance_error(float t, float slack) { return std::min(t * 0x1p-20f + slack, t * 0x1p-8f); }
 inline float beyond(float t, float slack) { return t + distance_error(t, slack); }
 
-// Whether `hit` of ray id is nearer than its nearest one so far, which it then replaces. Of equal distances the hit
-// that a loop over all primitives would find first wins.
+// Whether `hit` of ray id is nearer than its nearest one so far, which it then replaces.
 inline bool take(const Geometry& g, Context& context, uint32_t id, Hit hit)
 {
     const Ray& ray = context.rays[id];
@@ -89,8 +88,7 @@ inline bool take(const Geometry& g, Context& context, uint32_t id, Hit hit)
     if (nearest && hit.t >= nearest.t - distance_error(nearest.t, context.slack[id])) {
         if (hit.t > beyond(nearest.t, context.slack[id])) return false;
         nearest = refine(g, ray, nearest), hit = refine(g, ray, hit);
-        const auto place = [](const Hit& h) { return std::tuple(h.t, h.kind, h.instance, h.geometry, h.primitive); };
-        if (!(place(hit) < place(nearest))) return false;
+        if (!is_nearer(hit, nearest)) return false;
     }
     nearest = hit;
     return true;
@@ -106,11 +104,11 @@ void intersect_callback(const RTCIntersectFunctionNArguments* a)
         const uint32_t id = RTCRayN_id(rays, a->N, i);
         Context& context = context_of(a->context);
         const Hit hit = first_opaque_hit<kind>(g, a->primID, lane_ray(a->context, rays, a->N, i));
-        const bool is_nearer = hit && take(g, context, id, hit);
+        const bool is_taken = hit && take(g, context, id, hit);
 #if RTC_VERSION_MAJOR >= 4
-        a->valid[i] = is_nearer ? -1 : 0;
+        a->valid[i] = is_taken ? -1 : 0;
 #endif
-        if (is_nearer)
+        if (is_taken)
             RTCRayN_tfar(rays, a->N, i) = std::min(RTCRayN_tfar(rays, a->N, i), beyond(hit.t, context.slack[id]));
     }
 }
@@ -138,16 +136,10 @@ inline Hit candidate_triangle(const Geometry& g, const RTCFilterFunctionNArgumen
             {},
             Kind::triangle};
 }
-inline bool passes_through(const Geometry& g, const Ray& ray, const Hit& hit)
-{
-    return g.alpha_test.meshes[hit.geometry][hit.primitive] &&
-           g.alpha_test.passes_through(g.alpha_test.context, ray, refine(g, ray, hit));
-}
 
 // Both are called for each candidate hit of a mesh, in any order, and repeatedly for triangles that are split. A filter
 // may change tfar (Embree's documentation of RTCFilterFunctionN); Embree restores it where the hit is refused.
-template <bool alpha_test>
-void nearest_callback(const RTCFilterFunctionNArguments* a)
+inline void nearest_callback(const RTCFilterFunctionNArguments* a)
 {
     const Geometry& g = user_data(a->geometryUserPtr).geometry;
     for (unsigned i = 0; i < a->N; ++i) {
@@ -155,8 +147,8 @@ void nearest_callback(const RTCFilterFunctionNArguments* a)
         const uint32_t id = RTCRayN_id(a->ray, a->N, i);
         Context& context = context_of(a->context);
         const Hit hit = candidate_triangle(g, a, i);
-        const bool is_nearer = !(alpha_test && passes_through(g, context.rays[id], hit)) && take(g, context, id, hit);
-        if (is_nearer)
+        const bool is_taken = !passes_through(g, context.rays[id], hit) && take(g, context, id, hit);
+        if (is_taken)
             RTCRayN_tfar(a->ray, a->N, i) = beyond(hit.t, context.slack[id]);
         else
             a->valid[i] = 0;

@@ -108,7 +108,7 @@ public:
         for (size_t first = 0; first < rays.size(); first += packet) {
             const size_t n = std::min<size_t>(packet, rays.size() - first);
             query.load(rays.subspan(first, n), data_.extent, r);
-            if (!data_.wide.empty()) start_with_large_shapes(query, r);
+            if (!data_.wide.empty()) closest_large_shape(g_, data_.wide, query, r);
             if (attached_) query.closest(scene_, r);
             for (size_t i = 0; i < n; ++i) hits[first + i] = query.nearest(i);
         }
@@ -158,12 +158,9 @@ private:
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m.triangles.data(), 0,
                                    sizeof m.triangles[0], m.triangles.size());
         rtcSetGeometryUserData(g, &data_);
-        if (g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty()) {
-            rtcSetGeometryIntersectFilterFunction(g, nearest_callback<true>);
+        rtcSetGeometryIntersectFilterFunction(g, nearest_callback);
+        if (g_.alpha_test.passes_through && !g_.alpha_test.meshes[index].empty())
             rtcSetGeometryOccludedFilterFunction(g, occlusion_callback);
-        } else {
-            rtcSetGeometryIntersectFilterFunction(g, nearest_callback<false>);
-        }
         attach(scene, g, index);
     }
     template <Kind kind>
@@ -200,19 +197,6 @@ private:
         if (device_) {
             rtcSetDeviceMemoryMonitorFunction(device_, nullptr, nullptr);
             rtcReleaseDevice(device_);
-        }
-    }
-
-    void start_with_large_shapes(Query& query, RTCRayHit8& r) const
-    {
-        closest_large_shape(g_, data_.wide, r);
-        for (size_t i = 0; i < packet; ++i) {
-            if (r.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-            const bool is_sphere = r.hit.geomID[i] == sphere_id(g_);
-            query.nearest(i) = {
-                r.ray.tfar[i],  Hit::no_instance, 0, r.hit.primID[i], {}, is_sphere ? Kind::sphere : Kind::plane,
-                r.hit.u[i] != 0};
-            r.ray.tfar[i] = beyond(r.ray.tfar[i], query.slack(i));
         }
     }
 

@@ -30,8 +30,8 @@ inline Mask4 large_shape_id(uint32_t geometry, uint32_t a, uint32_t b, uint32_t 
     return Mask4{id(a), id(b), id(c), id(d)};
 }
 
-// Sets the rays' tfar and hits to their nearest large shape.
-inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, RTCRayHit8& r)
+// Sets the nearest hits of the query's rays to large shapes, and r's tfar.
+inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, Query& query, RTCRayHit8& r)
 {
     const bool any_sphere = !wide.spheres.empty();
     const auto first_of =
@@ -55,10 +55,11 @@ inline void closest_large_shape(const Geometry& g, const LargeShapes& wide, RTCR
             best.take(large_shape_id(plane_id(g), i, i, i, i), stop(g.planes[i], rays));
         for (uint32_t left = movemask(best.found); left != 0; left &= left - 1) {
             const auto lane = static_cast<uint32_t>(std::countr_zero(left)), i = first + lane;
-            r.ray.tfar[i] = static_cast<float>(best.t[lane]);
-            r.hit.u[i] = best.exit[lane] ? 1 : 0;
-            r.hit.geomID[i] = static_cast<unsigned>(best.id[lane] >> 32);
-            r.hit.primID[i] = static_cast<unsigned>(best.id[lane]);
+            const bool is_sphere = best.id[lane] >> 32 == sphere_id(g);
+            Hit& nearest = query.nearest(i);
+            nearest.t = static_cast<float>(best.t[lane]), nearest.primitive = static_cast<uint32_t>(best.id[lane]);
+            nearest.kind = is_sphere ? Kind::sphere : Kind::plane, nearest.exit = best.exit[lane] != 0;
+            r.ray.tfar[i] = beyond(nearest.t, query.slack(i));
         }
     }
 }
