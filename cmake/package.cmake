@@ -23,10 +23,14 @@ set(CPACK_DEBIAN_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME lancer)
+set(needs_processor)
+if(base_processor STREQUAL "x86-64-v3")
+  set(needs_processor " The processor must be an x86-64-v3\none (AVX2, FMA).")
+endif()
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "path tracer for CPUs
 lancer renders OBJ and PLY meshes, with materials and textures, and small
 TOML scenes. Pictures are unbiased and have the same bits on any number of
-threads. The processor must be an x86-64-v3 one (AVX2, FMA).
+threads.${needs_processor}
 
 A plain render needs no recommended library: those are for TIFF, WebP and other
 formats of OpenImageIO, for views of OpenColorIO, for compressed meshes and

@@ -56,12 +56,31 @@ configure_apt_in() {
     cp -L /etc/hosts "$root/etc/hosts" 2>/dev/null || true
 }
 
-# make_chroot SUITE ROOT PACKAGE...: a minimal Debian in the new folder ROOT, with these packages.
+# run_programs_of ARCHITECTURE: lets this machine run programs of another Debian architecture, by qemu.
+run_programs_of() {
+    local formats=/proc/sys/fs/binfmt_misc known
+    [[ $1 != "$(dpkg --print-architecture)" ]] || return 0
+    case $1 in
+        arm64) known=qemu-aarch64 ;;
+        *) echo "programs of $1 cannot be run here" >&2; return 1 ;;
+    esac
+    [[ -e $formats/register ]] || mount -t binfmt_misc binfmt_misc "$formats"
+    [[ -e $formats/$known ]] || cat "/usr/lib/binfmt.d/$known.conf" >"$formats/register" || {
+        echo "programs of $1 cannot be run here: qemu-user-static is missing, or the kernel has no binfmt_misc" >&2
+        return 1
+    }
+}
+
+# make_chroot SUITE ROOT PACKAGE...: a minimal Debian in the new folder ROOT, with these packages; of the architecture
+# $chroot_architecture where that is set.
 make_chroot() {
-    local suite=$1 root=$2 log=$2.debootstrap.log packages
+    local suite=$1 root=$2 log=$2.debootstrap.log packages architecture
+    architecture=${chroot_architecture:-$(dpkg --print-architecture)}
+    run_programs_of "$architecture"
     packages=$(IFS=, && echo "${*:3}")
     mkdir -p "$root"
-    debootstrap --variant=minbase --include="$packages" "$suite" "$root" "$(debian_mirror)" >"$log" 2>&1 || {
+    debootstrap --arch="$architecture" --variant=minbase --include="$packages" "$suite" "$root" "$(debian_mirror)" \
+        >"$log" 2>&1 || {
         tail -n 20 "$log" >&2
         return 1
     }

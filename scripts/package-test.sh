@@ -6,21 +6,26 @@ set -euo pipefail
 
 usage() {
     cat <<'END'
-usage: scripts/package-test.sh [--keep] [--packages FOLDER] [--ccache FOLDER] [SUITE]
+usage: scripts/package-test.sh [--keep] [--packages FOLDER [--arch NAME]] [--ccache FOLDER] [SUITE]
   SUITE              bookworm (default) or trixie
   --packages FOLDER  try these, made by scripts/release.sh on that Debian, in place of building
+  --arch NAME        these are for that architecture (arm64); qemu runs what is installed, ten times slower
   --ccache FOLDER    what a build of the same suite kept there, and where this one keeps it
   --keep             leave the folders for a look
 END
 }
 
-suite=bookworm keep=false packages='' cache=''
+suite=bookworm keep=false packages='' cache='' chroot_architecture=''
 while (($#)); do
     case $1 in
         --keep) keep=true ;;
-        --packages | --ccache)
-            (($# > 1)) || { echo "package-test.sh: error: $1 needs a folder" >&2; exit 2; }
-            if [[ $1 == --packages ]]; then packages=$(realpath -- "$2"); else cache=$(realpath -m -- "$2"); fi
+        --packages | --ccache | --arch)
+            (($# > 1)) || { echo "package-test.sh: error: $1 needs an argument" >&2; exit 2; }
+            case $1 in
+                --packages) packages=$(realpath -- "$2") ;;
+                --ccache) cache=$(realpath -m -- "$2") ;;
+                --arch) chroot_architecture=$2 ;;
+            esac
             shift
             ;;
         -h | --help) usage; exit 0 ;;
@@ -29,6 +34,11 @@ while (($#)); do
     esac
     shift
 done
+
+if [[ -n $chroot_architecture && -z $packages ]]; then
+    echo 'package-test.sh: error: --arch needs --packages: scripts/arm64.sh --package makes them' >&2
+    exit 2
+fi
 
 unset CDPATH
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
