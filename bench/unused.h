@@ -13,7 +13,7 @@ namespace lancer::bench {
 struct Calls {
     Surface (*surface_at)(const Scene&, const Ray&, const Hit&, RayCone,
                           const TriangleInteraction&) = lancer::surface_at;
-    void (*triangle_interactions)(const Scene&, std::span<const Hit>,
+    void (*triangle_interactions)(const Scene&, std::span<const Ray>, std::span<const Hit>,
                                   std::span<TriangleInteraction>) = lancer::triangle_interactions;
     std::optional<LightSample> (*sample_light)(const Scene&, const Surface&, uint32_t, Vec2,
                                                bool) = lancer::sample_chosen_light;
@@ -28,9 +28,10 @@ struct Everything : View {
     {
         return calls.surface_at(scene, ray, hit, cone, place);
     }
-    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> places) const
+    void triangle_interactions(std::span<const Ray> rays, std::span<const Hit> hits,
+                               std::span<TriangleInteraction> places) const
     {
-        calls.triangle_interactions(scene, hits, places);
+        calls.triangle_interactions(scene, rays, hits, places);
     }
     std::optional<LightSample> sample_light(const Surface& from, const Sampler& sampler, uint32_t bounce, bool through,
                                             uint32_t cell) const
@@ -120,7 +121,7 @@ template <unsigned without>
 }
 
 template <unsigned without>
-[[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Hit> hits,
+[[gnu::noinline]] void places_of_hits(const Scene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
                                       std::span<TriangleInteraction> places)
 {
     const auto eight = [&](const HitIndices& which) {
@@ -129,7 +130,8 @@ template <unsigned without>
         put(interactions_of(scene, hits, which), which, places);
     };
     const auto placed = [&](size_t i) {
-        places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+        places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv,
+                                         rays[i].time);
     };
     if constexpr ((without & instances) == 0) return for_triangles<float_lanes>(hits, eight, placed);
     HitIndices which{};

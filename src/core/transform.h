@@ -13,6 +13,8 @@ struct Transform {
     // A normal n of a surface becomes M^-T n. Called on the inverse of M; the length is not kept.
     Vec3d normal_by_inverse(Vec3d n) const { return {dot(x, n), dot(y, n), dot(z, n)}; }
     double determinant() const { return dot(cross(x, y), z); }
+
+    friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 // First b, then a.

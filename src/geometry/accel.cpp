@@ -1,5 +1,6 @@
 #include "geometry/accel.h"
 
+#include "core/error.h"
 #include "geometry/box_overlap.h"
 #include "geometry/bvh2/bvh2.h"
 #include "geometry/bvh2/median.h"
@@ -32,6 +33,10 @@ std::unique_ptr<Accelerator> make_accelerator(AccelKind kind, const Geometry& ge
         case AccelKind::embree:
             break;
     }
+    if (geometry.motion.moves())
+        throw Error(ErrorKind::usage, {},
+                    "--accel embree: what moves while the shutter is open is for the other accelerators alone: leave "
+                    "the choice to lancer, or take bvh8");
     return make_embree(geometry, isa);
 }
 
@@ -39,6 +44,7 @@ AccelKind fastest_accelerator(const Geometry& g, RayUse use)
 {
     size_t triangles = 0;
     for (const Mesh& mesh : g.meshes) triangles += mesh.triangles.size();
+    if (g.motion.moves()) return AccelKind::bvh8;  // Embree knows none
     const bool is_plain = g.instances.empty() && g.spheres.empty() && g.planes.empty();
     if (is_plain && triangles <= List8::part_size) return AccelKind::list8;
     // For more triangles spatial splits take seconds.

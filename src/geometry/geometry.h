@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/hit.h"
+#include "geometry/motion.h"
 #include "geometry/shapes.h"
 
 namespace lancer {
@@ -28,7 +29,12 @@ struct Geometry {
     std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
+    Motion motion;
     AlphaTest alpha_test;
+
+    // time: Ray::time.
+    SphereAt sphere_at(uint32_t i, float time) const { return {spheres, motion, i, time}; }
+    InstanceAt instance_at(uint32_t i, float time) const { return {instances, motion, i, time}; }
 };
 
 // Whether the triangles exceed the caches, so that prefetching the triangles of a batch of hits pays off. Call it once
@@ -50,7 +56,7 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
         case Kind::none:
             break;
         case Kind::sphere:
-            if (const auto c = crossing(g.spheres[hit.primitive], ray))
+            if (const auto c = crossing(*g.sphere_at(hit.primitive, ray.time), ray))
                 hit.t = static_cast<float>(hit.exit ? c->exit : c->enter);
             hit.uv = {};
             break;
@@ -61,9 +67,9 @@ inline Hit refine(const Geometry& g, const Ray& ray, Hit hit)
         case Kind::triangle: {
             Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
             if (hit.instance != Hit::no_instance) {
-                const Transform& m = g.instances[hit.instance].to_mesh;
-                org = m.point(org);
-                dir = m.vector(dir);
+                const InstanceAt placed = g.instance_at(hit.instance, ray.time);
+                org = placed->to_mesh.point(org);
+                dir = placed->to_mesh.vector(dir);
             }
             // A triangle seen exactly edge-on has no intersection point: its first corner is used for every
             // accelerator.
@@ -94,7 +100,7 @@ Hit first_opaque_hit(const Geometry& g, uint32_t primitive, const Ray& ray)
         const auto t = intersect(g.planes[primitive], ray);
         return t ? stop_at(*t, false) : Hit{};
     } else {
-        const auto c = crossing(g.spheres[primitive], ray);
+        const auto c = crossing(*g.sphere_at(primitive, ray.time), ray);
         if (!c) return {};
         const Hit near = stop_at(c->enter, false);
         return near ? near : stop_at(c->exit, true);

@@ -19,7 +19,7 @@ bool is_same(const Sphere& a, const Sphere& b) { return a.center == b.center && 
 bool is_same(const Plane& a, const Plane& b) { return a.normal == b.normal && a.offset == b.offset; }
 
 template <class Shape>
-bool are_same(const std::vector<Shape>& a, const std::vector<Shape>& b)
+bool is_same(const std::vector<Shape>& a, const std::vector<Shape>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const Shape& x, const Shape& y) { return is_same(x, y); });
@@ -29,8 +29,9 @@ bool are_same(const std::vector<Shape>& a, const std::vector<Shape>& b)
 
 bool has_same_opaque_shapes(const Geometry& a, const Geometry& b)
 {
-    return !a.alpha_test.passes_through && !b.alpha_test.passes_through && are_same(a.meshes, b.meshes) &&
-           are_same(a.instances, b.instances) && are_same(a.spheres, b.spheres) && are_same(a.planes, b.planes);
+    return !a.alpha_test.passes_through && !b.alpha_test.passes_through && is_same(a.meshes, b.meshes) &&
+           is_same(a.instances, b.instances) && is_same(a.spheres, b.spheres) && is_same(a.planes, b.planes) &&
+           is_same(a.motion.instances, b.motion.instances) && is_same(a.motion.spheres, b.motion.spheres);
 }
 
 }  // namespace lancer

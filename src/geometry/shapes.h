@@ -35,6 +35,8 @@ struct Instance {
 struct Sphere {
     Vec3d center;
     double radius = 1;
+
+    friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
 // Points p with dot(normal, p) = offset; normal is unit.

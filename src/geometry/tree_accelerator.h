@@ -267,17 +267,26 @@ private:
         std::vector<BoxedPrimitive> boxes;
         uint32_t object = 0;
         for (const Instance& i : g_.instances) {
-            if (!meshes[i.mesh].empty()) boxes.emplace_back(box_of(meshes[i.mesh], i.to_world), object);
+            FloatBox box;
+            for_each_place(i.to_world, g_.motion.instances, object, [&](const Transform& to_world) {
+                if (!meshes[i.mesh].empty()) box.grow(box_of(meshes[i.mesh], to_world));
+            });
+            if (!box.empty()) boxes.emplace_back(box, object);
             ++object;
         }
-        for (const Sphere& s : g_.spheres) boxes.emplace_back(box_of(s), object++);
+        for (uint32_t i = 0; i < g_.spheres.size(); ++i) {
+            FloatBox box;
+            for_each_place(g_.spheres[i], g_.motion.spheres, i, [&](const Sphere& s) { box.grow(box_of(s)); });
+            boxes.emplace_back(box, object++);
+        }
         BuiltTree built = build_sah(std::move(boxes), 1);
         built.tree.relabel_leaves([&](uint32_t first, uint32_t) { return built.order[first]; });
         objects_ = std::move(built.tree);
     }
     Ray into_mesh(const Ray& ray, uint32_t instance) const
     {
-        const Transform& m = g_.instances[instance].to_mesh;
+        const InstanceAt placed = g_.instance_at(instance, ray.time);
+        const Transform& m = placed->to_mesh;
         Ray local = ray;
         local.org = to_float(m.point(to_double(ray.org)));
         local.dir = to_float(m.vector(to_double(ray.dir)));

@@ -29,7 +29,6 @@ struct PathState {
     uint32_t slot = 0;           // index of the sample to which it adds
     uint32_t branch = 0;         // part of the sampler's address; rays of one path differ in it
     uint32_t sample = 0;         // likewise: the sample's index until the path splits, then see SamplingPlan::parts
-    uint32_t part = 0;           // first part of the random numbers that the path uses when it splits
     uint32_t depth = 0;          // number of vertices before this ray: at surfaces, and where a medium scattered
     bool specular = true;        // sampled from a delta lobe or by the camera
     bool light_sampled = false;  // light sampling at its origin could have found what it hits
@@ -37,6 +36,7 @@ struct PathState {
     bool last = false;                        // only emission counts at its end
     bool has_split = false;                   // the path has passed the vertex where it splits
     uint8_t mirror = 0;                       // that the ray has hit: Scene::mirror_at(), if the integrator uses it
+    uint16_t part = 0;                        // first part of the random numbers that the path uses when it splits
     // > 0: the ray comes from a mirror by way of which its last vertex sampled lights; the distance between these.
     // < 0: the ray has passed surfaces that are not there; minus the distance from its last vertex.
     float mirror_distance = 0;

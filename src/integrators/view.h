@@ -28,9 +28,10 @@ struct View {
         return lancer::surface_at(scene, ray, hit, cone, place);
     }
     // See scene/triangle_interaction.h.
-    void triangle_interactions(std::span<const Hit> hits, std::span<TriangleInteraction> interactions) const
+    void triangle_interactions(std::span<const Ray> rays, std::span<const Hit> hits,
+                               std::span<TriangleInteraction> interactions) const
     {
-        lancer::triangle_interactions(scene, hits, interactions);
+        lancer::triangle_interactions(scene, rays, hits, interactions);
     }
 
     // Calls f with the concrete BSDF of the point, so that its functions are inlined: the one dispatch per hit. Of a

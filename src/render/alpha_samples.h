@@ -91,6 +91,7 @@ private:
         if (!(brought > 0) || !is_traceable(ray)) return;
         samples_[s.slot].light += brought;
         rays_.push_back(ray);
+        rays_.back().time = s.ray.time;
         caught_.push_back({s.slot, brought});
     }
 

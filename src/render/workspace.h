@@ -33,6 +33,7 @@ struct Workspace {
     std::vector<Color> last;          // last sample of each pixel, for StopRule::last_sample
     std::vector<uint8_t> has_missed;  // for each slot whether its camera ray hit nothing; of Film::hides_background
     std::vector<RadianceSum> layers;  // of each slot its layers, if Film::layers has any
+    std::vector<float> times;         // of slots: Ray::time; empty where nothing moves
     std::vector<float> flights;       // of states: where a medium scatters them, if some medium does
     PathTrails trails;                // of states, if the listener follows them
     AlphaSamples alpha;               // of slots, if the film has AovSum::through or caught

@@ -55,8 +55,8 @@ void add_light(const Light& light, Features& f)
 
 std::string name_of(Feature feature)
 {
-    constexpr std::array before{"spheres",  "planes",    "instances",   "vertex normals", "vertex colours",
-                                "textures", "bump maps", "normal maps", "opacity"};
+    constexpr std::array before{"spheres",        "planes",   "instances", "motion",      "vertex normals",
+                                "vertex colours", "textures", "bump maps", "normal maps", "opacity"};
     constexpr std::array after{"triangle lights",
                                "smooth or instanced triangle lights",
                                "constant environment",
@@ -87,6 +87,7 @@ Features features_of(const Scene& scene)
     f.add(Feature::spheres, !scene.geometry.spheres.empty());
     f.add(Feature::planes, !scene.geometry.planes.empty());
     f.add(Feature::instances, !scene.geometry.instances.empty());
+    f.add(Feature::motion, scene.geometry.motion.moves());
     for (const MeshShading& mesh : scene.shading) {
         f.add(Feature::vertex_normals, !mesh.normals.empty());
         f.add(Feature::vertex_colors, !mesh.colors.empty());

@@ -20,6 +20,7 @@ enum class Feature {
     spheres,
     planes,
     instances,
+    motion,  // while the shutter is open
     vertex_normals,
     vertex_colors,
     // surfaces; only materials that are in use count

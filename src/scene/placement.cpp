@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/shapes.h"
-
 namespace lancer {
 namespace {
 
@@ -22,6 +20,15 @@ Normalisation normalise(const Bounds& b)
 Transform to_transform(const Normalisation& n)
 {
     return {{n.scale, 0, 0}, {0, n.scale, 0}, {0, 0, n.scale}, -n.center * n.scale};
+}
+
+Steps<Sphere> steps_of(const SphereDescription& sphere, const Normalisation& normalisation)
+{
+    Steps<Sphere> steps;
+    for (const auto& place : sphere.path)
+        steps.push_back({normalisation.to_scene(place.center), place.radius * normalisation.scale});
+    if (std::all_of(steps.begin(), steps.end(), [&](const Sphere& at) { return at == steps[0]; })) return {};
+    return steps;
 }
 
 Bounds bounds_of(const MeshData& data)

@@ -7,6 +7,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "geometry/motion.h"
 #include "scene/description/description.h"
 
 namespace lancer {
@@ -26,6 +27,9 @@ struct Normalisation {
 Normalisation normalise(const Bounds& b);
 Transform to_transform(const Normalisation& n);
 Transform to_transform(const TransformDescription& t);
+
+// The way of a sphere while the shutter is open, in scene units; empty if it stands still.
+Steps<Sphere> steps_of(const SphereDescription& sphere, const Normalisation& normalisation);
 
 Bounds bounds_of(const MeshData& data);
 // Bounds of the transformed corners.

@@ -31,15 +31,15 @@ Vec2 weighed(const std::array<Vec2, 3>& corners, Vec2 uv)
 }
 
 // Tangents of a triangle, scene units; nothing if it has no area in texture space.
-std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, const std::array<Vec2, 3>& t)
+std::optional<Tangents> triangle_tangents(const Scene& scene, const Hit& hit, float time, const std::array<Vec2, 3>& t)
 {
     const Mesh& mesh = scene.geometry.meshes[hit.geometry];
     const auto& i = mesh.triangles[hit.primitive];
     const Vec3d a = to_double(mesh.positions[i[0]]);
     Vec3d e1 = to_double(mesh.positions[i[1]]) - a, e2 = to_double(mesh.positions[i[2]]) - a;
     if (hit.instance != Hit::no_instance) {
-        const Transform& m = scene.geometry.instances[hit.instance].to_world;
-        e1 = m.vector(e1), e2 = m.vector(e2);
+        const InstanceAt placing = scene.geometry.instance_at(hit.instance, time);
+        e1 = placing->to_world.vector(e1), e2 = placing->to_world.vector(e2);
     }
     const Vec2 d1 = t[1] - t[0], d2 = t[2] - t[0];
     const double det =
@@ -68,7 +68,7 @@ Vec3 flat_normal(const Mesh& mesh, uint32_t triangle)
 }
 // What the tangents and normals of corners are interpolated to; nothing where no tangents are stored. As Mikkelsen's
 // thesis has it, the sums are not normalised: what bakes a map inverts the same three vectors.
-std::optional<TangentFrame> stored_frame(const Scene& scene, const Hit& hit)
+std::optional<TangentFrame> stored_frame(const Scene& scene, const Hit& hit, float time)
 {
     const CornerTangents& tangents = scene.shading[hit.geometry].tangents;
     const auto* const named = tangents.triangles.find(hit.primitive);
@@ -83,7 +83,8 @@ std::optional<TangentFrame> stored_frame(const Scene& scene, const Hit& hit)
     }
     float sign = tangents.values[(*named)[0]].sign;
     if (hit.instance != Hit::no_instance) {
-        const Instance& placing = scene.geometry.instances[hit.instance];
+        const InstanceAt at_time = scene.geometry.instance_at(hit.instance, time);
+        const Instance& placing = *at_time;
         for (size_t k = 0; k < 3; ++k) {
             along[k] = to_float(normalize(placing.to_world.vector(to_double(along[k]))));
             normal[k] = to_float(normalize(placing.to_mesh.normal_by_inverse(to_double(normal[k]))));
@@ -118,7 +119,7 @@ Color vertex_color(const Scene& scene, const Hit& hit)
 // triangles shadow their neighbours in visible steps. Rays start from the rounder shape instead: the mean of the
 // projections of the point onto the tangent planes of the corners. Hanika, "Hacking the Shadow Terminator", Ray Tracing
 // Gems II, chapter 4. It is optional, as it leaks light where the mesh really shadows itself.
-Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
+Vec3 shading_origin(const Scene& scene, const Hit& hit, float time, Vec3 p)
 {
     const MeshShading& shading = scene.shading[hit.geometry];
     const Mesh& mesh = scene.geometry.meshes[hit.geometry];
@@ -130,9 +131,9 @@ Vec3 shading_origin(const Scene& scene, const Hit& hit, Vec3 p)
         Vec3d corner = to_double(mesh.positions[mesh.triangles[hit.primitive][k]]);
         Vec3d n = to_double(shading.normals.value(mesh, (*normals)[k]));
         if (hit.instance != Hit::no_instance) {
-            const Instance& placing = scene.geometry.instances[hit.instance];
-            corner = placing.to_world.point(corner);
-            n = normalize(placing.to_mesh.normal_by_inverse(n));
+            const InstanceAt placing = scene.geometry.instance_at(hit.instance, time);
+            corner = placing->to_world.point(corner);
+            n = normalize(placing->to_mesh.normal_by_inverse(n));
         }
         const double below = std::min(0.0, dot(to_double(p) - corner, n));
         moved -= n * (below * static_cast<double>(weights[k]));
@@ -227,7 +228,7 @@ Vec2 sphere_uv(Vec3 n)
             static_cast<float>(0.5 + std::atan2(y, std::sqrt(x * x + z * z)) / pi_d)};
 }
 
-std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, Vec3 n)
+std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, float time, Vec3 n)
 {
     if (hit.kind == Kind::plane) {
         const PlaneMap& map = scene.plane_maps[hit.primitive];
@@ -237,9 +238,9 @@ std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit,
         const auto tangents = sphere_tangents(n);
         return tangents ? frame_about(n, *tangents) : std::nullopt;
     }
-    if (const std::optional<TangentFrame> f = stored_frame(scene, hit)) return frame_about(n, {f->x, f->y});
+    if (const std::optional<TangentFrame> f = stored_frame(scene, hit, time)) return frame_about(n, {f->x, f->y});
     const auto uvs = corner_uvs(scene.shading[hit.geometry], hit.primitive);
-    const auto tangents = uvs ? triangle_tangents(scene, hit, *uvs) : std::nullopt;
+    const auto tangents = uvs ? triangle_tangents(scene, hit, time, *uvs) : std::nullopt;
     return tangents ? frame_about(n, *tangents) : std::nullopt;
 }
 
@@ -247,7 +248,7 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
 {
     if (hit.kind != Kind::triangle) return surface_at(scene, ray, hit, cone, {});
     return surface_at(scene, ray, hit, cone,
-                      triangle_interaction(scene, hit.instance, hit.geometry, hit.primitive, hit.uv));
+                      triangle_interaction(scene, hit.instance, hit.geometry, hit.primitive, hit.uv, ray.time));
 }
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone cone, const TriangleInteraction& placed)
@@ -263,7 +264,8 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
     const auto along = [&](double t) { return to_double(ray.org) + to_double(ray.dir) * t; };
     switch (hit.kind) {
         case Kind::sphere: {
-            const Sphere& sphere = scene.geometry.spheres[hit.primitive];
+            const SphereAt at_time = scene.geometry.sphere_at(hit.primitive, ray.time);
+            const Sphere& sphere = *at_time;
             // From far away the rounding of t is a large part of a small sphere, and points at its rim would face away.
             const auto c = crossing(sphere, ray);
             const double t = c ? (hit.exit ? c->exit : c->enter) : static_cast<double>(hit.t);
@@ -307,10 +309,10 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
                     s.second_uv_width = width * uv_per_length(second, placed.area);
                     bump_by_second = is_by_second_uv(scene, traits.bump);
                 }
-                if (traits.normal_map != no_texture) frame = stored_frame(scene, hit);
+                if (traits.normal_map != no_texture) frame = stored_frame(scene, hit, ray.time);
                 if (traits.bump != no_texture || (traits.tilts() && !frame))
                     tangents = triangle_tangents(
-                        scene, hit,
+                        scene, hit, ray.time,
                         bump_by_second ? second_corner_uvs(scene.shading[hit.geometry], hit.primitive) : *uvs);
             }
         }
@@ -335,12 +337,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, RayCone c
         turn_to_ray(s.ns, wo);
         if (traits.mirrors) s.ns = keep_reflection_outside(s.n, s.ns, wo);
         if (scene.terminator_fix && s.front && hit.kind == Kind::triangle) {
-            s.origin = offset_origin(shading_origin(scene, hit, s.p), s.p_error, s.n, s.n);
+            s.origin = offset_origin(shading_origin(scene, hit, ray.time, s.p), s.p_error, s.n, s.n);
             s.side = s.ns;
         }
     }
     if (traits.has_tangent) [[unlikely]]
-        s.tangent = local_tangent(tangent_frame_at(scene, hit, s.ns_front), s.ns);
+        s.tangent = local_tangent(tangent_frame_at(scene, hit, ray.time, s.ns_front), s.ns);
     return s;
 }
 

@@ -121,7 +121,7 @@ UvSets texture_uvs(const MeshShading& shading, uint32_t triangle, Vec2 uv);
 // The frame of the texture coordinates at a hit, for what has a direction on the surface. n: unit, the shading normal
 // on the front side. Orthonormal: x is along +u, y towards +v, z is n. On a mesh whose material reads_tangents() x goes
 // on without a step from triangle to triangle; elsewhere it is of the triangle alone. Nothing where there is none: at
-// poles of spheres, and where a mesh has no texture coordinates.
-std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, Vec3 n);
+// poles of spheres, and where a mesh has no texture coordinates. time: Ray::time.
+std::optional<TangentFrame> tangent_frame_at(const Scene& scene, const Hit& hit, float time, Vec3 n);
 
 }  // namespace lancer

@@ -114,7 +114,7 @@ InteractionLanes interactions_of(const Scene& scene, std::span<const Hit> hits, 
 }
 
 TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, uint32_t mesh_index, uint32_t triangle,
-                                         Vec2 uv)
+                                         Vec2 uv, float time)
 {
     const Mesh& mesh = scene.geometry.meshes[mesh_index];
     const auto& t = mesh.triangles[triangle];
@@ -132,7 +132,8 @@ TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, 
         smooth = true;
     }
     if (instance != Hit::no_instance) {
-        const Instance& placing = scene.geometry.instances[instance];
+        const InstanceAt at_time = scene.geometry.instance_at(instance, time);
+        const Instance& placing = *at_time;
         const Transform& m = placing.to_world;
         const Vec3d p = to_double(s.p);
         s.p = to_float(m.point(p));
@@ -193,12 +194,14 @@ void prefetch_all(const Scene& scene, std::span<const Hit> hits)
     }
 }
 
-void triangle_interactions(const Scene& scene, std::span<const Hit> hits, std::span<TriangleInteraction> places)
+void triangle_interactions(const Scene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+                           std::span<TriangleInteraction> places)
 {
     for_triangles<float_lanes>(
         hits, [&](const HitIndices& which) { put(interactions_of(scene, hits, which), which, places); },
         [&](size_t i) {
-            places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv);
+            places[i] = triangle_interaction(scene, hits[i].instance, hits[i].geometry, hits[i].primitive, hits[i].uv,
+                                             rays[i].time);
         });
 }
 

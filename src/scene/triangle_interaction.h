@@ -73,8 +73,9 @@ struct TriangleInteraction {
     float area = 0;          // of the whole triangle, scene units
 };
 
+// time: Ray::time.
 TriangleInteraction triangle_interaction(const Scene& scene, uint32_t instance, uint32_t mesh, uint32_t triangle,
-                                         Vec2 uv);
+                                         Vec2 uv, float time = 0);
 
 // triangle_interaction() of eight non-instanced triangles.
 struct InteractionLanes {
@@ -104,7 +105,8 @@ void prefetch_uvs(const Scene& scene, std::span<const Hit> hits, uint32_t which)
 // Prefetches everything that may be read, in one call.
 void prefetch_all(const Scene& scene, std::span<const Hit> hits);
 
-// Computes places[i] for each hits[i] that is a triangle; the others stay unchanged.
-void triangle_interactions(const Scene& scene, std::span<const Hit> hits, std::span<TriangleInteraction> places);
+// Computes places[i] for each hits[i], of rays[i], that is a triangle; the others stay unchanged.
+void triangle_interactions(const Scene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+                           std::span<TriangleInteraction> places);
 
 }  // namespace lancer

@@ -71,6 +71,38 @@ TEST_F(AnimationFile, TheShutterKnowsTheWayOfTheCamera)
     EXPECT_NE(mistakes("shutter = 2\n" + moving).find("from 0 to 1"), std::string::npos);
 }
 
+TEST_F(AnimationFile, TheShutterKnowsTheWayOfThings)
+{
+    write("a.obj", "");
+    const std::string mesh = "[[mesh]]\nfile = \"a.obj\"\n";
+    const std::string things = mesh + "[[mesh]]\nname = \"gear\"\nfile = \"a.obj\"\n[[instance]]\nmesh = \"gear\"\n" +
+                               film("shutter = 0.5\n" + track("sphere.0.center", "[1, 9]", "[[0, 0, 0], [0, 8, 0]]") +
+                                    track("mesh.0.translate", "[1, 9]", "[[0, 0, 0], [16, 0, 0]]") +
+                                    track("instance.0.rotate", "[1, 9]", "[[0, 0, 0], [0, 80, 0]]"));
+    Diagnostics diagnostics;
+    options_.frame = 3;
+    const SceneDescription s = parse_scene(things, path("s.toml"), options_, diagnostics);
+    EXPECT_TRUE(diagnostics.warnings().empty());
+    ASSERT_EQ(s.spheres[0].path.size(), 17u);
+    EXPECT_EQ(s.spheres[0].path.front().center, s.spheres[0].center);
+    EXPECT_EQ(s.spheres[0].path.back().center, (Vec3d{0, 2.5, 0}));
+    ASSERT_EQ(s.meshes[0].path.size(), 17u);
+    EXPECT_EQ(s.meshes[0].path.back().translate, (Vec3d{5, 0, 0}));
+    EXPECT_TRUE(s.meshes[1].path.empty());
+    ASSERT_EQ(s.instances.size(), 2u) << "a mesh that moves is drawn as an instance";
+    EXPECT_EQ(s.instances[0].path.back().rotate_deg, (Vec3d{0, 25, 0}));
+    EXPECT_EQ(s.instances[1].mesh, "a");
+    EXPECT_EQ(s.meshes[0].name, "a");
+    EXPECT_EQ(s.meshes[0].transform.translate, (Vec3d{4, 0, 0}));
+    SceneDescription without = s;
+    without.stop_things();
+    EXPECT_TRUE(without.spheres[0].path.empty() && without.meshes[0].path.empty() && without.instances[0].path.empty());
+    // Frames that begin alike and end apart have other accelerators.
+    const std::string later = film("shutter = 0.5\n" + track("sphere.0.center", "[3, 9]", "[[0, 0, 0], [0, 8, 0]]"));
+    EXPECT_NE(at(later, 2).still_hash, at(later, 3).still_hash);
+    EXPECT_EQ(at(later, 1).still_hash, at(later, 2).still_hash);
+}
+
 TEST_F(AnimationFile, EveryKeyMoves)
 {
     write("a.obj", "");

@@ -60,8 +60,9 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
         for (uint32_t t = 0; t < triangles; ++t)
             hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
         std::vector<TriangleInteraction> of_a(triangles), of_b(triangles);
-        triangle_interactions(a.scene, hits, of_a);
-        triangle_interactions(b.scene, hits, of_b);
+        const std::vector<Ray> rays(triangles);
+        triangle_interactions(a.scene, rays, hits, of_a);
+        triangle_interactions(b.scene, rays, hits, of_b);
         uint32_t smooth = 0;
         for (uint32_t t = 0; t + 1 < triangles; ++t) {
             const TriangleInteraction alone = triangle_interaction(a.scene, Hit::no_instance, 0, t, hits[t].uv);

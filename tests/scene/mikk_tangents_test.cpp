@@ -223,7 +223,7 @@ TEST(MikkTangents, GiveAnOrthonormalFrameAtAHit)
         const Hit hit = stage.list.closest(ray);
         if (!hit) continue;
         const Surface s = surface_at(stage.scene, ray, hit);
-        const auto f = tangent_frame_at(stage.scene, hit, s.ns_front);
+        const auto f = tangent_frame_at(stage.scene, hit, 0, s.ns_front);
         if (!f) continue;
         ++found;
         EXPECT_NEAR(length(f->x), 1, 1e-5f);

@@ -35,7 +35,7 @@ TEST(TrianglePlaces, HaveTheBitsOfSingleOnes)
             if (i % 5 == 1) hits.back().uv.y = 1 - hits.back().uv.x;
         }
         std::vector<TriangleInteraction> places(hits.size());
-        triangle_interactions(stage.scene, hits, places);
+        triangle_interactions(stage.scene, std::vector<Ray>(hits.size()), hits, places);
         for (size_t i = 0; i < hits.size(); ++i) {
             const Hit& h = hits[i];
             if (h.kind != Kind::triangle) continue;
@@ -68,7 +68,7 @@ TEST(TrianglePlaces, OfWhatIsHardlyATriangle)
         for (const Vec2 uv : {Vec2{0.25f, 0.25f}, Vec2{0.5f, 0.5f}})
             hits.push_back({1, Hit::no_instance, 0, i, uv, Kind::triangle});
     std::vector<TriangleInteraction> places(hits.size());
-    triangle_interactions(scene, hits, places);
+    triangle_interactions(scene, std::vector<Ray>(hits.size()), hits, places);
     for (size_t i = 0; i < hits.size(); ++i)
         expect_same_bits(places[i], triangle_interaction(scene, Hit::no_instance, 0, hits[i].primitive, hits[i].uv),
                          std::to_string(i));

@@ -45,8 +45,8 @@ private:
         };
         const Vec3d org = to_double(ray.org), dir = to_double(ray.dir);
         for (uint32_t i = 0; i < g_.instances.size(); ++i) {
-            const Transform& m = g_.instances[i].to_mesh;
-            mesh(i, g_.instances[i].mesh, m.point(org), m.vector(dir));
+            const InstanceAt placed = g_.instance_at(i, ray.time);
+            mesh(i, placed->mesh, placed->to_mesh.point(org), placed->to_mesh.vector(dir));
             if (first_will_do && best) return best;
         }
         for (uint32_t i = 0; i < g_.meshes.size(); ++i) {

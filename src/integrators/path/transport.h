@@ -145,7 +145,7 @@ void trace_vertex(const V& view, const PathState& s, const Surface& surface, con
         for (uint32_t i = 0; i < view.plan.split; ++i)
             actions.next_from(s, [&](PathState& n) {
                 n.has_split = true;
-                n.sample = view.plan.first_number(s.sample, s.part) + i;
+                n.sample = view.plan.first_number(s.sample, uint32_t{s.part}) + i;
                 n.throughput /= static_cast<float>(view.plan.split);
                 return send(n, sampler.of_sample(n.sample));
             });

@@ -99,6 +99,16 @@ bool AnimationTrack::moves_view() const
            (views || std::find(view_key_names.begin(), view_key_names.end(), path.back()) != view_key_names.end());
 }
 
+bool AnimationTrack::moves_thing() const
+{
+    if (path.size() < 3) return false;
+    const auto is_one_of = [](const std::string& name, std::initializer_list<std::string_view> names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return (is_one_of(path[0], {"mesh", "instance"}) && is_one_of(path[2], {"translate", "rotate", "scale"})) ||
+           (is_one_of(path[0], {"sphere", "bubble"}) && is_one_of(path[2], {"center", "radius"}));
+}
+
 std::optional<Animation> Animation::read(const TomlValue& root, TomlProblems& problems)
 {
     const std::optional<TomlTable> table = TomlTable(root, "", problems).table("animation");
@@ -147,12 +157,25 @@ void Animation::read_track(const TomlTable& table, const TomlValue& root, TomlPr
     track.is_direction = track.path.back() == "direction" && track.interpolation != Interpolation::step &&
                          numbers_of(values->front()).size() == 3;
     description_.moves_views_only = description_.moves_views_only && track.moves_view();
+    description_.blurs_all = description_.blurs_all && (track.moves_view() || track.moves_thing());
     tracks_.push_back(std::move(track));
 }
 
 bool Animation::moves_views() const
 {
     return std::any_of(tracks_.begin(), tracks_.end(), [](const AnimationTrack& t) { return t.moves_view(); });
+}
+
+bool Animation::moves_things() const
+{
+    return std::any_of(tracks_.begin(), tracks_.end(), [](const AnimationTrack& t) { return t.moves_thing(); });
+}
+
+bool Animation::moves_mesh(size_t number) const
+{
+    return std::any_of(tracks_.begin(), tracks_.end(), [&](const AnimationTrack& t) {
+        return t.moves_thing() && t.path[0] == "mesh" && t.path[1] == std::to_string(number);
+    });
 }
 
 std::vector<FrameValue> Animation::values_at(double time, std::optional<double> since) const

@@ -28,6 +28,8 @@ struct AnimationTrack {
 
     // Whether it changes nothing of a scene but from where it is seen.
     bool moves_view() const;
+    // Whether it moves a thing: its place is a Place of geometry/motion.h.
+    bool moves_thing() const;
 };
 
 // A value that a frame has in place of the file's.
@@ -45,6 +47,10 @@ public:
     const AnimationDescription& description() const { return description_; }
     // Whether any track moves a camera.
     bool moves_views() const;
+    // Whether any moves a thing.
+    bool moves_things() const;
+    // Whether any moves mesh `number` of the file.
+    bool moves_mesh(size_t number) const;
     // time: in frames. since: when the shutter has opened; what goes in steps stays as it was then, since a cut is no
     // motion.
     std::vector<FrameValue> values_at(double time, std::optional<double> since = {}) const;

@@ -15,11 +15,12 @@
 #include "io/input_text.h"
 #include "io/scene/animation.h"
 #include "io/scene/definition.h"
+#include "io/scene/frame_tree.h"
 #include "io/scene/scene_tables.h"
+#include "io/scene/shutter.h"
 #include "io/shared_mesh.h"
 #include "io/subdivide/catmull_clark.h"
 #include "io/toml_file.h"
-#include "io/toml_write.h"
 #include "scene/description/material.h"
 
 namespace lancer {
@@ -84,25 +85,6 @@ void load_meshes(const std::vector<MeshFile>& files, const SceneFileOptions& sce
     add_instances(shared, scene);
 }
 
-// The file and the definitions, as messages name them.
-TomlProblems problems_of(const std::string& path, const std::vector<std::string>& definitions)
-{
-    std::vector<std::string> sources{path};
-    for (const std::string& text : definitions) sources.push_back("-D " + on_one_line(text));
-    return TomlProblems(std::move(sources));
-}
-
-void define_all(TomlValue& root, const std::vector<std::string>& definitions, TomlProblems& problems)
-{
-    uint32_t source = 0;
-    for (const std::string& text : definitions) {
-        const Definition definition = parse_definition(text);
-        TomlValue value = parse_toml_value(definition.value);
-        set_source(value, ++source);
-        define(root, definition, std::move(value), problems);
-    }
-}
-
 // Of a scene file that holds nothing but a [[mesh]], and the cameras and lights of a glTF file.
 TomlValue tree_of_mesh(const std::string& path, Diagnostics& diagnostics)
 {
@@ -111,16 +93,6 @@ TomlValue tree_of_mesh(const std::string& path, Diagnostics& diagnostics)
     const TomlValue::Table mesh{{.key = "file", .value = {.data = std::filesystem::path(path).filename().string()}}};
     root.push_back({.key = "mesh", .value = {.data = TomlValue::Array{{.data = mesh}}}});
     return {.data = std::move(root)};
-}
-
-// Puts the values of a frame over the file's, but for those that a definition gives: it comes before the film.
-void put_frame(TomlValue& root, const std::vector<FrameValue>& values, const std::vector<std::string>& definitions,
-               TomlProblems& problems)
-{
-    std::set<std::vector<std::string>> defined;
-    for (const std::string& text : definitions) defined.insert(parse_definition(text).path);
-    for (const FrameValue& own : values)
-        if (!defined.count(own.path)) define(root, {.path = own.path, .value = {}}, own.value, problems);
 }
 
 // The frame that is asked for, else the first. Throws Error (usage) if there is none such.
@@ -136,15 +108,6 @@ double frame_of(const std::optional<Animation>& animation, std::optional<double>
             ErrorKind::usage, {},
             "--frame: the frames of the scene are " + std::to_string(d.first) + " to " + std::to_string(d.last));
     return asked.value_or(d.first);
-}
-
-// As text, so that the same values have the same hash.
-std::string text_of(const FrameValue& own)
-{
-    TomlValue::Table entry;
-    for (const std::string& part : own.path) entry.push_back({.key = part, .value = {}});
-    entry.back().value = own.value;
-    return to_toml_text({.data = std::move(entry)});
 }
 
 void hash_frame(const std::vector<FrameValue>& values, double frame, SceneDescription& scene)
@@ -186,31 +149,6 @@ std::optional<CameraDescription> camera_of_file(const SceneDescription& scene)
     return camera && !camera->missing.position ? camera : std::nullopt;
 }
 
-// The cameras while the shutter is open, at steps so short that they are straight.
-void read_cameras_later(const TomlValue& root, const Animation& animation, double frame, const AssetFolder& assets,
-                        const SceneFileOptions& options, SceneDescription& scene, Diagnostics& diagnostics)
-{
-    const AnimationDescription& d = animation.description();
-    if (!(d.shutter > 0)) return;
-    if (!d.moves_views_only)
-        diagnostics.warning({scene.file},
-                            "[animation] shutter: the motion of cameras blurs the picture; what else "
-                            "moves stays where it is when the shutter opens");
-    if (!animation.moves_views()) return;
-    constexpr int steps = 16;
-    for (int i = 0; i <= steps; ++i) {
-        TomlValue tree = root;
-        SceneDescription then;
-        then.file = scene.file;
-        TomlProblems problems = problems_of(scene.file, options.definitions);
-        put_frame(tree, animation.values_at(frame + d.shutter * i / steps, frame), options.definitions, problems);
-        read_scene_tables(TomlTable(tree, "", problems), assets, then);
-        problems.report(diagnostics, ", while the shutter of a frame is open");
-        if (diagnostics.has_errors()) return;
-        scene.cameras_later.push_back({then.camera, then.cameras});
-    }
-}
-
 // Fills the description from the tree of values, with the definitions put over it.
 void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions& options, SceneDescription& scene,
                Diagnostics& diagnostics)
@@ -234,7 +172,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
     if (animation && !diagnostics.has_errors())
-        read_cameras_later(of_file, *animation, frame, assets, options, scene, diagnostics);
+        read_paths(of_file, *animation, frame, assets, options.definitions, scene, diagnostics);
     if (may_divide(scene)) {
         scene.first_camera = camera_of_file(scene);
         if (animation && frame != animation->description().first && !diagnostics.has_errors()) {
@@ -247,6 +185,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
         }
     }
     load_meshes(files, options, assets, scene, diagnostics);
+    add_instances_of_moving(scene);
 }
 
 // As it stands, with the definitions put over it.

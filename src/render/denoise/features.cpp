@@ -72,13 +72,16 @@ private:
         if (!b) return;
         const Vec3 wi = normalize(frame.to_world(b->wi));
         const float to_energy = b->eta * b->eta;
-        const Sight next{
-            .ray = {.org = ray_origin(surface, wi), .dir = wi, .key = from.ray.key, .leaf_hint = surface.leaf_hint},
-            .cone = scattered(from.cone, surface.t, *b),
-            .tint = from.tint * (b->weight * to_energy),
-            .weight = from.weight * b->pdf,
-            .distance = from.distance + surface.t,
-            .surfaces = from.surfaces + 1};
+        const Sight next{.ray = {.org = ray_origin(surface, wi),
+                                 .dir = wi,
+                                 .key = from.ray.key,
+                                 .leaf_hint = surface.leaf_hint,
+                                 .time = from.ray.time},
+                         .cone = scattered(from.cone, surface.t, *b),
+                         .tint = from.tint * (b->weight * to_energy),
+                         .weight = from.weight * b->pdf,
+                         .distance = from.distance + surface.t,
+                         .surfaces = from.surfaces + 1};
         if (is_traceable(next.ray)) look(next);
     }
 

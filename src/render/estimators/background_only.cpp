@@ -314,14 +314,27 @@ void find_background_only(const Scene& scene, const Camera& camera, uint32_t wid
     const ErrorAt error_at{max_component(abs(to_double(camera.position())))};
     if (!add_meshes(coverage, g, error_at)) return;
     std::vector<Bounds> of_meshes(g.meshes.size());
-    for (const Instance& i : g.instances) {
+    for (size_t number = 0; number < g.instances.size(); ++number) {
+        const Instance& i = g.instances[number];
         Bounds& b = of_meshes[i.mesh];
         const Mesh& mesh = g.meshes[i.mesh];
         if (b.empty())
             for (size_t k = 0; k < mesh.vertices(); ++k) b.grow(to_double(mesh.vertex(k)));
-        if (!b.empty()) add_box(coverage, b, i.to_world, error_at);
+        if (b.empty()) continue;
+        if (!is_moving(g.motion.instances, number)) {
+            add_box(coverage, b, i.to_world, error_at);
+            continue;
+        }
+        Bounds way;
+        for (const Transform& place : g.motion.instances[number])
+            for (const Vec3d& corner : corners_of(b, place)) way.grow(corner);
+        add_box(coverage, way, {}, error_at);
     }
-    for (const Sphere& s : g.spheres) add_box(coverage, bounds(s), {}, error_at);
+    for (size_t i = 0; i < g.spheres.size(); ++i) {
+        Bounds way;
+        for_each_place(g.spheres[i], g.motion.spheres, i, [&](const Sphere& s) { way.grow(bounds(s)); });
+        add_box(coverage, way, {}, error_at);
+    }
     if (!coverage.any_open()) return;
     plan.background_only = coverage.uncovered();
     plan.background_cell = coverage.cell(), plan.background_columns = coverage.columns();

@@ -49,10 +49,21 @@ inline Vec2 on_film(const SampleId& id, Vec2 offset)
 }
 // The camera ray of a sample. The benchmarks specialise it for other views.
 template <class V>
-Ray camera_ray(const V&, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
+Ray camera_ray(const V& view, const Camera& camera, const Filter& filter, const SampleId& id, const Sampler& numbers)
 {
-    const float time = camera.is_still() ? 0 : numbers.get1(0, Dim::time);
-    return camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens), time);
+    const float time = camera.is_still() && !view.scene.geometry.motion.moves() ? 0 : numbers.get1(0, Dim::time);
+    Ray ray = camera.ray(on_film(id, filter.sample(numbers.get2(0, Dim::pixel))), numbers.get2(0, Dim::lens), time);
+    ray.time = time;
+    return ray;
+}
+
+// All rays of a sample are of one time, that of its camera ray. times: of each slot; empty where nothing moves.
+template <class Sent, class SlotOf, class RayOf>
+void set_times(const std::vector<float>& times, std::vector<Sent>& sent, const SlotOf& slot_of, const RayOf& ray_of)
+{
+    if (times.empty()) [[likely]]
+        return;
+    for (size_t i = 0; i < sent.size(); ++i) ray_of(sent[i]).time = times[slot_of(i)];
 }
 
 // Traces the samples in w.slots to their end and sums their radiance into w.queue.radiance.
@@ -76,6 +87,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     w.queue.shadows.reserve(most);
     w.occluded.reserve(most);
     w.states.clear();
+    w.times.clear();
+    const bool moves = view.scene.geometry.motion.moves();
     std::array<std::optional<Sampler>, lookahead> samplers;
     const auto prepare_camera = [&](uint32_t first) {
         SampleRequests<lookahead> requests(Dim::pixel);
@@ -90,10 +103,11 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
         PathState& s = w.states.emplace_back();
         s.slot = i;
         s.sample = settings.sample_of(w.slots[i].sample / samples_per_path);
-        s.part = w.slots[i].sample % samples_per_path;
+        s.part = static_cast<uint16_t>(w.slots[i].sample % samples_per_path);
         s.importance = view.plan.importance_at(w.slots[i].x, w.slots[i].y);
         const Sampler& numbers = *samplers[i % lookahead];
         s.ray = camera_ray(view, camera, settings.filter, w.slots[i], numbers);
+        if (moves) w.times.push_back(s.ray.time);
         view.set_alpha_key(s.ray, numbers, 0, Dim::alpha);
         s.cone = camera.cone();
         s.media = view.scene.camera_media;
@@ -105,7 +119,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     const auto prepare_hits = [&](size_t first) {
         const size_t end = std::min(w.states.size(), first + lookahead);
         SampleRequests<lookahead> requests(Dim::light);  // the group that integrators use first
-        view.triangle_interactions(std::span(w.hits).subspan(first, end - first), interactions);
+        view.triangle_interactions(std::span(w.rays).subspan(first, end - first),
+                                   std::span(w.hits).subspan(first, end - first), interactions);
         for (size_t i = first; i < end; ++i) {
             if (!w.hits[i]) continue;
             const PathState& s = w.states[i];
@@ -122,6 +137,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     const bool tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
+        set_times(
+            w.times, w.states, [&](size_t i) { return w.states[i].slot; }, [](PathState& s) -> Ray& { return s.ray; });
         w.rays.clear();
         for (const PathState& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
@@ -171,6 +188,9 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));
         }
 
+        set_times(
+            w.times, w.queue.shadow_rays, [&](size_t i) { return w.queue.shadows[i].ends.slot; },
+            [](Ray& ray) -> Ray& { return ray; });
         w.occluded.resize(w.queue.shadow_rays.size());
         accel.any(w.queue.shadow_rays, w.occluded);
         counters.shadow_rays += w.queue.shadow_rays.size();
@@ -179,6 +199,12 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             listener.shadow(shadow.ends, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
             if (!w.occluded[i]) w.queue.radiance[shadow.ends.slot] += shadow.radiance;
         }
+        const auto of_queue = [&](auto& shadows) {
+            set_times(
+                w.times, shadows, [&](size_t i) { return shadows[i].ends.slot; },
+                [](auto& s) -> Ray& { return s.ray; });
+        };
+        of_queue(w.queue.tinted_shadows), of_queue(w.queue.mirrored_shadows);
         if constexpr (TintsShadows<Integrator>)
             trace_tinted_shadows(view, accel, integrator, w, counters, listener);
         else if constexpr (requires { typename Integrator::TintedShadows; })

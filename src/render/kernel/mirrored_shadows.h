@@ -24,9 +24,9 @@ bool turn_at_mirror(const V& view, const Hit& hit, Queue::MirroredShadow& s)
     // Towards the light itself: of a direction that is reflected the rounding grows with the distance.
     if (!s.light.infinite) s.light.wi = normalize(s.light.point - at.origin);
     if (!(dot(s.light.wi, at.n) > 0)) return false;
-    const uint32_t key = s.ray.key;
+    const Ray sent = s.ray;
     s.ray = shadow_ray(at, s.light);
-    s.ray.key = key;
+    s.ray.key = sent.key, s.ray.time = sent.time;
     return is_traceable(s.ray);
 }
 

@@ -179,7 +179,9 @@ std::optional<Bounds> bounds_of_medium(const Scene& scene, uint16_t medium)
     for (const uint32_t material : scene.plane_material)
         if (is_of(material)) return {};
     for (size_t i = 0; i < scene.geometry.spheres.size(); ++i)
-        if (is_of(scene.sphere_material[i])) box.grow(bounds(scene.geometry.spheres[i]));
+        if (is_of(scene.sphere_material[i]))
+            for_each_place(scene.geometry.spheres[i], scene.geometry.motion.spheres, i,
+                           [&](const Sphere& s) { box.grow(bounds(s)); });
     for (size_t i = 0; i < scene.shading.size(); ++i) {
         const Mesh& mesh = scene.geometry.meshes[i];
         if (!scene.shading[i].uses(is_of)) continue;

@@ -118,6 +118,7 @@ std::vector<Group> groups_of(const Scene& scene, const std::vector<bool>& mirror
         }
     for (uint32_t i = 0; i < scene.geometry.instances.size(); ++i) {
         const Instance& placed = scene.geometry.instances[i];
+        if (is_moving(scene.geometry.motion.instances, i)) continue;
         for (const Group& group : of_instanced[placed.mesh]) {
             const Triangle first(scene.geometry.meshes[group.mesh], group.triangles[0]);
             const double area = group.area * std::abs(placed.to_world.determinant()) *

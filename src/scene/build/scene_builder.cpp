@@ -65,6 +65,7 @@ public:
         add_planes();
         for (uint32_t i = 0; i < d_.meshes.size(); ++i) add_mesh(i);
         add_instances();
+        end_paths();
         if (!scene_.legacy) make_thin_glass(d_, places_, materials_, scene_);
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
@@ -107,6 +108,7 @@ private:
         for (const auto& s : d_.spheres) {
             const Sphere added = add(s.center, s.radius, material_of(s, materials_, diagnostics_));
             check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, s.where, "this sphere");
+            add_path(s);
         }
         for (const auto& l : d_.lights) {
             if (l.type != LightType::sphere || is_black(l.power)) continue;
@@ -116,6 +118,23 @@ private:
                         {.name = "light", .where = l.where, .base_color = {}, .emission = l.power, .group = l.group}));
             check_near(abs(added.center) + Vec3d{added.radius, 0, 0}, l.where, "this light");
         }
+    }
+    // Of the sphere that was added last.
+    void add_path(const SphereDescription& s)
+    {
+        Steps<Sphere> steps = steps_of(s, scene_.normalisation);
+        if (steps.empty()) return;
+        if (shines(scene_.sphere_material.back())) return warn_of_still_light(s.where);
+        for (const Sphere& at : steps) check_near(abs(at.center) + Vec3d{at.radius, 0, 0}, s.where, "this sphere");
+        scene_.geometry.motion.spheres.resize(scene_.geometry.spheres.size());
+        scene_.geometry.motion.spheres.back() = std::move(steps);
+    }
+    bool shines(uint32_t material) const { return !scene_.emission[material].is_dark(); }
+    void warn_of_still_light(const Location& where)
+    {
+        diagnostics_.warning(where,
+                             "what shines is not blurred by its motion: it stays where it is when the shutter "
+                             "opens");
     }
     void add_planes()
     {
@@ -211,12 +230,39 @@ private:
                 diagnostics_.error(i.where, "unknown mesh '" + i.mesh + "'" + suggestion(i.mesh, known));
                 continue;
             }
-            const Transform to_file = compose(to_transform(i.transform), to_transform(d_.meshes[it->second].transform));
-            const Transform to_world =
-                compose(compose(to_transform(scene_.normalisation), to_file), inverse(to_transform(own_[it->second])));
+            const uint32_t mesh = it->second;
+            const Transform to_world = placed(mesh, i.transform, d_.meshes[mesh].transform);
             check_near(to_world.translation, i.where, "this instance");
-            scene_.geometry.instances.push_back({it->second, to_world, inverse(to_world)});
+            scene_.geometry.instances.push_back({mesh, to_world, inverse(to_world)});
+            add_path(i, mesh);
         }
+    }
+    // The tables of paths are as long as those of the shapes, or empty.
+    void end_paths()
+    {
+        Geometry& g = scene_.geometry;
+        if (!g.motion.spheres.empty()) g.motion.spheres.resize(g.spheres.size());
+        if (!g.motion.instances.empty()) g.motion.instances.resize(g.instances.size());
+    }
+    // Of an instance, from the mesh's own space to the scene's.
+    Transform placed(uint32_t mesh, const TransformDescription& own, const TransformDescription& of_mesh) const
+    {
+        const Transform to_file = compose(to_transform(own), to_transform(of_mesh));
+        return compose(compose(to_transform(scene_.normalisation), to_file), inverse(to_transform(own_[mesh])));
+    }
+    // Of the instance that was added last.
+    void add_path(const InstanceDescription& i, uint32_t mesh)
+    {
+        const MeshDescription& m = d_.meshes[mesh];
+        Steps<Transform> steps;
+        for (size_t k = 0; k < std::max(i.path.size(), m.path.size()); ++k)
+            steps.push_back(
+                placed(mesh, i.path.empty() ? i.transform : i.path[k], m.path.empty() ? m.transform : m.path[k]));
+        if (std::all_of(steps.begin(), steps.end(), [&](const Transform& at) { return at == steps[0]; })) return;
+        if (scene_.shading[mesh].uses([&](uint32_t id) { return shines(id); })) return warn_of_still_light(i.where);
+        for (const Transform& at : steps) check_near(at.translation, i.where, "this instance");
+        scene_.geometry.motion.instances.resize(scene_.geometry.instances.size());
+        scene_.geometry.motion.instances.back() = std::move(steps);
     }
 
     void add_given_lights()

@@ -55,6 +55,11 @@ struct TransformDescription {
     Vec3d translate{0, 0, 0}, rotate_deg{0, 0, 0}, scale{1, 1, 1};
 };
 
+// Where a thing is at even steps of time from the opening of the shutter to its closing; the first is the place that
+// the rest of its description has. Empty: it stands still.
+template <class Place>
+using PlacesAtSteps = std::vector<Place>;
+
 // A second material on a plane or a triangle: lines of it in a grid, or along the sides.
 struct Bands {
     std::string material;
@@ -81,12 +86,14 @@ struct MeshDescription {
     std::optional<Bands> bands{};  // a shape, with the texture coordinates that Rim wants
     VertexColors vertex_colors = VertexColors::srgb;
     SubdivisionDescription subdivision{};
+    PlacesAtSteps<TransformDescription> path{};  // it is drawn as an instance then
 };
 
 struct InstanceDescription {
     Location where;
     std::string mesh;
     TransformDescription transform;  // applied after the mesh's own
+    PlacesAtSteps<TransformDescription> path{};
 };
 
 struct SphereDescription {
@@ -96,6 +103,11 @@ struct SphereDescription {
     std::string material;  // empty: the default grey Lambert
     enum class Part { whole, bubble, inside_of_bubble };
     Part part = Part::whole;  // inside of a bubble: the material is turned inside out
+    struct Place {
+        Vec3d center{};
+        double radius = 1;
+    };
+    PlacesAtSteps<Place> path{};
 };
 
 struct PlaneDescription {
@@ -136,6 +148,7 @@ struct AnimationDescription {
     double shutter = 0;            // how long it is open from a frame on, in frames; in [0, 1]
     double frame = 1;              // the one that the rest of the description is of
     bool moves_views_only = true;  // and nothing of what is seen
+    bool blurs_all = true;         // whatever moves, an open shutter blurs
 };
 
 // [fog]: what fills the scene around all bodies.
@@ -182,6 +195,14 @@ struct SceneDescription {
     // Of what the scene file, definitions and animation say, but for what moves views: of two frames of one film it is
     // the same if they differ in their cameras at most.
     uint64_t still_hash = 0;
+
+    // Things stay where they are when the shutter opens.
+    void stop_things()
+    {
+        for (MeshDescription& m : meshes) m.path.clear();
+        for (InstanceDescription& i : instances) i.path.clear();
+        for (SphereDescription& s : spheres) s.path.clear();
+    }
 };
 
 }  // namespace lancer
