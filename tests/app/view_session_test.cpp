@@ -43,6 +43,12 @@ protected:
             .say = [this](const std::string& text) { said_ += text + "\n"; },
             .copy = [this](const std::string& text) { copied_ = text; },
             .save_scene = [this](const std::string& text) { write("written.toml", text); },
+            .save_over =
+                [this](const std::string& text) {
+                    std::filesystem::rename(file("lit.toml"), file("old.toml"));
+                    write("lit.toml", text);
+                    return file("old.toml");
+                },
             .write_picture = [this](const Film& film, const Renderer&,
                                     const DisplayCurve&) { write_exr(file("view.exr"), to_image(film), {}); }};
         controller_ = std::make_unique<Controller>(*session_, std::move(document), sight_, DisplayCurve{}, KeyFrames{},
@@ -70,6 +76,17 @@ protected:
         session_->wait_until_idle();
         session_->take(picture_);
         return picture_.image;
+    }
+    // What the hand does to the widget of the panel with that label.
+    void set(const std::string& label, double x, double y = 0, double z = 0)
+    {
+        WindowFrame frame;
+        hand().draw(picture_, frame);
+        const auto widget =
+            std::find_if(frame.widgets.begin(), frame.widgets.end(), [&](const Widget& w) { return w.label == label; });
+        ASSERT_NE(widget, frame.widgets.end()) << label;
+        widget->value = {x, y, z};
+        hand().change(*widget);
     }
     // That the complete picture is that of lancer render of the scene as it is written now.
     void expect_rendered(const std::vector<std::string>& more = {})
@@ -205,6 +222,93 @@ TEST_F(ViewTest, MaterialsAndSpheresChangeWithWhatTheyNeed)
     change("focus", {4});
     expect_rendered();
     EXPECT_EQ(session_->status().accelerators_built, 2u);
+}
+
+TEST_F(ViewTest, LightsAreAddedAndMovedLikeThoseOfTheFile)
+{
+    open("lit.toml", {48, 32}, 2);
+    const size_t before = hand().document().scene()->lights.size();
+    for (size_t type = 0; type < 4; ++type) set("add", static_cast<double>(type + 1));
+    ASSERT_EQ(hand().document().scene()->lights.size(), before + 4);
+    EXPECT_EQ(hand().document().scene()->lights[before + 3].type, LightType::sphere);
+    expect_rendered();
+    set("radius", 0.3);  // of the one that was added last
+    set("place", 1, 2, 0.5);
+    expect_rendered();
+    EXPECT_EQ(session_->status().accelerators_built, 3u) << "for the lamp, which is a sphere";
+    key('X');
+    expect_rendered();
+}
+
+TEST_F(ViewTest, AFileThatWasWrittenOverIsNotReadAgain)
+{
+    open("lit.toml", {48, 32}, 2);
+    set("add", 1);
+    const Image seen = shown();
+    key('S', mod_control | mod_shift);
+    EXPECT_EQ(run({"render", "lit.toml", "--size", "48x32", "-s", "2", "-q", "-o", "over.exr"}).code, 0);
+    EXPECT_TRUE(same_pixels(seen, image("over.exr")));
+    expect_rendered();  // the light is there once, as before
+}
+
+TEST_F(ViewTest, ASkyOfAPictureTurnsAndFades)
+{
+    Image sky;
+    sky.data = sky.display = {0, 0, 16, 8};
+    sky.pixels.resize(16 * 8);
+    for (size_t i = 0; i < sky.pixels.size(); ++i) sky.pixels[i] = {static_cast<float>(i % 16), 1, 0.5f};
+    write_exr(file("sky.exr"), sky, {});
+    write("sky.toml",
+          "[camera]\nposition = [0, 0, 4]\n[[sphere]]\n[[light]]\ntype = \"environment\"\nfile = \"sky.exr\"\n");
+    open("sky.toml", {48, 32}, 2);
+    const Image first = shown();
+    set("light", 1);
+    set("rotate", 0, 90, 0);
+    const Image turned = shown();
+    EXPECT_FALSE(same_pixels(first, turned));
+    expect_rendered();
+    set("power", 0.5, 0.5, 0.5);
+    EXPECT_FALSE(same_pixels(turned, shown()));
+    expect_rendered();
+}
+
+TEST_F(ViewTest, AnotherAcceleratorShowsTheSame)
+{
+    open("lit.toml", {48, 32}, 2);
+    const Image first = shown();
+    set("accelerator", static_cast<double>(AccelKind::list));
+    EXPECT_TRUE(same_pixels(first, shown()));
+    EXPECT_EQ(session_->status().accelerators_built, 2u);
+    expect_rendered();
+    EXPECT_NE(read_bytes(file("written.toml")).find("accel = \"list\""), std::string::npos);
+}
+
+TEST_F(ViewTest, PathsOfAPixelAreLinesInTheScene)
+{
+    open("lit.toml", {48, 32}, 2);
+    const auto lines = [&] {
+        session_->wait_until_idle();
+        WindowFrame frame;
+        hand().draw(picture_, frame);
+        std::vector<Mark> found;
+        for (const Mark& m : frame.marks)
+            if (m.kind == Mark::Kind::line) found.push_back(m);
+        return found;
+    };
+    EXPECT_TRUE(lines().empty());
+    hand().handle({.kind = InputEvent::Kind::move, .x = 24.5, .y = 20.5});
+    key('I');
+    const std::vector<Mark> seen = lines();
+    ASSERT_GT(seen.size(), 16u) << "eight samples, with shadow rays";
+    // The camera's rays are points in its own view: their ends are at the pixel.
+    EXPECT_NEAR(seen[0].x1, 24.5, 1);
+    EXPECT_NEAR(seen[0].y1, 20.5, 1);
+    key('3');
+    const std::vector<Mark> aside = lines();
+    ASSERT_FALSE(aside.empty());
+    EXPECT_GT(std::hypot(aside[0].x1 - aside[0].x0, aside[0].y1 - aside[0].y0), 10) << "from the side a ray is long";
+    key('I');
+    EXPECT_TRUE(lines().empty());
 }
 
 TEST_F(ViewTest, DepthKeysStayFromOneToTwenty)

@@ -23,6 +23,28 @@ namespace {
 
 constexpr double idle_seconds = 0.5, moving_seconds = 1.0 / 60, longest_still_seconds = 0.1;
 
+// Copies a file to a name that there is none of yet, and returns it: FILE.bak, FILE.bak2 and so on.
+std::string keep_copy(const std::string& file)
+{
+    std::string copy = file + ".bak";
+    for (int i = 2; std::filesystem::exists(copy); ++i) copy = file + ".bak" + std::to_string(i);
+    std::error_code problem;
+    std::filesystem::copy_file(file, copy, problem);
+    if (problem) throw Error(ErrorKind::failed, {copy}, "cannot be written: " + problem.message());
+    return copy;
+}
+
+// What cannot be written is said; the window stays, with all that was changed in it.
+template <class F>
+void keep_window(const F& f)
+{
+    try {
+        f();
+    } catch (const Error& problem) {
+        print_problem(problem.what());
+    }
+}
+
 // One run of the command.
 class ViewRun {
 public:
@@ -34,6 +56,7 @@ private:
     ControllerHost host(ViewWindow& window) const;
     void write_picture(const Film& film, const DisplayCurve& curve) const;
     void save_scene(const std::string& text) const;
+    std::string save_over(const std::string& text) const;
     KeyFrames read_path() const;
     void run(Session& session, Controller& controller, ViewWindow& window);
     void end(const Controller& controller) const;
@@ -82,6 +105,23 @@ void ViewRun::save_scene(const std::string& text) const
         print_note("to render " + options_.write_scene + ", add --asset-root " + in_shell_quotes(root));
 }
 
+std::string ViewRun::save_over(const std::string& text) const
+{
+    const std::string& file = options_.picture.scene.file;
+    const auto refuse = [&](const std::string& why) {
+        print_note(file + " stays as it is: " + why + "; Ctrl+S writes " + options_.write_scene);
+        return std::string();
+    };
+    if (is_mesh(file)) return refuse("it is a mesh");
+    Diagnostics none;
+    if (read_animation(file, options_.picture.scene.definitions, none)) return refuse("its [animation] would be lost");
+    const std::string old = keep_copy(file);
+    write_text(file, text);
+    print_written({file});
+    flush_results();
+    return old;
+}
+
 ControllerHost ViewRun::host(ViewWindow& window) const
 {
     return {.print = [](const std::string& text) { print_result(text), flush_results(); },
@@ -90,7 +130,13 @@ ControllerHost ViewRun::host(ViewWindow& window) const
                     if (!options_.quiet) print_note(text);
                 },
             .copy = [&window](const std::string& text) { window.copy(text); },
-            .save_scene = [this](const std::string& text) { save_scene(text); },
+            .save_scene = [this](const std::string& text) { keep_window([&] { save_scene(text); }); },
+            .save_over =
+                [this](const std::string& text) {
+                    std::string old;
+                    keep_window([&] { old = save_over(text); });
+                    return old;
+                },
             .write_picture = [this](const Film& film, const Renderer&,
                                     const DisplayCurve& curve) { write_picture(film, curve); }};
 }

@@ -5,6 +5,7 @@
 
 #include "app/console.h"
 #include "app/view/camera_moves.h"
+#include "app/view/still.h"
 
 namespace lancer {
 namespace {
@@ -18,6 +19,7 @@ constexpr double third_of_a_stop = 1.0 / 3;
 constexpr double fly_speed = 0.7;  // distances to the target a second
 constexpr uint32_t least_depth = 1, most_depth = 20;
 constexpr uint32_t usual_depth_of_path = 20, usual_depth_of_classic = 7;
+constexpr uint32_t traced_paths = 8;  // of a pixel
 constexpr std::string_view fly_keys = "WASD";
 
 std::optional<size_t> fly_key_of(int key)
@@ -242,6 +244,12 @@ void Controller::act(const KeyAction& action)
             return host_.copy(camera_table(sight_.camera));
         case write_scene:
             return host_.save_scene(scene_text());
+        case write_over:
+            if (const std::string old = host_.save_over(scene_text()); !old.empty()) {
+                document_.read_from(old);
+                say("the file as it was is " + old);
+            }
+            return;
         case write_picture:
             return session_.write_picture([write = host_.write_picture, curve = curve_](
                                               const Film& f, const Renderer& r) { write(f, r, curve); });
@@ -265,6 +273,8 @@ void Controller::act(const KeyAction& action)
             if (!light_) return say("no light is selected: click on its handle");
             document_.set_power(*light_, {});
             return show();
+        case trace_pixel:
+            return show_paths();
         case Action::help:
             return toggle(shows_help_);
         case cancel:
@@ -281,6 +291,20 @@ void Controller::still(uint32_t reduction)
     session_.render_still(
         std::move(sight), reduction,
         [write = host_.write_picture, curve = curve_](const Film& f, const Renderer& r) { write(f, r, curve); });
+}
+
+// Of the picture as it is shown; lines stay where they are in the scene when the camera moves.
+void Controller::show_paths()
+{
+    if (!lines_->get().empty()) return lines_->set({});
+    const PictureSize size = sight_.settings.size;
+    if (!(last_.x >= 0 && last_.y >= 0 && last_.x < size.width && last_.y < size.height))
+        return say("no pixel is under the mouse");
+    const auto x = static_cast<uint32_t>(last_.x), y = static_cast<uint32_t>(last_.y);
+    say(format_text("paths of pixel %u %u: lancer pixel %u %u prints them", x, y, x, y));
+    session_.write_picture([lines = lines_, sight = sight_, x, y](const Film& film, const Renderer& renderer) {
+        lines->set(paths_of_pixel(renderer, camera_of(renderer, sight, film), sight.settings.size, x, y, traced_paths));
+    });
 }
 
 // From 0, which is no limit, to what is usual of the integrator.

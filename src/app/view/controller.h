@@ -12,6 +12,7 @@
 #include "app/view/handles.h"
 #include "app/view/key_frames.h"
 #include "app/view/key_map.h"
+#include "app/view/path_lines.h"
 #include "app/view/pick.h"
 #include "app/view/session.h"
 #include "app/view/window_types.h"
@@ -24,6 +25,8 @@ struct ControllerHost {
     std::function<void(const std::string&)> say;         // a note to the user
     std::function<void(const std::string&)> copy;        // to the clipboard
     std::function<void(const std::string&)> save_scene;  // the text of a scene file
+    // The same over the file of the scene. Returns the name that the old file has now; empty if it cannot be.
+    std::function<std::string(const std::string&)> save_over;
     std::function<void(const Film&, const Renderer&, const DisplayCurve&)> write_picture;
 };
 
@@ -69,6 +72,7 @@ private:
     void click(const InputEvent& event);
     void select(const InputEvent& event);
     void still(uint32_t reduction);
+    void show_paths();
     void change_depth(int by);
     void go_to_next_camera();
     void set_camera(const CameraDescription& camera);
@@ -100,6 +104,8 @@ private:
     std::optional<Handle> hovered_, held_;
     std::optional<size_t> light_, sphere_;  // selected
     std::optional<Picked> picked_;
+    // What the session's thread may still be finding when there is no controller any more.
+    std::shared_ptr<SharedLines> lines_ = std::make_shared<SharedLines>();
 };
 
 }  // namespace lancer

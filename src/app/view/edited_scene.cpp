@@ -32,6 +32,30 @@ std::string_view key_of(LightType type, Field LightDescription::*field)
     return key;
 }
 
+// The key of a light's power.
+std::string_view power_key(const LightDescription& l)
+{
+    if (!l.file.empty()) return "scale";  // of the picture
+    return key_of(l.type, &LightDescription::power);
+}
+
+// A [[light]] of a scene file that says what the light is.
+std::string table_of(const LightDescription& l)
+{
+    std::string text = "[[light]]\ntype = \"" + std::string(name_of(l.type)) + "\"\n";
+    for_each_parameter_of(l.type, [&](const auto& row) {
+        text += std::string(row.key) + " = ";
+        using T = std::remove_cvref_t<decltype(l.*row.field)>;
+        if constexpr (std::is_same_v<T, Color>)
+            text += exact(l.*row.field) + "\n";
+        else if constexpr (std::is_same_v<T, Vec3d>)
+            text += to_toml(l.*row.field) + "\n";
+        else
+            text += shortest(l.*row.field) + "\n";
+    });
+    return text;
+}
+
 float least_of(ParameterRange range)
 {
     return range == ParameterRange::finite     ? -std::numeric_limits<float>::infinity()
@@ -68,7 +92,8 @@ EditedScene::EditedScene(SceneChoice choice, std::string added, SceneDescription
       added_(std::move(added)),
       given_(given),
       opened_(opened),
-      scene_(std::make_shared<const SceneDescription>(std::move(scene)))
+      scene_(std::make_shared<const SceneDescription>(std::move(scene))),
+      lights_of_file_(scene_->lights.size())
 {
 }
 
@@ -111,7 +136,20 @@ void EditedScene::set_power(size_t i, Color power)
 {
     LightDescription& l = light(i);
     l.power = power;
-    edits_[light_key(i, key_of(l.type, &LightDescription::power))] = exact(power);
+    edits_[light_key(i, power_key(l))] = exact(power);
+}
+
+void EditedScene::turn_sky(size_t i, Vec3d rotate_deg)
+{
+    light(i).rotate_deg = rotate_deg;
+    edits_[light_key(i, "rotate")] = to_toml(rotate_deg);
+}
+
+size_t EditedScene::add_light(const LightDescription& light)
+{
+    ++rest_;
+    change().lights.push_back(light);
+    return scene_->lights.size() - 1;
 }
 
 bool EditedScene::can_move(size_t sphere) const
@@ -167,7 +205,15 @@ std::string EditedScene::text(const CameraDescription& camera, const RenderSetti
                               const OutputDescription& output) const
 {
     std::vector<std::string> edits;
-    for (const auto& [key, value] : edits_) edits.push_back(key + "=" + value);
+    const auto is_of_added = [&](const std::string& key) {
+        for (size_t i = lights_of_file_; i < scene_->lights.size(); ++i)
+            if (key.starts_with(light_key(i, ""))) return true;
+        return false;
+    };
+    for (const auto& [key, value] : edits_)
+        if (!is_of_added(key)) edits.push_back(key + "=" + value);
+    std::string added = added_;
+    for (size_t i = lights_of_file_; i < scene_->lights.size(); ++i) added += "\n" + table_of(scene_->lights[i]);
     if (camera.type == CameraType::thin_lens) {
         edits.emplace_back("camera.type=thin_lens");
         edits.push_back("camera.aperture=" + shortest(camera.aperture));
@@ -178,10 +224,10 @@ std::string EditedScene::text(const CameraDescription& camera, const RenderSetti
         if (settings.*field != opened_.*field) given.give(field, settings.*field);
     };
     give(&RenderSettings::spp), give(&RenderSettings::max_depth), give(&RenderSettings::sampler);
-    give(&RenderSettings::integrator);
+    give(&RenderSettings::integrator), give(&RenderSettings::accel);
     // Another integrator has another depth of its own.
     if (settings.integrator != opened_.integrator) given.give(&RenderSettings::max_depth, settings.max_depth);
-    return completed_scene_text(choice_, added_, camera, given, output, edits);
+    return completed_scene_text(choice_, added, camera, given, output, edits);
 }
 
 }  // namespace lancer

@@ -35,12 +35,17 @@ public:
     void turn_light(size_t light, Vec3d direction);  // directional
     void set_radius(size_t light, double radius);    // sphere
     void set_power(size_t light, Color power);       // black: it is off
-    void move_sphere(size_t sphere, Vec3d center);   // that can_move()
-    bool can_move(size_t sphere) const;              // not the parts of bubbles
+    void turn_sky(size_t light, Vec3d rotate_deg);   // an environment that is a picture
+    // Returns its place among the lights; the last one that is said of an environment counts.
+    size_t add_light(const LightDescription& light);
+    void move_sphere(size_t sphere, Vec3d center);  // that can_move()
+    bool can_move(size_t sphere) const;             // not the parts of bubbles
     // The numbers of [material.NAME]; empty if the scene file has no material of that name.
     std::vector<MaterialNumber> numbers_of(const std::string& material) const;
     void set_number(const std::string& material, const MaterialNumber& number);
 
+    // Where the file is from now on that the scene was opened from.
+    void read_from(const std::string& file) { choice_.file = file; }
     // As a scene file that renders the same bits, with this camera. settings: as they are now, of which those that
     // differ from what the scene was opened with are written.
     std::string text(const CameraDescription& camera, const RenderSettings& settings,
@@ -55,6 +60,7 @@ private:
     RenderSettings given_, opened_;
     std::shared_ptr<const SceneDescription> scene_;
     std::map<std::string, std::string> edits_;  // key of -D: value
+    size_t lights_of_file_;                     // and of `added`; further ones came by hand
     uint64_t rest_ = 0;
 };
 

@@ -20,6 +20,7 @@ enum PanelId : int {
     id_aperture,
     id_focus,
     id_integrator,
+    id_accel,
     id_sampler,
     id_depth,
     id_spp,
@@ -30,7 +31,9 @@ enum PanelId : int {
     id_light_position,
     id_light_direction,
     id_light_radius,
+    id_sky_rotation,
     id_light,
+    id_new_light,
     id_sphere_center,
     id_material,  // the first of many
 };
@@ -74,6 +77,33 @@ Color color_in(const Widget& w)
     return {positive(w.value[0]), positive(w.value[1]), positive(w.value[2])};
 }
 
+// What can be added: all but an environment, of which there is one.
+std::vector<std::string> new_lights()
+{
+    std::vector<std::string> names{"a light"};
+    for (size_t i = 0; i < static_cast<size_t>(LightType::environment); ++i)
+        names.emplace_back(enum_names<LightType>[i]);
+    return names;
+}
+// A new light above and before what the camera looks at, which a white surface there shows as 1.
+LightDescription light_about(const CameraDescription& c, LightType type)
+{
+    const Vec3d back = c.position - c.target;
+    const double far = 0.5 * length(back);
+    LightDescription l;
+    l.type = type;
+    l.position = c.target + normalize(normalize(back) + 2.0 * normalize(c.up)) * far;
+    l.direction = c.target - l.position;
+    l.radius = 0.1 * far;
+    const double area = pi_d * l.radius * l.radius, at_target = pi_d;
+    const double power = type == LightType::directional ? at_target
+                         : type == LightType::sphere    ? at_target * far * far / area
+                                                        : at_target * far * far;
+    const auto of_each = static_cast<float>(power);
+    l.power = {of_each, of_each, of_each};
+    return l;
+}
+
 // The value under the mouse.
 std::string pixel_text(const ShownPicture& picture, PictureSize size, double x, double y)
 {
@@ -113,6 +143,7 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
     w.push_back(number_widget(id_exposure, "exposure", double{curve_.exposure_stops}, 0.02, -64, 64));
     w.push_back(choice_widget(id_tonemap, "tone map", curve_.tonemap));
     w.push_back(choice_widget(id_integrator, "integrator", s.integrator));
+    w.push_back(choice_widget(id_accel, "accelerator", s.accel));
     w.push_back(choice_widget(id_sampler, "sampler", s.sampler));
     w.push_back(number_widget(id_depth, "max depth", s.max_depth, 0.1, 0, 1e6));
     w.push_back(number_widget(id_spp, "samples", s.spp, 1, 1, 1e6));
@@ -126,6 +157,7 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
                  .label = "light",
                  .value = {light_ ? static_cast<double>(*light_ + 1) : 0},
                  .choices = names});
+    w.push_back({.kind = Widget::Kind::choice, .id = id_new_light, .label = "add", .choices = new_lights()});
     if (light_ && *light_ < scene.lights.size()) {
         const LightDescription& l = scene.lights[*light_];
         w.push_back({.kind = Widget::Kind::color,
@@ -140,6 +172,7 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
             w.push_back(vector_widget(id_light_direction, "direction", l.direction, 0.01));
         if (l.type == LightType::sphere)
             w.push_back(number_widget(id_light_radius, "radius", l.radius, 0.1 * step, 1e-30, 1e30));
+        if (!l.file.empty()) w.push_back(vector_widget(id_sky_rotation, "rotate", l.rotate_deg, 0.5));
     }
     if (picked_) {
         w.push_back(heading("Selected"));
@@ -170,6 +203,8 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
             {.kind = Mark::Kind::disc, .x0 = h.x, .y0 = h.y, .x1 = is_hovered ? 5.0 : 3.0, .color = color});
         frame.marks.push_back({.kind = Mark::Kind::circle, .x0 = h.x, .y0 = h.y, .x1 = h.radius, .color = color});
     }
+
+    for (Mark& line : marks_of(lines_->get(), c, s.size)) frame.marks.push_back(std::move(line));
 
     const SessionStatus status = session_.status();
     frame.picture_width = static_cast<int32_t>(s.size.width),
@@ -227,6 +262,9 @@ void Controller::change(const Widget& widget)
         case id_integrator:
             s.integrator = chosen(s.integrator);
             return show();
+        case id_accel:
+            s.accel = chosen(s.accel);
+            return show();
         case id_sampler:
             s.sampler = chosen(s.sampler);
             return show();
@@ -247,6 +285,13 @@ void Controller::change(const Widget& widget)
             return show();
         case id_light_radius:
             if (light_) document_.set_radius(*light_, x);
+            return show();
+        case id_sky_rotation:
+            if (light_) document_.turn_sky(*light_, vector_in(widget));
+            return show();
+        case id_new_light:
+            if (!(x >= 1)) return;
+            light_ = document_.add_light(light_about(sight_.camera, static_cast<LightType>(static_cast<int>(x) - 1)));
             return show();
         case id_sphere_center:
             if (sphere_) document_.move_sphere(*sphere_, vector_in(widget));
