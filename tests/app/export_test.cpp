@@ -319,6 +319,10 @@ TEST_F(Export, RefusesWhatItHasNoWordsFor)
     expect_refused("version = 1\n[background]\nsky = \"noon\"\n[[sphere]]\n",
                    "bad.toml:2:1: error: the background is not one colour" + rest);
     expect_refused(std::string(lit) + "[[sphere]]\n[render]\nindirect = false\n", "indirect is off" + rest);
+    expect_refused(std::string(lit) +
+                       "[[sphere]]\n[animation]\nframes = [0, 4]\nshutter = 1\n[[animation.track]]\n"
+                       "key = \"sphere.0.radius\"\nframes = [0, 4]\nvalues = [1, 2]\n",
+                   "something moves while the shutter is open (-D animation.shutter=0 closes it)" + rest);
     write("colours.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nf 1 2 3\n");
     expect_refused(std::string(lit) + "[[mesh]]\nfile = \"colours.obj\"\n",
                    "bad.toml:5:1: error: a mesh has colours of its vertices" + rest);

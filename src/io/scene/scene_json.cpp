@@ -249,6 +249,8 @@ void check_exportable(const SceneDescription& d, const Scene& scene, const Rende
             refuse(d.meshes[i].where, "a mesh has two sets of texture coordinates");
     }
     for (const Scene::Note& note : scene.divisions) refuse(note.where, "this mesh is divided to be displaced");
+    if (scene.geometry.motion.moves() || !d.camera_path.empty())
+        refuse(file, "something moves while the shutter is open (-D animation.shutter=0 closes it)");
     if (scene.background) refuse(d.background->where, "the background is not one colour");
     if (scene.glow) refuse(d.background->where, "lights are seen as discs");
     for (const RenderOption& option : render_options())
