@@ -39,6 +39,16 @@ struct Workspace {
     AlphaSamples alpha;               // of slots, if the film has AovSum::through or caught
     bool is_pilot = false;            // the samples are those of a pilot, with other random numbers
 
+    // All rays of a sample are of one time, that of its camera ray. Those in the queue get it.
+    void set_times_of_shadows()
+    {
+        if (times.empty()) [[likely]]
+            return;
+        for (size_t i = 0; i < queue.shadow_rays.size(); ++i)
+            queue.shadow_rays[i].time = times[queue.shadows[i].ends.slot];
+        for (Queue::TintedShadow& s : queue.tinted_shadows) s.ray.time = times[s.ends.slot];
+        for (Queue::MirroredShadow& s : queue.mirrored_shadows) s.ray.time = times[s.ends.slot];
+    }
     uint64_t seed_of(const KernelSettings& settings, uint32_t path) const
     {
         const uint64_t seed = settings.seed_of(path);

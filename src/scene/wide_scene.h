@@ -58,10 +58,10 @@ struct WideScene {
     static constexpr Features plain{Feature::vertex_normals, feature_of(MaterialType::lambert),
                                     Feature::triangle_lights, Feature::constant_sky, Feature::light_tree};
     static constexpr Features textured =
-        Features::all_lights() | Features{Feature::spheres,       Feature::planes,         Feature::instances,
-                                          Feature::textures,      Feature::bump_maps,      Feature::normal_maps,
-                                          Feature::vertex_colors, Feature::cut_outs,       Feature::sky_map,
-                                          Feature::background,    Feature::textured_lights};
+        Features::all_lights() | Features{Feature::spheres,     Feature::planes,        Feature::instances,
+                                          Feature::motion,      Feature::textures,      Feature::bump_maps,
+                                          Feature::normal_maps, Feature::vertex_colors, Feature::cut_outs,
+                                          Feature::sky_map,     Feature::background,    Feature::textured_lights};
     static constexpr Features any = Features::all_materials();
 
     // The BSDFs of a material that are the same everywhere, for the back and the front side.

@@ -57,15 +57,6 @@ Ray camera_ray(const V& view, const Camera& camera, const Filter& filter, const 
     return ray;
 }
 
-// All rays of a sample are of one time, that of its camera ray. times: of each slot; empty where nothing moves.
-template <class Sent, class SlotOf, class RayOf>
-void set_times(const std::vector<float>& times, std::vector<Sent>& sent, const SlotOf& slot_of, const RayOf& ray_of)
-{
-    if (times.empty()) [[likely]]
-        return;
-    for (size_t i = 0; i < sent.size(); ++i) ray_of(sent[i]).time = times[slot_of(i)];
-}
-
 // Traces the samples in w.slots to their end and sums their radiance into w.queue.radiance.
 template <class V, class Integrator, class Listener>
 void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, uint32_t width,
@@ -137,8 +128,8 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
     const bool tables_exceed_caches = lancer::tables_exceed_caches(view.scene);
     MediaAtHit media;
     for (Coherence coherence = Coherence::coherent; !w.states.empty(); coherence = Coherence::incoherent) {
-        set_times(
-            w.times, w.states, [&](size_t i) { return w.states[i].slot; }, [](PathState& s) -> Ray& { return s.ray; });
+        if (moves) [[unlikely]]
+            for (PathState& s : w.states) s.ray.time = w.times[s.slot];
         w.rays.clear();
         for (const PathState& s : w.states) w.rays.push_back(s.ray);
         w.hits.resize(w.rays.size());
@@ -188,9 +179,7 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             listener.added(s, w.hits[i], w.queue.radiance[s.slot].since(before));
         }
 
-        set_times(
-            w.times, w.queue.shadow_rays, [&](size_t i) { return w.queue.shadows[i].ends.slot; },
-            [](Ray& ray) -> Ray& { return ray; });
+        w.set_times_of_shadows();
         w.occluded.resize(w.queue.shadow_rays.size());
         accel.any(w.queue.shadow_rays, w.occluded);
         counters.shadow_rays += w.queue.shadow_rays.size();
@@ -199,12 +188,6 @@ void trace_batch(const V& view, const Accelerator& accel, const Camera& camera, 
             listener.shadow(shadow.ends, w.queue.shadow_rays[i], shadow.radiance, w.occluded[i]);
             if (!w.occluded[i]) w.queue.radiance[shadow.ends.slot] += shadow.radiance;
         }
-        const auto of_queue = [&](auto& shadows) {
-            set_times(
-                w.times, shadows, [&](size_t i) { return shadows[i].ends.slot; },
-                [](auto& s) -> Ray& { return s.ray; });
-        };
-        of_queue(w.queue.tinted_shadows), of_queue(w.queue.mirrored_shadows);
         if constexpr (TintsShadows<Integrator>)
             trace_tinted_shadows(view, accel, integrator, w, counters, listener);
         else if constexpr (requires { typename Integrator::TintedShadows; })

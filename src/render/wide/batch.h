@@ -61,7 +61,8 @@ public:
           by_mirrors_(any && samples_ && path_.direct.mirrors && !view.scene.mirrors.empty()),
           keeps_normals_(samples_ && (samples_sky_ || view.scene.lights.tree)),
           shines_(std::find(scene_.shines.begin(), scene_.shines.end(), true) != scene_.shines.end()),
-          prefetches_(tables_exceed_caches(view.scene))
+          prefetches_(tables_exceed_caches(view.scene)),
+          moves_(textured && view.scene.geometry.motion.moves())
     {
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -72,6 +73,7 @@ public:
         w.hits.reserve(most + float_lanes);
         w.occluded.reserve(most);
         now_.clear();
+        w.times.assign(moves_ ? w.slots.size() : 0, 0);
         for (uint32_t first = 0; first < w.slots.size(); first += float_lanes)
             generate_camera_rays(camera, width, first);
         counters.camera_rays += w.slots.size();
@@ -93,6 +95,7 @@ public:
             add_unoccluded();
             if constexpr (any)
                 if (view_.scene.passes_glass) {
+                    w_.set_times_of_shadows();
                     const auto trace = [&](const auto& to) {
                         trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
                     };
@@ -100,6 +103,7 @@ public:
                 }
             if constexpr (any)
                 if (by_mirrors_) {
+                    w_.set_times_of_shadows();
                     trace_mirrored_shadows(view_, accel_, w_, counters_, NoListener{});
                     w_.queue.mirrored_shadows.clear();
                     std::swap(w_.wide.mirror_distances_now, w_.wide.mirror_distances_next);
@@ -115,6 +119,7 @@ private:
     template <class Listener>
     void advance(Coherence coherence, const Listener& listener)
     {
+        set_times(now_);
         if (are_last() && !shines_) return end_at_background();
         w_.hits.resize(now_.size() + float_lanes);  // padding, so that eight hits can always be read
         for (size_t first = 0; first < now_.size(); first += at_once) {
@@ -127,6 +132,25 @@ private:
             shade(first, n);
         }
     }
+
+    // Rays are of the time of their sample, where something moves.
+    template <class States>
+    void set_times(States& rays)
+    {
+        if constexpr (textured) {
+            if (!moves_) [[likely]]
+                return;
+            const std::span<Ray> all = rays.last_rays(rays.size());
+            typename States::Record lanes;
+            for (size_t first = 0; first < all.size(); first += float_lanes) {
+                rays.load(first, lanes);
+                for (size_t i = 0; i < std::min<size_t>(float_lanes, all.size() - first); ++i)
+                    all[first + i].time = w_.times[slot_of(lanes)[i]];
+            }
+        }
+    }
+    static UInt8 slot_of(const Lanes& path) { return path.slot; }
+    static UInt8 slot_of(const ShadowLanes& shadow) { return shadow.slot; }
 
     // Number of rays that are traced before their hits are shaded: few enough that the cache still holds the data of
     // their hits.
@@ -247,6 +271,7 @@ private:
     bool keeps_normals_;                         // see WideWorkspace
     bool shines_;                                // whether any surface emits
     bool prefetches_;                            // tables_exceed_caches()
+    bool moves_;                                 // something does, while the shutter is open
     const ArrivalListener* arrivals_ = nullptr;  // of a pilot that learns
     uint32_t depth_ = 0;
     // The vertices in work. They are members because clearing them for each group of eight would take longer than using
@@ -285,12 +310,13 @@ inline void WideBatch<shading>::generate_camera_rays(const Camera& camera, uint3
     const Vec2x8 offset = settings_.filter.sample(numbers(path.key, 0, Dim::pixel).get2(path.sample));
     film.x += offset.x, film.y += offset.y;
     Vec3x8 org = broadcast(camera.position()), dir;
-    if (camera.is_pinhole() && camera.is_still()) {
+    if (camera.is_pinhole() && camera.is_still() && !moves_) {
         dir = camera.middle_directions(film);
     } else {
         const Vec2x8 lens = numbers(path.key, 0, Dim::lens).get2(path.sample);
-        const Float8 time = camera.is_still() ? Float8{} : numbers(path.key, 0, Dim::time).get1(path.sample);
+        const Float8 time = camera.is_still() && !moves_ ? Float8{} : numbers(path.key, 0, Dim::time).get1(path.sample);
         for (uint32_t i = 0; i < n; ++i) {
+            if (moves_) w_.times[first + i] = time[i];
             const Ray ray = camera.ray({film.x[i], film.y[i]}, {lens.x[i], lens.y[i]}, time[i]);
             set_lane(org, i, ray.org), set_lane(dir, i, ray.dir);
         }

@@ -261,6 +261,7 @@ inline void WideBatch<shading>::send_through_glass(const Vertices& v, uint32_t l
 template <Shading shading>
 inline void WideBatch<shading>::add_unoccluded()
 {
+    set_times(shadows_);
     w_.occluded.resize(shadows_.size());
     accel_.any(shadows_.rays(), w_.occluded);
     counters_.shadow_rays += shadows_.size();

@@ -16,6 +16,8 @@ namespace lancer {
 template <class Lanes>
 class PackedStates {
 public:
+    using Record = Lanes;  // of eight rays
+
     size_t size() const { return count_; }
     std::span<const Ray> rays() const { return std::span(rays_).first(count_); }
     std::span<Ray> last_rays(size_t n) { return std::span(rays_).subspan(count_ - n, n); }

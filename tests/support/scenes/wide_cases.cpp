@@ -309,6 +309,20 @@ static SceneDescription from_a_moving_camera()
     return d;
 }
 
+// Instances and spheres of all materials; those that shine stay.
+static SceneDescription things_that_move(SceneDescription d)
+{
+    for (InstanceDescription& i : d.instances)
+        for (const double x : {0.0, 1.0, 2.0}) {
+            TransformDescription place = i.transform;
+            place.translate += Vec3d{0.1 * x, 0.05 * x, 0}, place.rotate_deg.y += 30 * x;
+            i.path.push_back(place);
+        }
+    for (SphereDescription& s : d.spheres)
+        for (const double x : {0.0, 1.0}) s.path.push_back({s.center + Vec3d{0, 0.2 * x, 0.1 * x}, s.radius});
+    return d;
+}
+
 std::vector<WideCase> wide_cases()
 {
     std::vector<WideCase> cases{{"smooth", smooth_scene()},
@@ -342,7 +356,9 @@ std::vector<WideCase> wide_cases()
                                 {"pictured materials", pictured_materials()},
                                 {"few flat triangles", flat_scene(5, 8)},
                                 {"many flat triangles", flat_scene(30, 40)},
-                                {"from a moving camera", from_a_moving_camera()}};
+                                {"from a moving camera", from_a_moving_camera()},
+                                {"things that move", things_that_move(all_lights())},
+                                {"materials that move", things_that_move(all_materials())}};
     for (const NamedRoom& room : rooms_with_window()) cases.push_back({room.name, room.description});
     return cases;
 }
