@@ -171,11 +171,14 @@ bool Animation::moves_things() const
     return std::any_of(tracks_.begin(), tracks_.end(), [](const AnimationTrack& t) { return t.moves_thing(); });
 }
 
-bool Animation::moves_mesh(size_t number) const
+std::vector<size_t> Animation::moved_of(std::string_view list) const
 {
-    return std::any_of(tracks_.begin(), tracks_.end(), [&](const AnimationTrack& t) {
-        return t.moves_thing() && t.path[0] == "mesh" && t.path[1] == std::to_string(number);
-    });
+    std::vector<size_t> numbers;
+    for (const AnimationTrack& t : tracks_)
+        if (t.moves_thing() && t.path[0] == list) numbers.push_back(std::stoull(t.path[1]));
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
 }
 
 std::vector<FrameValue> Animation::values_at(double time, std::optional<double> since) const

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/scene/definition.h"
@@ -49,8 +50,8 @@ public:
     bool moves_views() const;
     // Whether any moves a thing.
     bool moves_things() const;
-    // Whether any moves mesh `number` of the file.
-    bool moves_mesh(size_t number) const;
+    // Numbers of the tables of a list, "mesh" or "instance", that any moves; ascending.
+    std::vector<size_t> moved_of(std::string_view list) const;
     // time: in frames. since: when the shutter has opened; what goes in steps stays as it was then, since a cut is no
     // motion.
     std::vector<FrameValue> values_at(double time, std::optional<double> since = {}) const;

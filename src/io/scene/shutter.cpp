@@ -11,17 +11,15 @@
 namespace lancer {
 namespace {
 
-// Puts what a description has at each step of time into the paths of its things.
-void put_paths(const std::vector<SceneDescription>& steps, const Animation& animation, SceneDescription& scene)
+// Adds the places that a description has at some time to the paths of what moves; of spheres, which may be parts of
+// bubbles, to all.
+void add_places(const SceneDescription& then, const Animation& animation, SceneDescription& scene)
 {
-    for (const SceneDescription& then : steps) {
-        for (size_t i = 0; i < scene.meshes.size(); ++i)
-            if (animation.moves_mesh(i)) scene.meshes[i].path.push_back(then.meshes[i].transform);
-        for (size_t i = 0; i < scene.instances.size(); ++i)
-            scene.instances[i].path.push_back(then.instances[i].transform);
-        for (size_t i = 0; i < scene.spheres.size(); ++i)
-            scene.spheres[i].path.push_back({then.spheres[i].center, then.spheres[i].radius});
-    }
+    for (const size_t i : animation.moved_of("mesh")) scene.meshes[i].path.push_back(then.meshes[i].transform);
+    for (const size_t i : animation.moved_of("instance"))
+        scene.instances[i].path.push_back(then.instances[i].transform);
+    for (size_t i = 0; i < scene.spheres.size(); ++i)
+        scene.spheres[i].path.push_back({then.spheres[i].center, then.spheres[i].radius});
 }
 
 // A name for a mesh that has none, or that of an earlier one.
@@ -52,10 +50,9 @@ void read_paths(const TomlValue& root, const Animation& animation, double frame,
                             "the picture; what else moves stays as it is when the shutter opens");
     if (!animation.moves_views() && !animation.moves_things()) return;
     constexpr int steps = 16;
-    std::vector<SceneDescription> all;
     for (int i = 0; i <= steps; ++i) {
         TomlValue tree = root;
-        SceneDescription& then = all.emplace_back();
+        SceneDescription then;
         then.file = scene.file;
         TomlProblems problems = problems_of(scene.file, definitions);
         const std::vector<FrameValue> values = animation.values_at(frame + d.shutter * i / steps, frame);
@@ -66,8 +63,8 @@ void read_paths(const TomlValue& root, const Animation& animation, double frame,
         for (const FrameValue& own : values)
             if (!own.moves_view) scene.still_hash = hash_bytes(text_of(own), scene.still_hash);
         if (animation.moves_views()) scene.cameras_later.push_back({then.camera, then.cameras});
+        if (animation.moves_things()) add_places(then, animation, scene);
     }
-    if (animation.moves_things()) put_paths(all, animation, scene);
 }
 
 void add_instances_of_moving(SceneDescription& scene)
