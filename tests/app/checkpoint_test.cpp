@@ -124,6 +124,11 @@ TEST_F(Checkpoint, EverySignalThatStopsARenderLeavesOne)
         ASSERT_EQ(run(picture + Arguments{"-o", "b.exr", "--resume", "c.lancer"}).code, 0);
         expect_same("b.exr", "whole.exr", "signal " + std::to_string(signal));
     }
+    Program same(folder_, picture + Arguments{"-o", "c.exr", "--checkpoint", "d.lancer", "--resume", "auto",
+                                              "--progress", "json"});
+    ASSERT_TRUE(same.wait_for_message("\"spp\":8"));
+    same.send(SIGTERM);
+    expect_words(same.wait().err, "to go on, run the same command");
     Program program(folder_, picture + Arguments{"-o", "a.exr", "--progress", "json"});
     ASSERT_TRUE(program.wait_for_message("\"spp\":8"));
     program.send(SIGXCPU);

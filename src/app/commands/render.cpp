@@ -562,10 +562,12 @@ int Run::report()
         print_problem("error: the error log could not be written");
     }
     if (!stats_.partial) return has_failed_ ? exit_failed : exit_done;
-    print_problem(
-        format_text("warning: interrupted: the %s partial (%.1f of %u samples per pixel)%s",
-                    options_.shard.is_whole() ? "pictures are" : "shard is", samples_per_pixel(), settings_.spp,
-                    can_go_on_ ? ("; to go on, add --resume " + in_shell_quotes(options_.checkpoint)).c_str() : ""));
+    const bool goes_on_by_itself = options_.resume == "auto" || options_.resume == options_.checkpoint;
+    const std::string how =
+        goes_on_by_itself ? "run the same command" : "add --resume " + in_shell_quotes(options_.checkpoint);
+    print_problem(format_text("warning: interrupted: the %s partial (%.1f of %u samples per pixel)%s",
+                              options_.shard.is_whole() ? "pictures are" : "shard is", samples_per_pixel(),
+                              settings_.spp, can_go_on_ ? ("; to go on, " + how).c_str() : ""));
     return has_failed_ ? exit_failed : can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 
