@@ -71,6 +71,7 @@ SceneDescription load_scene(const SceneChoice& choice, Diagnostics& diagnostics,
                                    .smoothing = choice.smoothing,
                                    .definitions = choice.definitions,
                                    .frame = choice.turntable ? std::nullopt : std::optional<double>(choice.frame),
+                                   .still = choice.still,
                                    .checks_frames = checks_frames};
     SceneDescription scene;
     if (choice.text) {

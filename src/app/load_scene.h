@@ -26,6 +26,7 @@ struct SceneChoice {
     std::optional<UpChoice> up{};           // over that of the scene
     std::optional<ViewDirection> view{};    // likewise, over position and target
     std::optional<uint32_t> frame{};        // of its animation or turntable; none: the first
+    bool still = false;                     // nothing moves: the shutter of an animation does not open
     uint32_t turntable = 0;                 // frames of a whole turn of the camera; 0: it stands still
 };
 

@@ -94,9 +94,11 @@ TEST_F(AnimationFile, TheShutterKnowsTheWayOfThings)
     EXPECT_EQ(s.instances[1].mesh, "a");
     EXPECT_EQ(s.meshes[0].name, "a");
     EXPECT_EQ(s.meshes[0].transform.translate, (Vec3d{4, 0, 0}));
-    SceneDescription without = s;
-    without.stop_things();
+    options_.still = true;
+    const SceneDescription without = at(things, 3);
     EXPECT_TRUE(without.spheres[0].path.empty() && without.meshes[0].path.empty() && without.instances[0].path.empty());
+    EXPECT_EQ(without.instances.size(), 1u);
+    options_.still = false;
     // Frames that begin alike and end apart have other accelerators.
     const std::string later = film("shutter = 0.5\n" + track("sphere.0.center", "[3, 9]", "[[0, 0, 0], [0, 8, 0]]"));
     EXPECT_NE(at(later, 2).still_hash, at(later, 3).still_hash);

@@ -26,7 +26,6 @@ BenchScene::BenchScene(const PictureOptions& options)
     prepared_.settings.accel = AccelKind::embree;
     prepared_.settings.stop = false;
     isa_ = configure(prepared_.settings, paths_at_once).isa;
-    prepared_.description.stop_things();  // Embree knows no motion
     begin_prepared(prepared_, diagnostics);
     renderer_ = make_renderer(prepared_, options, paths_at_once, diagnostics);
     const Geometry& g = renderer_->scene().geometry;

@@ -198,7 +198,6 @@ int ViewRun::execute()
 {
     Diagnostics diagnostics;
     Prepared p = load_prepared(options_.picture, diagnostics, options_.quiet);
-    p.description.stop_things();
     refuse_input_as_output(options_, p.description);
     const SceneChoice& scene = options_.picture.scene;
     const OutputDescription output = read_output(scene.file, scene.definitions, diagnostics);

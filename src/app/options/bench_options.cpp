@@ -74,6 +74,7 @@ std::optional<BenchOptions> parse_bench(int argc, char** argv)
     put_in_order(methods, o.methods);
     if (o.rays.empty()) o.rays.assign(ray_set_kinds.begin(), ray_set_kinds.end());
     put_in_order(ray_set_kinds, o.rays);
+    o.picture.scene.still = true;  // Embree knows no motion
     take_environment(o.picture.threads);
     return o;
 }

@@ -163,6 +163,7 @@ std::optional<ViewOptions> parse_view(int argc, char** argv)
     std::vector<std::string> files = o.outputs;
     files.insert(files.end(), {o.write_scene, view.path});
     refuse_doubles(files);
+    view.render.picture.scene.still = true;
     return view;
 }
 

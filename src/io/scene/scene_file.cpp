@@ -171,7 +171,7 @@ void read_tree(TomlValue root, const AssetFolder& assets, const SceneFileOptions
     }
     const std::vector<MeshFile> files = read_scene_tables(TomlTable(root, "", problems), assets, scene);
     problems.report(diagnostics);
-    if (animation && !diagnostics.has_errors())
+    if (animation && !options.still && !diagnostics.has_errors())
         read_paths(of_file, *animation, frame, assets, options.definitions, scene, diagnostics);
     if (may_divide(scene)) {
         scene.first_camera = camera_of_file(scene);

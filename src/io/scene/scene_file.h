@@ -28,6 +28,7 @@ struct SceneFileOptions {
     std::optional<Smoothing> smoothing = {};    // of meshes that say nothing of it
     std::vector<std::string> definitions = {};  // KEY=VALUE, override the file; see io/scene/definition.h
     std::optional<double> frame = {};           // of its [animation]; none: the first
+    bool still = false;                         // an [animation] has no shutter
     bool checks_frames = false;                 // whether what is wrong in any other frame is an error, too
 };
 

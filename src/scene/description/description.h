@@ -195,14 +195,6 @@ struct SceneDescription {
     // Of what the scene file, definitions and animation say, but for what moves views: of two frames of one film it is
     // the same if they differ in their cameras at most.
     uint64_t still_hash = 0;
-
-    // Things stay where they are when the shutter opens.
-    void stop_things()
-    {
-        for (MeshDescription& m : meshes) m.path.clear();
-        for (InstanceDescription& i : instances) i.path.clear();
-        for (SphereDescription& s : spheres) s.path.clear();
-    }
 };
 
 }  // namespace lancer
