@@ -22,8 +22,8 @@ struct Ray {
     // start in that leaf. no_leaf_hint: it starts at the root.
     uint32_t leaf_hint = no_leaf_hint;
     static constexpr uint32_t no_leaf_hint = UINT32_MAX;
-    float time =
-        0;  // in [0, 1) between the shutter's opening and its closing; where things move, see geometry/motion.h
+    // In [0, 1) between the shutter's opening and its closing; where things move, see geometry/motion.h.
+    float time = 0;
 };
 
 // Upper limit of coordinates, below the magnitude that Embree treats as infinite.

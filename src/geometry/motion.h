@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "geometry/shapes.h"
@@ -60,11 +61,11 @@ public:
     const Shape* operator->() const { return shape_; }
 
 protected:
-    void move_to(const Shape& place) { own_ = place, shape_ = &own_; }
+    void move_to(const Shape& place) { shape_ = &own_.emplace(place); }
 
 private:
     const Shape* shape_;
-    Shape own_;
+    std::optional<Shape> own_;
 };
 
 class SphereAt : public ShapeAt<Sphere> {

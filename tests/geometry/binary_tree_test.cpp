@@ -106,17 +106,18 @@ TEST_P(Builders, TreesAreSoundWhateverTheBoxes)
         }
 }
 
-// Each cut in the middle takes but one primitive off, and the cheapest often does.
+// Each cut in the middle takes but one primitive off, and the cheapest often does. No area is a denormal, whose
+// flushing other tests of the process may have switched on.
 TEST_P(Builders, DepthIsBoundedWhereEachCutTakesOneOff)
 {
     std::vector<FloatBox> boxes;
-    for (int i = -120; i <= 120; ++i) boxes.push_back(cube_at({std::ldexp(1.0f, i), 0, 0}, std::ldexp(0.5f, i)));
+    for (int i = -60; i <= 60; ++i) boxes.push_back(cube_at({std::ldexp(1.0f, i), 0, 0}, std::ldexp(0.5f, i)));
     const BuiltTree built = GetParam().build(primitives_of(boxes), 1);
     expect_sound(built, boxes, 1);
     EXPECT_GT(built.tree.depth(), 20u) << "no such case";
     // A ray along all of them needs the most of its stack.
     uint32_t met = 0;
-    built.tree.closest({.org = {0, 0x1p-121f, 0x1p-121f}, .t_min = 0, .dir = {1, 0, 0}}, FloatBox::inf,
+    built.tree.closest({.org = {0, 0x1p-61f, 0x1p-61f}, .t_min = 0, .dir = {1, 0, 0}}, FloatBox::inf,
                        [&](uint32_t, uint32_t count, float t_max) {
                            met += count;
                            return t_max;

@@ -52,8 +52,8 @@ constexpr std::array rows{
     RenderOption{.name = "accel",
                  .field = choice<&S::accel>(),
                  .help = "ray-intersection backend: Embree, trees of our own, or lists of all primitives; auto is "
-                         "list8 for up to 64 triangles, bvh8 for long triangles at an "
-                         "angle and where things move, else Embree"},
+                         "list8 for up to 64 triangles, bvh8 for long triangles at an angle and where things "
+                         "move, else Embree"},
     RenderOption{
         .name = "isa", .field = choice<&S::isa>(), .help = "instruction set of Embree; others round differently"},
     RenderOption{.name = "nee",
