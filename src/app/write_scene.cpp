@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/file_name.h"
+#include "io/input_text.h"
 #include "io/scene/definition.h"
 #include "io/scene/scene_file.h"
+#include "io/toml_edit.h"
 #include "io/toml_file.h"
 #include "io/toml_write.h"
+#include "scene/build/overrides.h"
 #include "scene/description/render_options.h"
 
 namespace lancer {
@@ -133,6 +137,23 @@ void name_environment(Entries& root, const SceneChoice& choice)
     name_wholly(root, "mesh", fs::path(choice.file).filename().string(), choice.file);
 }
 
+// The first override that matches counts: it comes before all others, with what the one says that has counted so far.
+void override_material(Entries& root, const MaterialEdit& edit)
+{
+    auto& overrides = std::get<TomlValue::Array>(entry(root, "material_override", {.data = TomlValue::Array{}}).data);
+    Entries table;
+    for (const TomlValue& o : overrides) {
+        Entries there = std::get<Entries>(o.data);
+        if (!is_overridden(edit.material, std::get<std::string>(entry(there, "match", {.data = std::string()}).data)))
+            continue;
+        table = std::move(there);
+        break;
+    }
+    set(table, "match", {.data = pattern_of(edit.material)});
+    for (const auto& [key, value] : edit.values) set(table, key, parse_toml_value(value));
+    overrides.insert(overrides.begin(), {.data = std::move(table)});
+}
+
 }  // namespace
 
 std::string asset_root_for(const std::string& file, const SceneChoice& choice)
@@ -145,7 +166,7 @@ std::string asset_root_for(const std::string& file, const SceneChoice& choice)
 
 std::string completed_scene_text(const SceneChoice& choice, const std::string& added, const CameraDescription& camera,
                                  const RenderSettings& settings, const OutputDescription& output,
-                                 const std::vector<std::string>& edits)
+                                 const SceneEdits& edits)
 {
     Diagnostics none;  // all of it has been read before
     const std::optional<uint32_t> frame = choice.turntable ? std::nullopt : choice.frame;
@@ -167,13 +188,17 @@ std::string completed_scene_text(const SceneChoice& choice, const std::string& a
     if (output.tonemap) set(table_at(root, "output"), "tonemap", {.data = std::string(name_of(*output.tonemap))});
     if (output.denoise) set(table_at(root, "output"), "denoise", {.data = *output.denoise});
     TomlProblems problems({choice.file});
-    for (const std::string& edit : edits) {
+    for (const MaterialEdit& edit : edits.materials) override_material(root, edit);
+    for (const std::string& edit : edits.definitions) {
         const Definition definition = parse_definition(edit);
         define(tree, definition, parse_toml_value(definition.value), problems);
     }
     Diagnostics of_edits;
     problems.report(of_edits);
     of_edits.throw_if_errors();
+    set(root, "version", {.data = int64_t{1}});
+    if (!is_mesh(choice.file))
+        if (const auto edited = edited_toml_text(read_input_text(choice.file), tree)) return *edited;
     drop(root, "version");
     return "version = 1\n" + to_toml_text(tree);
 }

@@ -30,6 +30,13 @@ bool is_moving(const std::vector<Steps<Place>>& all, size_t number)
     return !all.empty() && !all[number].empty();
 }
 
+// A path that goes nowhere is as good as none.
+template <class Place>
+bool stand_still(const Steps<Place>& steps)
+{
+    return std::all_of(steps.begin(), steps.end(), [&](const Place& at) { return at == steps[0]; });
+}
+
 inline Sphere between(const Sphere& a, const Sphere& b, double x)
 {
     return {a.center + (b.center - a.center) * x, a.radius + (b.radius - a.radius) * x};

@@ -12,7 +12,12 @@ namespace {
 
 TomlValue to_value(const toml::node& node)
 {
-    TomlValue value{node.source().begin.line, node.source().begin.column, TomlValue::Date{}};
+    const auto [begin, end, path] = node.source();
+    TomlValue value{.line = begin.line,
+                    .column = begin.column,
+                    .data = TomlValue::Date{},
+                    .end_line = end.line,
+                    .end_column = end.column};
     if (const toml::table* table = node.as_table()) {
         TomlValue::Table entries;
         for (const auto& [key, child] : *table) {

@@ -20,28 +20,18 @@ std::string to_text(double x)
     return text;
 }
 
-std::string key_text(const std::string& key)
-{
-    const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    };
-    return !key.empty() && std::all_of(key.begin(), key.end(), is_plain) ? key : to_toml_string(key);
-}
-
-std::string inline_text(const TomlValue& value);
-
 struct InlineWriter {
     std::string operator()(const TomlValue::Table& table) const
     {
         std::string text;
         for (const TomlEntry& entry : table)
-            text += (text.empty() ? "" : ", ") + key_text(entry.key) + " = " + inline_text(entry.value);
+            text += (text.empty() ? "" : ", ") + to_toml_key(entry.key) + " = " + to_toml_value(entry.value);
         return "{" + text + "}";
     }
     std::string operator()(const TomlValue::Array& array) const
     {
         std::string text;
-        for (const TomlValue& value : array) text += (text.empty() ? "" : ", ") + inline_text(value);
+        for (const TomlValue& value : array) text += (text.empty() ? "" : ", ") + to_toml_value(value);
         return "[" + text + "]";
     }
     std::string operator()(const std::string& text) const { return to_toml_string(text); }
@@ -51,21 +41,13 @@ struct InlineWriter {
     std::string operator()(TomlValue::Date) const { return "\"\""; }  // no key takes one: reading has failed
 };
 
-std::string inline_text(const TomlValue& value) { return std::visit(InlineWriter{}, value.data); }
-
 bool is_table(const TomlValue& value) { return std::holds_alternative<TomlValue::Table>(value.data); }
-
-bool is_list_of_tables(const TomlValue& value)
-{
-    const auto* array = std::get_if<TomlValue::Array>(&value.data);
-    return array && !array->empty() && std::all_of(array->begin(), array->end(), is_table);
-}
 
 std::string entries_text(const TomlValue::Table& table, const std::string& path, int levels)
 {
     std::string text, below;
     for (const auto& [key, line, column, value, source] : table) {
-        const std::string name = key_text(key), full = path.empty() ? name : path + "." + name;
+        const std::string name = to_toml_key(key), full = path.empty() ? name : path + "." + name;
         if (levels > 0 && is_table(value)) {
             const auto& inner = std::get<TomlValue::Table>(value.data);
             // Tables of tables, as [material], need no header.
@@ -77,7 +59,7 @@ std::string entries_text(const TomlValue::Table& table, const std::string& path,
             for (const TomlValue& element : std::get<TomlValue::Array>(value.data))
                 below += "\n[[" + full + "]]\n" + entries_text(std::get<TomlValue::Table>(element.data), full, 0);
         } else {
-            text += name + " = " + inline_text(value) + "\n";
+            text += name + " = " + to_toml_value(value) + "\n";
         }
     }
     return text + below;
@@ -85,7 +67,26 @@ std::string entries_text(const TomlValue::Table& table, const std::string& path,
 
 }  // namespace
 
-std::string to_toml_text(const TomlValue& root) { return entries_text(std::get<TomlValue::Table>(root.data), "", 2); }
+std::string to_toml_text(const TomlValue& root, const std::string& path)
+{
+    return entries_text(std::get<TomlValue::Table>(root.data), path, path.empty() ? 2 : 1);
+}
+
+std::string to_toml_value(const TomlValue& value) { return std::visit(InlineWriter{}, value.data); }
+
+std::string to_toml_key(const std::string& key)
+{
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
+    return !key.empty() && std::all_of(key.begin(), key.end(), is_plain) ? key : to_toml_string(key);
+}
+
+bool is_list_of_tables(const TomlValue& value)
+{
+    const auto* array = std::get_if<TomlValue::Array>(&value.data);
+    return array && !array->empty() && std::all_of(array->begin(), array->end(), is_table);
+}
 
 std::string to_toml_string(const std::string& text)
 {

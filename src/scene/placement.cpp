@@ -27,8 +27,7 @@ Steps<Sphere> steps_of(const SphereDescription& sphere, const Normalisation& nor
     Steps<Sphere> steps;
     for (const auto& place : sphere.path)
         steps.push_back({normalisation.to_scene(place.center), place.radius * normalisation.scale});
-    if (std::all_of(steps.begin(), steps.end(), [&](const Sphere& at) { return at == steps[0]; })) return {};
-    return steps;
+    return stand_still(steps) ? Steps<Sphere>{} : steps;
 }
 
 Bounds bounds_of(const MeshData& data)

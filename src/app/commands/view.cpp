@@ -58,7 +58,7 @@ private:
     void save_scene(const std::string& text) const;
     std::string save_over(const std::string& text) const;
     KeyFrames read_path() const;
-    void run(Session& session, Controller& controller, ViewWindow& window);
+    void run(Controller& controller, ViewWindow& window);
     void end(const Controller& controller) const;
 
     const RenderOptions& options_;
@@ -149,13 +149,13 @@ KeyFrames ViewRun::read_path() const
     return frames;
 }
 
-void ViewRun::run(Session& session, Controller& controller, ViewWindow& window)
+void ViewRun::run(Controller& controller, ViewWindow& window)
 {
     ShownPicture picture;
     ScreenBytes bytes;
     WindowFrame frame;
     while (!controller.wants_close() && !frame.should_close && !signals_.interrupted()) {
-        const bool is_new = session.take(picture);
+        const bool is_new = controller.take(picture);
         // What would be drawn while an image is on its way only delays it.
         frame.is_drawn = is_new || picture.sight >= controller.shown_number() ||
                          frame.seconds - frame.drawn_seconds > longest_still_seconds;
@@ -221,7 +221,7 @@ int ViewRun::execute()
                      .on_news = ViewWindow::wake},
                     first);
     Controller controller(session, std::move(document), first, curve, frames, host(window));
-    run(session, controller, window);
+    run(controller, window);
     end(controller);
     return signals_.interrupted() ? exit_interrupted : exit_done;
 }

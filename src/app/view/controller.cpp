@@ -12,6 +12,7 @@ namespace {
 
 constexpr double full_turn_rad = 2 * pi_d;
 constexpr double click_slack = 3;        // pixels that a click may move
+constexpr double line_slack = 5;         // pixels beside the line of the split that still mean it
 constexpr double double_click = 0.35;    // seconds
 constexpr double step_of_wheel = 0.1;    // part of the distance
 constexpr double seconds_per_frame = 2;  // from key frame to key frame
@@ -54,7 +55,32 @@ void Controller::say(const std::string& text)
 void Controller::show()
 {
     sight_.scene = document_.scene(), sight_.rest = document_.rest();
-    number_ = session_.show(sight_);
+    number_ = split_ ? split_->show(sight_) : session_.show(sight_);
+}
+
+bool Controller::take(ShownPicture& picture)
+{
+    if (split_) return split_->take(picture);
+    if (std::exchange(is_other_picture_, false)) picture.version = 0;
+    return session_.take(picture);
+}
+
+// The settings as they are stay on the left; what is chosen from now on is shown on the right.
+void Controller::toggle_split()
+{
+    if (split_) {
+        split_.reset();
+        is_other_picture_ = true;
+    } else {
+        split_ = std::make_unique<Split>(session_, sight_);
+        say("the settings are kept on the left: choose others for the right");
+    }
+    show();
+}
+
+bool Controller::is_at_line(double x) const
+{
+    return split_ && std::abs(x - split_->place() * sight_.settings.size.width) <= line_slack;
 }
 
 void Controller::set_camera(const CameraDescription& camera)
@@ -105,6 +131,8 @@ void Controller::press(const InputEvent& event)
     held_ = event.key == 2 ? std::nullopt : handle_at(handles(), event.x, event.y);
     if (held_)
         drag_ = Drag::handle;
+    else if (event.key == 0 && is_at_line(event.x))
+        drag_ = Drag::line;
     else if (event.key == 2 || (event.key == 0 && (event.mods & mod_shift)))
         drag_ = Drag::pan;
     else
@@ -116,7 +144,7 @@ void Controller::release(const InputEvent& event)
     const bool was_click = !has_dragged_ && event.key == 0;
     if (was_click && held_)
         (held_->kind == Handle::Kind::light ? light_ : sphere_) = held_->index;
-    else if (was_click)
+    else if (was_click && drag_ != Drag::line)
         click(event);
     drag_ = Drag::none;
     held_.reset();
@@ -139,6 +167,7 @@ void Controller::move(const InputEvent& event)
     if (drag_ == Drag::pan) set_camera(panned(sight_.camera, -right, -up));
     if (drag_ == Drag::look) set_camera(turned(sight_.camera, right * look, up * look));
     if (drag_ == Drag::handle) drag_handle(right, up);
+    if (drag_ == Drag::line) split_->move_to(event.x / sight_.settings.size.width);
 }
 
 void Controller::wheel(const InputEvent& event)
@@ -227,6 +256,7 @@ void Controller::act(const KeyAction& action)
             return;
         case pause:
             toggle(is_paused_);
+            if (split_) split_->pause(is_paused_);
             return session_.pause(is_paused_);
         case view_front:
             return set_camera(seen_along(sight_.camera, front_of(sight_.camera.up)));
@@ -275,6 +305,8 @@ void Controller::act(const KeyAction& action)
             return show();
         case trace_pixel:
             return show_paths();
+        case beside:
+            return toggle_split();
         case Action::help:
             return toggle(shows_help_);
         case cancel:

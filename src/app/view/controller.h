@@ -15,6 +15,7 @@
 #include "app/view/path_lines.h"
 #include "app/view/pick.h"
 #include "app/view/session.h"
+#include "app/view/split.h"
 #include "app/view/window_types.h"
 
 namespace lancer {
@@ -41,6 +42,8 @@ public:
     bool is_moving() const { return playing_since_.has_value() || is_flying(); }
     bool wants_close() const { return wants_close_; }
 
+    // As Session::take(): what is to be shown.
+    bool take(ShownPicture& picture);
     // Of `picture`, what the window has.
     void draw(const ShownPicture& picture, WindowFrame& frame) const;
     // A widget of draw() that the hand has changed.
@@ -57,7 +60,7 @@ public:
     std::string scene_text() const;
 
 private:
-    enum class Drag { none, orbit, pan, look, handle };
+    enum class Drag { none, orbit, pan, look, handle, line };
 
     void act(const KeyAction& action);
     void press(const InputEvent& event);
@@ -73,6 +76,9 @@ private:
     void select(const InputEvent& event);
     void still(uint32_t reduction);
     void show_paths();
+    void toggle_split();
+    bool is_at_line(double x) const;
+    void draw_switches(std::vector<Widget>& widgets) const;
     void change_depth(int by);
     void go_to_next_camera();
     void set_camera(const CameraDescription& camera);
@@ -90,7 +96,7 @@ private:
 
     uint64_t number_ = 1;
     bool has_new_frames_ = false, wants_close_ = false, is_paused_ = false;
-    bool shows_help_ = false, shows_handles_ = true;
+    bool shows_help_ = false, shows_handles_ = true, shows_switches_ = false;
     size_t camera_ = 0;  // of the scene's named ones, the next
     std::string message_;
 
@@ -104,6 +110,8 @@ private:
     std::optional<Handle> hovered_, held_;
     std::optional<size_t> light_, sphere_;  // selected
     std::optional<Picked> picked_;
+    std::unique_ptr<Split> split_;
+    bool is_other_picture_ = false;  // than was taken last: with the split, or without
     // What the session's thread may still be finding when there is no controller any more.
     std::shared_ptr<SharedLines> lines_ = std::make_shared<SharedLines>();
 };

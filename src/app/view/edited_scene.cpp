@@ -8,6 +8,8 @@
 #include "app/defaults/toml_text.h"
 #include "app/view/camera_moves.h"
 #include "app/write_scene.h"
+#include "scene/build/overrides.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -84,6 +86,28 @@ auto find_material(auto& materials, const std::string& name)
     return std::find_if(materials.begin(), materials.end(), [&](const auto& m) { return m.name == name; });
 }
 
+MaterialNumber in_range(MaterialNumber n)
+{
+    for (float& x : n.value) x = std::clamp(x, n.least, n.most);
+    return n;
+}
+
+void apply(const MaterialNumber& number, MaterialDescription& material)
+{
+    for_each_number(material, [&](const auto& row, auto& field) {
+        if (row.key != number.key) return;
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Color>)
+            field = {number.value[0], number.value[1], number.value[2]};
+        else
+            field = number.value[0];
+    });
+}
+
+std::string text_of(const MaterialNumber& n)
+{
+    return n.count == 3 ? exact({n.value[0], n.value[1], n.value[2]}) : shortest(double{n.value[0]});
+}
+
 }  // namespace
 
 EditedScene::EditedScene(SceneChoice choice, std::string added, SceneDescription scene, RenderSettings given,
@@ -93,6 +117,7 @@ EditedScene::EditedScene(SceneChoice choice, std::string added, SceneDescription
       given_(given),
       opened_(opened),
       scene_(std::make_shared<const SceneDescription>(std::move(scene))),
+      as_opened_(scene_),
       lights_of_file_(scene_->lights.size())
 {
 }
@@ -167,11 +192,24 @@ void EditedScene::move_sphere(size_t sphere, Vec3d center)
     edits_["sphere." + std::to_string(sphere) + ".center"] = to_toml(center);
 }
 
+std::optional<MaterialDescription> EditedScene::find(const std::string& material) const
+{
+    if (const auto found = find_material(scene_->materials, material); found != scene_->materials.end()) return *found;
+    for (const MeshDescription& mesh : scene_->meshes) {
+        if (!mesh.data || !mesh.material.empty()) continue;
+        const auto found = find_material(mesh.data->materials, material);
+        if (found == mesh.data->materials.end()) continue;
+        const MaterialOverride* const over = find_override(*scene_, material);
+        return over && over->change ? over->change(*found) : *found;
+    }
+    return {};
+}
+
 std::vector<MaterialNumber> EditedScene::numbers_of(const std::string& material) const
 {
     std::vector<MaterialNumber> numbers;
-    const auto found = find_material(scene_->materials, material);
-    if (found == scene_->materials.end()) return numbers;
+    const auto found = find(material);
+    if (!found) return numbers;
     for_each_number(*found, [&](const auto& row, const auto& field) {
         MaterialNumber n{std::string(row.key), {}, 1, least_of(row.range), most_of(row.range)};
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Color>)
@@ -185,46 +223,69 @@ std::vector<MaterialNumber> EditedScene::numbers_of(const std::string& material)
 
 void EditedScene::set_number(const std::string& material, const MaterialNumber& number)
 {
-    if (find_material(scene_->materials, material) == scene_->materials.end()) return;
-    const auto in_range = [&](float x) { return std::clamp(x, number.least, number.most); };
+    const MaterialNumber n = in_range(number);
+    if (find_material(scene_->materials, material) == scene_->materials.end()) {
+        if (find(material)) set_number_of_mesh(material, n);
+        return;
+    }
     ++rest_;
-    for_each_number(*find_material(change().materials, material), [&](const auto& row, auto& field) {
-        if (row.key != number.key) return;
-        std::string& text = edits_["material.\"" + material + "\"." + number.key];
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Color>) {
-            field = {in_range(number.value[0]), in_range(number.value[1]), in_range(number.value[2])};
-            text = exact(field);
-        } else {
-            field = in_range(number.value[0]);
-            text = shortest(double{field});
-        }
-    });
+    apply(n, *find_material(change().materials, material));
+    edits_["material.\"" + material + "\"." + n.key] = text_of(n);
+}
+
+// As an override before all others, which changes what the one of the scene file makes of it, if there is one.
+void EditedScene::set_number_of_mesh(const std::string& material, const MaterialNumber& number)
+{
+    std::vector<MaterialNumber>& numbers = mesh_edits_[material];
+    std::erase_if(numbers, [&](const MaterialNumber& n) { return n.key == number.key; });
+    numbers.push_back(number);
+    MaterialOverride mine;
+    mine.match = pattern_of(material);
+    const MaterialOverride* const first = find_override(*as_opened_, material);
+    mine.change = [of_file = first ? first->change : nullptr, numbers](const MaterialDescription& before) {
+        MaterialDescription m = of_file ? of_file(before) : before;
+        for (const MaterialNumber& n : numbers) apply(n, m);
+        return m;
+    };
+    ++rest_;
+    auto& overrides = change().overrides;
+    const size_t made = overrides.size() - as_opened_->overrides.size();
+    const auto end = overrides.begin() + static_cast<std::ptrdiff_t>(made);
+    const auto old = std::find_if(overrides.begin(), end, [&](const auto& o) { return o.match == mine.match; });
+    if (old != end)
+        *old = std::move(mine);
+    else
+        overrides.insert(overrides.begin(), std::move(mine));
 }
 
 std::string EditedScene::text(const CameraDescription& camera, const RenderSettings& settings,
                               const OutputDescription& output) const
 {
-    std::vector<std::string> edits;
+    SceneEdits edits;
     const auto is_of_added = [&](const std::string& key) {
         for (size_t i = lights_of_file_; i < scene_->lights.size(); ++i)
             if (key.starts_with(light_key(i, ""))) return true;
         return false;
     };
     for (const auto& [key, value] : edits_)
-        if (!is_of_added(key)) edits.push_back(key + "=" + value);
+        if (!is_of_added(key)) edits.definitions.push_back(key + "=" + value);
+    for (const auto& [material, numbers] : mesh_edits_) {
+        MaterialEdit& edit = edits.materials.emplace_back(MaterialEdit{.material = material, .values = {}});
+        for (const MaterialNumber& n : numbers) edit.values.emplace_back(n.key, text_of(n));
+    }
     std::string added = added_;
     for (size_t i = lights_of_file_; i < scene_->lights.size(); ++i) added += "\n" + table_of(scene_->lights[i]);
     if (camera.type == CameraType::thin_lens) {
-        edits.emplace_back("camera.type=thin_lens");
-        edits.push_back("camera.aperture=" + shortest(camera.aperture));
-        if (camera.focus) edits.push_back("camera.focus=" + shortest(*camera.focus));
+        edits.definitions.emplace_back("camera.type=thin_lens");
+        edits.definitions.push_back("camera.aperture=" + shortest(camera.aperture));
+        if (camera.focus) edits.definitions.push_back("camera.focus=" + shortest(*camera.focus));
     }
     RenderSettings given = given_;
-    const auto give = [&](auto field) {
-        if (settings.*field != opened_.*field) given.give(field, settings.*field);
-    };
-    give(&RenderSettings::spp), give(&RenderSettings::max_depth), give(&RenderSettings::sampler);
-    give(&RenderSettings::integrator), give(&RenderSettings::accel);
+    RenderSettings changed = settings;
+    changed.given = 0;
+    for (const RenderOption& option : render_options())
+        if (value_text(settings, option) != value_text(opened_, option)) mark_given(changed, option);
+    override_with(given, changed);
     // Another integrator has another depth of its own.
     if (settings.integrator != opened_.integrator) given.give(&RenderSettings::max_depth, settings.max_depth);
     return completed_scene_text(choice_, added, camera, given, output, edits);

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ public:
     size_t add_light(const LightDescription& light);
     void move_sphere(size_t sphere, Vec3d center);  // that can_move()
     bool can_move(size_t sphere) const;             // not the parts of bubbles
-    // The numbers of [material.NAME]; empty if the scene file has no material of that name.
+    // The numbers of [material.NAME], or else of the material of a mesh file; empty if there is none of that name.
     std::vector<MaterialNumber> numbers_of(const std::string& material) const;
     void set_number(const std::string& material, const MaterialNumber& number);
 
@@ -54,13 +55,18 @@ public:
 private:
     SceneDescription& change();
     LightDescription& light(size_t index);
+    std::optional<MaterialDescription> find(const std::string& material) const;
+    void set_number_of_mesh(const std::string& material, const MaterialNumber& number);
 
     SceneChoice choice_;
     std::string added_;
     RenderSettings given_, opened_;
     std::shared_ptr<const SceneDescription> scene_;
+    std::shared_ptr<const SceneDescription> as_opened_;
     std::map<std::string, std::string> edits_;  // key of -D: value
-    size_t lights_of_file_;                     // and of `added`; further ones came by hand
+    // Of materials of mesh files, by name.
+    std::map<std::string, std::vector<MaterialNumber>> mesh_edits_;
+    size_t lights_of_file_;  // and of `added`; further ones came by hand
     uint64_t rest_ = 0;
 };
 

@@ -34,6 +34,7 @@ constexpr std::array bindings{
     KeyBinding{'L', 0, toggle_handles, "L", "handles of lights on or off"},
     KeyBinding{'X', 0, remove, "X", "turn the selected light off"},
     KeyBinding{'I', 0, trace_pixel, "I", "the paths of the pixel under the mouse, or no more"},
+    KeyBinding{'B', 0, beside, "B", "keep the settings on the left beside other ones, or no more"},
     KeyBinding{'H', 0, help, "H", "this list on or off"},
     KeyBinding{key_escape, 0, cancel, "Escape", "give up what is rendered into a file"},
     KeyBinding{'Q', mod_control, close, "Ctrl+Q", "close"},

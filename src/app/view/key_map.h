@@ -38,6 +38,7 @@ enum class Action : uint8_t {
     toggle_handles,
     remove,
     trace_pixel,
+    beside,
     help,
     cancel,
     close,

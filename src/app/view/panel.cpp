@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/view/camera_moves.h"
 #include "app/view/controller.h"
+#include "scene/description/render_options.h"
 
 namespace lancer {
 namespace {
@@ -24,6 +25,7 @@ enum PanelId : int {
     id_sampler,
     id_depth,
     id_spp,
+    id_switches,
     id_shown,
     id_exposure,
     id_tonemap,
@@ -35,7 +37,8 @@ enum PanelId : int {
     id_light,
     id_new_light,
     id_sphere_center,
-    id_material,  // the first of many
+    id_switch = 1000,    // the first of many
+    id_material = 2000,  // the first of many
 };
 
 constexpr uint32_t handle_color = 0xff40c0ff, hovered_color = 0xff60ffff, selected_color = 0xff60ff60,
@@ -147,6 +150,12 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
     w.push_back(choice_widget(id_sampler, "sampler", s.sampler));
     w.push_back(number_widget(id_depth, "max depth", s.max_depth, 0.1, 0, 1e6));
     w.push_back(number_widget(id_spp, "samples", s.spp, 1, 1, 1e6));
+    draw_switches(w);
+    if (split_) {
+        w.push_back(heading("Beside each other"));
+        for (std::string& line : split_->lines()) w.push_back(text_of(std::move(line)));
+        for (Mark& mark : split_->marks(s.size)) frame.marks.push_back(std::move(mark));
+    }
 
     w.push_back(heading("Lights"));
     std::vector<std::string> names{"none"};
@@ -219,6 +228,24 @@ void Controller::draw(const ShownPicture& picture, WindowFrame& frame) const
     frame.overlay = shows_help_ ? key_help() : "";
 }
 
+// Of render options; --legacy, which chooses others with it, is none for a window that is open.
+void Controller::draw_switches(std::vector<Widget>& widgets) const
+{
+    const auto toggle = [&](int id, std::string label, bool is_on) {
+        widgets.push_back(
+            {.kind = Widget::Kind::toggle, .id = id, .label = std::move(label), .value = {is_on ? 1.0 : 0.0}});
+    };
+    toggle(id_switches, "switches", shows_switches_);
+    if (!shows_switches_) return;
+    int id = id_switch;
+    for (const RenderOption& option : render_options()) {
+        const auto* field = std::get_if<SwitchField>(&option.field);
+        if (field && field->member != &RenderSettings::legacy)
+            toggle(id, std::string(option.name), sight_.settings.*field->member);
+        ++id;
+    }
+}
+
 void Controller::change(const Widget& widget)
 {
     CameraDescription c = sight_.camera;
@@ -271,6 +298,9 @@ void Controller::change(const Widget& widget)
         case id_depth:
             s.max_depth = static_cast<uint32_t>(std::clamp(x, 0.0, 1e6));
             return show();
+        case id_switches:
+            shows_switches_ = x != 0;
+            return;
         case id_spp:
             s.spp = static_cast<uint32_t>(std::clamp(x, 1.0, 1e6));
             return show();
@@ -297,6 +327,11 @@ void Controller::change(const Widget& widget)
             if (sphere_) document_.move_sphere(*sphere_, vector_in(widget));
             return show();
         default:
+            if (widget.id >= id_switch && widget.id < id_material) {
+                const RenderOption& option = render_options()[static_cast<size_t>(widget.id - id_switch)];
+                s.*std::get<SwitchField>(option.field).member = x != 0;
+                return show();
+            }
             if (widget.id < id_material || !picked_) return;
             for (MaterialNumber& n : document_.numbers_of(picked_->material))
                 if (n.key == widget.label) {

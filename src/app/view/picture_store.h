@@ -26,6 +26,7 @@ class PictureStore {
 public:
     // on_news: called without a lock after a whole picture, and now and then while tiles come.
     explicit PictureStore(std::function<void()> on_news) : on_news_(std::move(on_news)) {}
+    const std::function<void()>& on_news() const { return on_news_; }
 
     void put(const Image& image, uint64_t sight);
     // A picture of this size that shows what is there, enlarged, until put_tile() brings its pixels.

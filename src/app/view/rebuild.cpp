@@ -10,7 +10,8 @@ namespace {
 bool needs_the_same_scene(RenderSettings a, const RenderSettings& b)
 {
     a.spp = b.spp, a.seed = b.seed, a.max_depth = b.max_depth, a.sampler = b.sampler, a.filter = b.filter;
-    a.split = b.split, a.roulette = b.roulette, a.learned_nee = b.learned_nee, a.given = b.given;
+    a.split = b.split, a.roulette = b.roulette, a.learned_nee = b.learned_nee, a.replicates = b.replicates,
+    a.given = b.given;
     return a == b;
 }
 

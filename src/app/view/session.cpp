@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <exception>
 
 #include "app/system_info.h"
@@ -9,6 +10,7 @@
 #include "app/view/still.h"
 #include "core/lanes/denormals.h"
 #include "core/parallel.h"
+#include "report/metrics/error_estimate.h"
 
 namespace lancer {
 namespace {
@@ -44,7 +46,8 @@ Session::Session(SessionSetup setup, Sight first)
       store_(std::move(setup.on_news)),
       now_(std::move(first)),
       now_number_(1),
-      renderer_(std::move(setup.renderer))
+      renderer_(std::move(setup.renderer)),
+      turns_(std::move(setup.turns))
 {
     status_.scenes_built = status_.accelerators_built = 1;
     thread_ = std::thread([this] { work(); });
@@ -55,7 +58,7 @@ Session::~Session()
     {
         const std::lock_guard lock(mutex_);
         is_closing_ = true;
-        step_.request_stop(), still_.request_stop();
+        step_.request_stop(), still_.request_stop(), closing_.request_stop();
     }
     wake_.notify_all();
     thread_.join();
@@ -123,6 +126,24 @@ void Session::cancel_still()
     still_.request_stop();
 }
 
+std::unique_ptr<Session> Session::beside(Sight sight)
+{
+    std::unique_ptr<Session> other;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!turns_) turns_ = std::make_shared<Turns>();
+        other = std::make_unique<Session>(SessionSetup{.renderer = renderer_,
+                                                       .rebuild = rebuild_,
+                                                       .threads = threads_,
+                                                       .on_news = store_.on_news(),
+                                                       .turns = turns_},
+                                          now_);
+        other->pause(is_paused_);
+    }
+    other->show(std::move(sight));
+    return other;
+}
+
 void Session::wait_until_idle() const
 {
     std::unique_lock lock(mutex_);
@@ -151,6 +172,7 @@ bool Session::wait_for_work()
     };
     is_idle_ = !has_work();
     if (is_idle_) rest_.notify_all();
+    if (turns_ && (is_idle_ || is_closing_)) turns_->leave(this);
     wake_.wait(lock, has_work);
     is_idle_ = false;
     return !is_closing_;
@@ -158,8 +180,14 @@ bool Session::wait_for_work()
 
 void Session::step()
 {
+    Turns* turns = nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        turns = turns_.get();
+    }
     try {
-        if (!adopt_wanted() && !run_job()) advance();
+        const Turns::Turn turn = turns ? turns->take(this, seconds_for_turn(), closing_.get_token()) : Turns::Turn();
+        if (!adopt_wanted() && !run_job()) turns ? advance_in_turn() : advance();
     } catch (const std::exception& problem) {
         has_failed_ = true;
         fail(problem.what());
@@ -172,6 +200,26 @@ void Session::fail(const std::string& problem)
     status_.problem = problem;
     is_idle_ = true;
     rest_.notify_all();
+}
+
+// What is new has had no time yet.
+double Session::seconds_for_turn() const
+{
+    const std::lock_guard lock(mutex_);
+    return wanted_ ? 0 : seconds_;
+}
+
+void Session::advance_in_turn()
+{
+    const uint32_t before = samples_;
+    const double begin = wall_seconds();
+    advance();
+    seconds_ += wall_seconds() - begin;
+    if (samples_ == before || film_->replicates.empty()) return;
+    const auto error = estimate_from_replicates(*film_, now_.settings.replicates);
+    if (!error) return;
+    const std::lock_guard lock(mutex_);
+    status_.course.push_back({seconds_, std::sqrt(error->rel_mse), samples_});
 }
 
 // Of what is done from here on until the next call.
@@ -209,23 +257,24 @@ void Session::adopt(Sight sight)
                              s.spp = now_.settings.spp, s.given = now_.settings.given;
                              return s == now_.settings;
                          }();
-    rebuild(sight);
-    if (!has_the_same_film(sight, now_)) films_ = {};
-    now_ = std::move(sight);
+    const bool keeps_films = has_the_same_film(sight, now_);
+    make_ready_for(std::move(sight));
+    if (!keeps_films) films_ = {};
     if (!goes_on) return restart();
     store_.keep_for(now_number_);
     const std::lock_guard lock(mutex_);
     status_.sight = now_number_, status_.is_complete = samples_ >= now_.settings.spp;
 }
 
-// What the sight needs of the one before: nothing, a kernel, a scene, or its accelerator too.
-void Session::rebuild(const Sight& sight)
+// With what the sight needs of the one before: nothing, a kernel, a scene, or its accelerator too.
+void Session::make_ready_for(Sight sight)
 {
     begin_step(false);
     const auto before = renderer();
     auto made = renderer_for(sight, now_, *before, rebuild_);
-    if (!made) return;
     const std::lock_guard lock(mutex_);
+    now_ = std::move(sight);
+    if (!made) return;
     status_.scenes_built += &made->scene() != &before->scene() ? 1 : 0;
     status_.accelerators_built += made->shares_accelerator_with(*before) ? 0 : 1;
     renderer_ = std::move(made);
@@ -235,10 +284,11 @@ void Session::restart()
 {
     film_ = nullptr;
     left_.clear();
-    range_ = {}, samples_ = 0, reduction_ = coarsest_;
+    range_ = {}, samples_ = 0, reduction_ = coarsest_, seconds_ = 0;
     has_plan_ = owes_picture_ = false;
     const std::lock_guard lock(mutex_);
     status_.samples = 0, status_.is_complete = false;
+    status_.course.clear();
 }
 
 bool Session::run_job()

@@ -17,16 +17,24 @@
 
 #include "app/view/picture_store.h"
 #include "app/view/rebuild.h"
+#include "app/view/turns.h"
 #include "render/renderer.h"
 
 namespace lancer {
 
 // What a session was made of and runs with.
 struct SessionSetup {
-    std::unique_ptr<Renderer> renderer;  // of the first sight, with its accelerator
-    RebuildSetup rebuild;                // of scenes that change; its images must outlive the session
+    std::shared_ptr<const Renderer> renderer;  // of the first sight, with its accelerator
+    RebuildSetup rebuild;                      // of scenes that change; its images must outlive the session
     unsigned threads = 1;
     std::function<void()> on_news = {};  // from any thread: there is something to take
+    std::shared_ptr<Turns> turns = {};   // with whom it renders in turn; null: nobody
+};
+
+// The relative error of a picture, from its replicates, and the seconds of rendering until then.
+struct ErrorAtTime {
+    double seconds = 0, error = 0;
+    uint32_t samples = 0;
 };
 
 struct SessionStatus {
@@ -37,6 +45,7 @@ struct SessionStatus {
     uint32_t scenes_built = 0, accelerators_built = 0;  // since the begin
     double still = -1;                                  // part of a still that is rendered; < 0: there is none
     std::string problem;                                // of the last sight or job; empty: none
+    std::vector<ErrorAtTime> course;  // of the sight, if it has replicates and renders in turn with others
 };
 
 class Session {
@@ -66,6 +75,10 @@ public:
     void render_still(Sight sight, uint32_t reduction, Write write);
     void cancel_still();
 
+    // Another session that shows `sight`, a change of what this one shows. From now on the two render in turn, and the
+    // one goes next that had less time for its sight.
+    std::unique_ptr<Session> beside(Sight sight);
+
     // Waits until the picture is complete or nothing more will come. For tests and for measuring.
     void wait_until_idle() const;
 
@@ -81,11 +94,13 @@ private:
     void step();
     bool adopt_wanted();
     void adopt(Sight sight);
-    void rebuild(const Sight& sight);
+    void make_ready_for(Sight sight);
     void restart();
     bool run_job();
     void run_still(const Still& still);
     void advance();
+    void advance_in_turn();
+    double seconds_for_turn() const;
     void preview();
     void add_samples();
     Film& empty_film(uint32_t reduction);
@@ -102,7 +117,7 @@ private:
     const unsigned threads_;
     PictureStore store_;
 
-    // Of the session's thread alone.
+    // Of the session's thread alone, but for now_, which others read with the mutex held.
     Sight now_;
     uint64_t now_number_ = 0;
     uint32_t coarsest_ = 8, reduction_ = 8;
@@ -113,6 +128,7 @@ private:
     SampleRange range_;
     uint32_t samples_ = 0;
     bool has_plan_ = false, has_failed_ = false, owes_picture_ = false;
+    double seconds_ = 0;  // of rendering since the restart
 
     mutable std::mutex mutex_;  // guards what follows
     mutable std::condition_variable wake_, rest_;
@@ -121,7 +137,8 @@ private:
     uint64_t wanted_number_ = 1;
     std::deque<Still> stills_;
     std::deque<Write> writes_;
-    std::stop_source step_, still_;
+    std::stop_source step_, still_, closing_;
+    std::shared_ptr<Turns> turns_;
     bool can_be_cut_ = false, is_paused_ = false, is_closing_ = false, is_idle_ = false;
     SessionStatus status_;
     bool is_planning_ = false;

@@ -43,6 +43,7 @@ struct WindowOfModule {
     std::vector<InputEvent> events;
     PicturePlace place;
     double mouse_x = 0, mouse_y = 0;  // in the window
+    double panel_x = 1e30;            // where the panel begins
     bool is_pressed[3] = {};          // buttons that went down over the picture
 
     InputEvent event(InputEvent::Kind kind, int key, uint8_t mods) const
@@ -80,6 +81,9 @@ Id texture_id(GLuint texture)
 
 WindowOfModule& of(GLFWwindow* window) { return *static_cast<WindowOfModule*>(glfwGetWindowUserPointer(window)); }
 
+// Dear ImGui knows where the mouse is only when a frame begins; a click may come before.
+bool is_of_panel(const WindowOfModule& w) { return ImGui::GetIO().WantCaptureMouse || w.mouse_x >= w.panel_x; }
+
 void on_key(GLFWwindow* window, int key, int, int action, int mods)
 {
     if (ImGui::GetIO().WantTextInput) return;
@@ -95,7 +99,7 @@ void on_button(GLFWwindow* window, int button, int action, int mods)
     WindowOfModule& w = of(window);
     if (button < 0 || button > 2) return;
     const bool is_down = action == GLFW_PRESS;
-    if (is_down && ImGui::GetIO().WantCaptureMouse) return;
+    if (is_down && is_of_panel(w)) return;
     if (!is_down && !w.is_pressed[button]) return;
     w.is_pressed[button] = is_down;
     w.events.push_back(
@@ -113,8 +117,8 @@ void on_move(GLFWwindow* window, double x, double y)
 
 void on_wheel(GLFWwindow* window, double, double amount)
 {
-    if (ImGui::GetIO().WantCaptureMouse) return;
     WindowOfModule& w = of(window);
+    if (is_of_panel(w)) return;
     InputEvent e = w.event(InputEvent::Kind::wheel, 0, w.held_mods());
     e.amount = amount;
     w.events.push_back(e);
@@ -221,6 +225,7 @@ void draw_frame(WindowOfModule& w, WindowFrame& frame)
     w.place.scale = std::min(room_x / frame.picture_width, room_y / frame.picture_height);
     w.place.x = std::floor((room_x - frame.picture_width * w.place.scale) / 2);
     w.place.y = std::floor((room_y - frame.picture_height * w.place.scale) / 2);
+    w.panel_x = width - double{panel_width};
     upload(w, frame);
 
     ImGui_ImplOpenGL2_NewFrame();

@@ -94,8 +94,9 @@ public:
             if (are_last() && !shines_) return;
             add_unoccluded();
             if constexpr (any)
+                if (view_.scene.passes_glass || by_mirrors_) w_.set_times_of_shadows();
+            if constexpr (any)
                 if (view_.scene.passes_glass) {
-                    w_.set_times_of_shadows();
                     const auto trace = [&](const auto& to) {
                         trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
                     };
@@ -103,7 +104,6 @@ public:
                 }
             if constexpr (any)
                 if (by_mirrors_) {
-                    w_.set_times_of_shadows();
                     trace_mirrored_shadows(view_, accel_, w_, counters_, NoListener{});
                     w_.queue.mirrored_shadows.clear();
                     std::swap(w_.wide.mirror_distances_now, w_.wide.mirror_distances_next);

@@ -258,7 +258,7 @@ private:
         for (size_t k = 0; k < std::max(i.path.size(), m.path.size()); ++k)
             steps.push_back(
                 placed(mesh, i.path.empty() ? i.transform : i.path[k], m.path.empty() ? m.transform : m.path[k]));
-        if (std::all_of(steps.begin(), steps.end(), [&](const Transform& at) { return at == steps[0]; })) return;
+        if (stand_still(steps)) return;
         if (scene_.shading[mesh].uses([&](uint32_t id) { return shines(id); })) return warn_of_still_light(i.where);
         for (const Transform& at : steps) check_near(at.translation, i.where, "this instance");
         scene_.geometry.motion.instances.resize(scene_.geometry.instances.size());
