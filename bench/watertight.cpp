@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "harness/meshes.h"
 #include "harness/program.h"
+#include "support/displaced.h"
 
 namespace lancer::bench {
 namespace {
@@ -96,6 +97,13 @@ std::vector<ClosedMesh> candidates(const Options& options)
     });
     add("cube", [] { return to_mesh(*make_cube()); });
     add("thin-box", [=] { return to_mesh(*make_cube(), scaled({5000, 0.5, 5000})); });
+    // Its triangles differ in size, and every edge of the cube that it was is a seam of texture and normals.
+    add("displaced-ball", [full = options.full] {
+        const MaterialDescription m = displaced_by("waves", 0.2f);
+        SceneDescription d = displaced_scene(displaceable_ball(3, m), m, edges_of(full ? 2 : 8));
+        d.camera->position = {1.3, 1.4, 1.2};
+        return to_mesh(divided_mesh(d, test_picture));
+    });
     add("needles",
         [full = options.full] { return to_mesh(full ? *make_uv_sphere(4, 20000) : *make_uv_sphere(4, 2000)); });
     add("tiny-sphere", [=] { return to_mesh(*make_uv_sphere(100, 200), scaled({1e-6, 1e-6, 1e-6})); });

@@ -9,6 +9,7 @@
 #include "scene/build/displace.h"
 #include "scene/build/divide.h"
 #include "scene/build/divide_meshes.h"
+#include "support/displaced.h"
 #include "support/random.h"
 #include "support/stage.h"
 
@@ -34,43 +35,6 @@ RasterFuture pictures(const std::string& name)
     return promise.get_future().share();
 }
 
-// A cube of six sides with vertices, texture coordinates and normals of their own: every edge is a seam.
-MeshData seamed_cube(const MaterialDescription& material)
-{
-    MeshData data;
-    data.materials = {material};
-    const std::array<std::array<Vec3d, 3>, 6> sides{{{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}},
-                                                     {Vec3d{-1, 0, 0}, Vec3d{0, 0, 1}, Vec3d{0, 1, 0}},
-                                                     {Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{1, 0, 0}},
-                                                     {Vec3d{0, -1, 0}, Vec3d{1, 0, 0}, Vec3d{0, 0, 1}},
-                                                     {Vec3d{0, 0, 1}, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}},
-                                                     {Vec3d{0, 0, -1}, Vec3d{0, 1, 0}, Vec3d{1, 0, 0}}}};
-    for (const auto& [n, x, y] : sides) {
-        const auto first = static_cast<uint32_t>(data.positions.size());
-        for (const auto& [a, b] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-            data.positions.push_back(n + x * a + y * b);
-            data.normals.push_back(to_float(n));
-            data.uvs.push_back({0.5f + 0.4f * static_cast<float>(a), 0.5f + 0.3f * static_cast<float>(b)});
-        }
-        data.triangles.push_back({first, first + 1, first + 2});
-        data.triangles.push_back({first, first + 2, first + 3});
-    }
-    data.uv_triangles = data.normal_triangles = data.triangles;
-    return data;
-}
-
-// An icosphere-like ball: a cube whose corners were moved onto the unit sphere, each place once, with smooth normals.
-MeshData ball(uint32_t rounds, const MaterialDescription& material)
-{
-    DividedMesh made = divide(
-        seamed_cube(material), rounds, [](Vec3d, Vec3d, uint32_t) { return true; }, [](uint64_t) {});
-    MeshData& data = made.data;
-    data.normals.clear();
-    for (Vec3d& p : data.positions) p = normalize(p), data.normals.push_back(to_float(p));
-    data.normal_triangles = data.triangles;
-    return data;
-}
-
 // How many edges do not have one triangle on each side.
 size_t open_edges(const MeshData& data)
 {
@@ -90,50 +54,23 @@ size_t open_edges(const MeshData& data)
     return open;
 }
 
-MaterialDescription displaced(const std::string& picture, float scale)
-{
-    MaterialDescription m = make_lambert("m", {0.8f, 0.8f, 0.8f});
-    m.displacement_map = heights_of(picture);
-    m.displacement_scale = scale;
-    return m;
-}
-
-SceneDescription scene_of(MeshData data, const MaterialDescription& material, SubdivisionDescription how)
-{
-    SceneDescription d;
-    data.materials = {make_lambert("file", {0.8f, 0.8f, 0.8f})};
-    d.materials.push_back(material);
-    MeshDescription mesh = make_mesh(std::make_shared<const MeshData>(std::move(data)));
-    mesh.material = material.name;
-    mesh.subdivision = how;
-    d.meshes.push_back(mesh);
-    d.camera.emplace().position = {0, 0, 6};
-    d.lights.push_back(sky_of({1, 1, 1}));
-    return d;
-}
-SubdivisionDescription level(uint32_t n) { return {.is_asked = true, .edge_pixels = 0, .level = n}; }
-SubdivisionDescription edges_of(double pixels) { return {.is_asked = true, .edge_pixels = pixels, .level = {}}; }
-
 MeshData divided(const SceneDescription& d, const PictureMemory& memory = {})
 {
-    std::vector<Scene::Note> notes;
-    Diagnostics diagnostics;
-    const auto made = divide_meshes(d, d.render, pictures, memory, notes, diagnostics);
-    return made ? *made->meshes[0].data : *d.meshes[0].data;
+    return divided_mesh(d, pictures, memory);
 }
 
 TEST(Displacement, AClosedMeshStaysClosedWhereverItIsDivided)
 {
-    const MaterialDescription m = displaced("waves", 0.4f);
+    const MaterialDescription m = displaced_by("waves", 0.4f);
     ASSERT_EQ(open_edges(seamed_cube(m)), 0u);
     for (uint32_t n = 0; n <= 4; ++n) {
-        const MeshData made = divided(scene_of(seamed_cube(m), m, level(n)));
+        const MeshData made = divided(displaced_scene(seamed_cube(m), m, level(n)));
         EXPECT_EQ(made.triangles.size(), 12u << 2 * n);
         EXPECT_EQ(open_edges(made), 0u) << n;
     }
     // By pixels, from close to a corner: some edges of a triangle are halved more often than others.
     for (const double edge : {60.0, 17.0, 5.0}) {
-        SceneDescription d = scene_of(seamed_cube(m), m, edges_of(edge));
+        SceneDescription d = displaced_scene(seamed_cube(m), m, edges_of(edge));
         d.camera->position = {1.3, 1.4, 1.2};
         const MeshData made = divided(d);
         EXPECT_GT(made.triangles.size(), 100u);
@@ -144,8 +81,8 @@ TEST(Displacement, AClosedMeshStaysClosedWhereverItIsDivided)
 
 TEST(Displacement, NoRayEscapesFromWithin)
 {
-    const MaterialDescription m = displaced("waves", 0.4f);
-    SceneDescription d = scene_of(seamed_cube(m), m, edges_of(25));
+    const MaterialDescription m = displaced_by("waves", 0.4f);
+    SceneDescription d = displaced_scene(seamed_cube(m), m, edges_of(25));
     d.camera->position = {1.3, 1.4, 1.2};
     const Stage stage(d, pictures);
     Random random(3);
@@ -158,9 +95,9 @@ TEST(Displacement, NoRayEscapesFromWithin)
 
 TEST(Displacement, ASphereByAnEvenMapIsALargerSphereAndConverges)
 {
-    const MaterialDescription m = displaced("white", 0.5f);
+    const MaterialDescription m = displaced_by("white", 0.5f);
     for (uint32_t n = 1; n <= 4; ++n) {
-        const MeshData made = divided(scene_of(ball(2, m), m, level(n)));
+        const MeshData made = divided(displaced_scene(displaceable_ball(2, m), m, level(n)));
         double worst_normal = 0, radius = 0;
         for (size_t t = 0; t < made.triangles.size(); ++t)
             for (size_t k = 0; k < 3; ++k) {
@@ -177,7 +114,7 @@ TEST(Displacement, ASphereByAnEvenMapIsALargerSphereAndConverges)
     // Of finer balls the middles come closer to it, by a quarter each time.
     double before = 1;
     for (uint32_t rounds = 1; rounds <= 4; ++rounds) {
-        const MeshData made = divided(scene_of(ball(rounds, m), m, level(2)));
+        const MeshData made = divided(displaced_scene(displaceable_ball(rounds, m), m, level(2)));
         double error = 0;
         for (const Vec3d& p : made.positions) error = std::max(error, std::abs(length(p) - 1.5));
         EXPECT_LT(error, 0.45 * before) << rounds;
@@ -188,11 +125,11 @@ TEST(Displacement, ASphereByAnEvenMapIsALargerSphereAndConverges)
 TEST(Displacement, AShapeByAMapConverges)
 {
     // A flat square of heights cos: against the surface that they are.
-    const MaterialDescription m = displaced("smooth", 0.3f);
+    const MaterialDescription m = displaced_by("smooth", 0.3f);
     MeshData square = *make_mapped_quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1}, m);
     double before = 1;
     for (uint32_t n = 2; n <= 5; ++n) {
-        const SceneDescription d = scene_of(square, m, level(n));
+        const SceneDescription d = displaced_scene(square, m, level(n));
         const Stage stage(d, pictures);
         double error = 0;
         for (int i = 0; i < 400; ++i) {
@@ -211,8 +148,8 @@ TEST(Displacement, AShapeByAMapConverges)
 
 TEST(Displacement, IsTheSameForAnyNumberOfThreads)
 {
-    const MaterialDescription m = displaced("waves", 0.4f);
-    SceneDescription d = scene_of(ball(3, m), m, edges_of(9));
+    const MaterialDescription m = displaced_by("waves", 0.4f);
+    SceneDescription d = displaced_scene(displaceable_ball(3, m), m, edges_of(9));
     MeshData one, four;
     with_threads(1, [&] { one = divided(d); });
     with_threads(4, [&] { four = divided(d); });
@@ -225,9 +162,9 @@ TEST(Displacement, IsTheSameForAnyNumberOfThreads)
 
 TEST(Displacement, HardEdgesStayHardAndSmoothOnesSmooth)
 {
-    const MaterialDescription m = displaced("white", 0.5f);
-    const MeshData cube = divided(scene_of(seamed_cube(m), m, level(2)));
-    const MeshData round = divided(scene_of(ball(2, m), m, level(1)));
+    const MaterialDescription m = displaced_by("white", 0.5f);
+    const MeshData cube = divided(displaced_scene(seamed_cube(m), m, level(2)));
+    const MeshData round = divided(displaced_scene(displaceable_ball(2, m), m, level(1)));
     const auto most_at_a_place = [](const MeshData& data) {
         std::map<std::array<double, 3>, std::vector<Vec3>> normals;
         size_t most = 0;
@@ -247,8 +184,8 @@ TEST(Displacement, HardEdgesStayHardAndSmoothOnesSmooth)
 
 TEST(Displacement, TheFirstCameraDecidesHowFinely)
 {
-    const MaterialDescription m = displaced("waves", 0.1f);
-    SceneDescription d = scene_of(seamed_cube(m), m, edges_of(40));
+    const MaterialDescription m = displaced_by("waves", 0.1f);
+    SceneDescription d = displaced_scene(seamed_cube(m), m, edges_of(40));
     const size_t near = divided(d).triangles.size();
     SceneDescription far = d;
     far.camera->position = {0, 0, 24};
@@ -269,10 +206,10 @@ TEST(Displacement, TheFirstCameraDecidesHowFinely)
 
 TEST(Displacement, WhatOnlyAFileNamesDoesNotDivide)
 {
-    SceneDescription d = scene_of(seamed_cube({}), displaced("waves", 0.1f), {});
+    SceneDescription d = displaced_scene(seamed_cube({}), displaced_by("waves", 0.1f), {});
     EXPECT_GT(divided(d).triangles.size(), 12u) << "a material of the scene does";
     d.meshes[0].material.clear();
-    MeshData data = seamed_cube(displaced("waves", 0.1f));
+    MeshData data = seamed_cube(displaced_by("waves", 0.1f));
     d.meshes[0].data = std::make_shared<const MeshData>(data);
     std::vector<Scene::Note> notes;
     Diagnostics diagnostics;
@@ -289,8 +226,8 @@ TEST(Displacement, WhatOnlyAFileNamesDoesNotDivide)
 
 TEST(Displacement, ThatTakesTooMuchMemoryIsRefusedBefore)
 {
-    const MaterialDescription m = displaced("waves", 0.1f);
-    const SceneDescription d = scene_of(seamed_cube(m), m, level(12));
+    const MaterialDescription m = displaced_by("waves", 0.1f);
+    const SceneDescription d = displaced_scene(seamed_cube(m), m, level(12));
     PictureMemory memory;
     memory.limit = 100'000'000, memory.limit_text = "100 MB";
     try {
