@@ -8,7 +8,7 @@ usage: scripts/gallery.sh [--quick] [--out FOLDER] [--only PICTURE]... [PART...]
   --quick       half the size, a sixteenth of the samples
   --out FOLDER  where to (build/gallery); docs/pictures/gallery makes the documentation's pictures anew
   --only NAME   only this picture; may be given several times
-  PART...       of rooms, course, student, legacy, depth, faults (all but faults)
+  PART...       of rooms, crops, course, student, legacy, depth, faults (all but faults)
 Prints the CPU seconds of rendering and the command of each picture. LANCER names the program (build/release/lancer).
 `faults` builds the program six times in build/mutations, with each of the patches of tests/mutations that it draws.
 END
@@ -32,11 +32,11 @@ while (($#)); do
             ;;
         --only) only+=("${2:?--only needs a name}"); shift 2 ;;
         -h | --help) usage; exit 0 ;;
-        rooms | course | student | legacy | depth | faults) parts+=("$1"); shift ;;
+        rooms | crops | course | student | legacy | depth | faults) parts+=("$1"); shift ;;
         *) echo "gallery.sh: error: unknown part '$1'" >&2; usage >&2; exit 2 ;;
     esac
 done
-((${#parts[@]})) || parts=(rooms course student legacy depth)
+((${#parts[@]})) || parts=(rooms crops course student legacy depth)
 lancer=${LANCER:-build/release/lancer}
 [[ -x $lancer ]] || fail "no program '$lancer'; build it, or set LANCER to its path"
 mkdir -p "$out"
@@ -69,6 +69,25 @@ draw_rooms() {
     done
     draw own-environment 400x225 32 environment --denoise
     draw own-materials 400x225 32 materials --denoise
+}
+
+# crop NAME SCENE X,Y: 240x160 pixels of a picture in high definition; noisy, denoised, and with many samples
+crop() {
+    local x=${3%,*} y=${3#*,} ending=jpg
+    local part=("$2" --crop "$x,$y,$((x + 240)),$((y + 160))")
+    ((quick)) && part=("$2" --crop "$((x / 2)),$((y / 2)),$((x / 2 + 120)),$((y / 2 + 80))")
+    draw "crop-$1-8" 1920x1080 8 "${part[@]}"
+    draw "crop-$1-denoised" 1920x1080 8 "${part[@]}" --denoise
+    draw "crop-$1-256" 1920x1080 256 "${part[@]}"
+}
+
+draw_crops() {
+    crop blinds room 100,430
+    crop books room 1680,300
+    crop crochet still_life_textured 940,720
+    crop glass still_life_textured 1400,500
+    crop caustic still_life 960,740
+    crop leaves forest 640,560
 }
 
 # The course's scenes with the numbers of their lights as the course meant them: colours that do not fade.
