@@ -44,8 +44,8 @@ void check_mesh(const MeshData& data, Diagnostics& problems, Diagnostics& notes)
         problems.warning({data.file}, "vertex normals point away from the side that the winding shows in " +
                                           std::to_string(flipped) + of_all + "; they are turned round while rendering");
     if (data.made_normals)
-        notes.warning({data.file},
-                      "no vertex normals: made of its smoothing groups in " + std::to_string(with_normals) + of_all);
+        notes.warning({data.file}, "no vertex normals: made by smoothing groups or `smooth` in " +
+                                       std::to_string(with_normals) + of_all);
     if (with_normals == 0) {
         notes.warning({data.file}, "no vertex normals: faces are flat");
     } else if (with_normals < data.triangles.size() && !data.made_normals) {

@@ -374,5 +374,42 @@ TEST(Sheets, AreLookedForWhereGlassIs)
     EXPECT_EQ(with_glass.analyses[0].name, "thin glass");
 }
 
+// Bodies inside out are told of; their cavities, which look inwards as they should, are not.
+TEST(Sheets, BodiesInsideOutAreToldOf)
+{
+    const auto warnings = [](const SceneDescription& d) {
+        Diagnostics diagnostics;
+        Scene::build(d, d.render, diagnostics);
+        std::string text;
+        for (const Diagnostics::Warning& said : diagnostics.warnings()) text += said.before + said.after + "\n";
+        return text;
+    };
+    const auto turned = [](MeshData data) {
+        for (auto& corners : data.triangles) std::swap(corners[1], corners[2]);
+        return std::make_shared<const MeshData>(std::move(data));
+    };
+    const auto cube = [] {
+        MeshData data = *make_cube();
+        data.materials = {glass()};
+        return data;
+    };
+    const char* const told = "1 body of glass 'glass' with faces that look inwards";
+    SceneDescription d = of_mesh(std::make_shared<const MeshData>(cube()));
+    EXPECT_EQ(warnings(d), "");
+    d.meshes[0].transform.scale = {-1, 2, 1};
+    EXPECT_EQ(warnings(d), "") << "mirrored by the scene";
+    d = of_mesh(turned(cube()));
+    EXPECT_NE(warnings(d).find(told), std::string::npos) << warnings(d);
+    // A cavity of the other cube, and one that leaves it.
+    d.meshes[0].transform.scale = {0.5, 0.5, 0.5};
+    d.meshes.push_back(make_mesh(std::make_shared<const MeshData>(cube()), {}));
+    EXPECT_EQ(warnings(d), "");
+    d.meshes[0].transform.translate = {0.8, 0, 0};
+    EXPECT_NE(warnings(d).find(told), std::string::npos);
+    // Of all but glass either side is as good.
+    d = of_mesh(turned(*make_cube()));
+    EXPECT_EQ(warnings(d), "");
+}
+
 }  // namespace
 }  // namespace lancer

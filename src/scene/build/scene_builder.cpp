@@ -66,7 +66,7 @@ public:
         for (uint32_t i = 0; i < d_.meshes.size(); ++i) add_mesh(i);
         add_instances();
         end_paths();
-        if (!scene_.legacy) make_thin_glass(d_, places_, materials_, scene_);
+        if (!scene_.legacy) make_thin_glass(d_, places_, materials_, scene_, diagnostics_);
         scene_.bounds = transformed(subject_bounds(d_), to_transform(scene_.normalisation));
         add_given_lights();
         if (d_.background) add_background(*d_.background);

@@ -136,8 +136,12 @@ private:
         look_at_edges(part);
         const bool has_copies = !part.copies.empty();
         const auto is_nearly_closed = [&] { return open_part(faces_, copies_, part.edges, part.faces) <= most_open; };
-        if (!has_copies && (part.is_balanced || materials_[material_[part.faces[0]]].is_liquid || is_nearly_closed()))
-            return add_body(part.faces);
+        if (!has_copies && (part.is_balanced || materials_[material_[part.faces[0]]].is_liquid || is_nearly_closed())) {
+            add_body(part.faces);
+            if (part.is_balanced && six_volumes(part.faces) < 0)
+                found_.inward.push_back({material_[part.faces[0]], found_.bodies.back()});
+            return;
+        }
         if (has_copies) {
             const bool is_body = part.kept_is_balanced || (part.is_manifold && can_be_turned(part));
             // Bodies of one material side by side need all that they share.
@@ -197,7 +201,8 @@ private:
         }
         return false;
     }
-    void turn_outwards(std::vector<uint32_t>& body) const
+    // What its faces bound; below 0 if they look inwards.
+    double six_volumes(std::span<const uint32_t> body) const
     {
         double volume = 0;
         const Vec3d o = faces_.positions[faces_.corners[body[0]][0]];
@@ -205,7 +210,11 @@ private:
             const auto& [a, b, c] = faces_.corners[f];
             volume += dot(faces_.positions[a] - o, cross(faces_.positions[b] - o, faces_.positions[c] - o));
         }
-        if (volume >= 0) return;
+        return volume;
+    }
+    void turn_outwards(std::vector<uint32_t>& body) const
+    {
+        if (six_volumes(body) >= 0) return;
         std::vector<uint32_t> other;
         for (const uint32_t f : body) {
             const uint32_t back = other_side(f);

@@ -50,6 +50,11 @@ struct FoundSheets {
     std::vector<uint32_t> absent;  // copies of others
     std::vector<Slab> slabs;       // become sheets unless they touch another body
     std::vector<Bounds> bodies;    // boxes of closed bodies of glass, slabs included; scene units
+    struct Inward {
+        uint32_t material = 0;
+        Bounds box;
+    };
+    std::vector<Inward> inward;  // of these the ones whose faces look inwards: cavities, or bodies inside out
     std::map<std::pair<uint32_t, SheetKind>, uint64_t> counts;  // of parts, by material; of face_twice of faces
 };
 

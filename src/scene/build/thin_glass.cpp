@@ -21,6 +21,12 @@ bool touch(const Bounds& a, const Bounds& b)
            overlap(a.lower.z, a.upper.z, b.lower.z, b.upper.z);
 }
 
+bool is_within(const Bounds& a, const Bounds& b)
+{
+    const auto below = [](const Vec3d& x, const Vec3d& y) { return x.x < y.x && x.y < y.y && x.z < y.z; };
+    return below(b.lower, a.lower) && below(a.upper, b.upper);
+}
+
 // What is said of each kind, after a number and "of glass 'name'" or "of 'name'".
 struct Words {
     const char *one, *several, *what;
@@ -70,6 +76,15 @@ public:
             decide_slabs(m, found[m]);
             apply(m, found[m]);
         }
+    }
+    void warn(Diagnostics& diagnostics) const
+    {
+        for (const auto& [which, n] : inside_out_)
+            diagnostics.warning(file_of(which.first),
+                                std::to_string(n) + (n == 1 ? " body" : " bodies") + " of glass " +
+                                    in_quotes(scene_.material_names[which.second]) +
+                                    " with faces that look inwards: inside and outside have changed "
+                                    "places; turn the faces round");
     }
 
 private:
@@ -149,8 +164,21 @@ private:
         }
     }
 
+    // A cavity of a body looks inwards, too, but is inside of it.
+    bool is_cavity(uint32_t mesh, const FoundSheets& found, const Bounds& box) const
+    {
+        const std::vector<Bounds>& all = scene_.geometry.meshes[mesh].instanced ? found.bodies : bodies_;
+        return std::any_of(all.begin(), all.end(), [&](const Bounds& b) { return is_within(box, b); });
+    }
+    Location file_of(uint32_t mesh) const
+    {
+        const MeshDescription& m = d_.meshes[mesh];
+        return m.data->shape.empty() ? Location{m.data->file} : m.where;
+    }
     void apply(uint32_t mesh, const FoundSheets& found)
     {
+        for (const FoundSheets::Inward& body : found.inward)
+            if (!is_cavity(mesh, found, body.box)) ++inside_out_[{mesh, body.material}];
         if (!found.thin.empty()) {
             std::vector<uint32_t> of_faces = materials_of(mesh);
             for (const uint32_t t : found.thin) of_faces[t] = materials_.thin_version(of_faces[t]);
@@ -161,12 +189,11 @@ private:
             auto& corners = scene_.geometry.meshes[mesh].triangles[t];
             corners[1] = corners[2] = corners[0];
         }
-        const MeshDescription& m = d_.meshes[mesh];
         for (const auto& [what, n] : found.counts) {
             const Words words = words_of(what.second);
-            scene_.sheets.push_back({m.data->shape.empty() ? Location{m.data->file} : m.where,
-                                     std::to_string(n) + " " + (n == 1 ? words.one : words.several) + " " +
-                                         in_quotes(scene_.material_names[what.first]) + ": " + words.what});
+            scene_.sheets.push_back({file_of(mesh), std::to_string(n) + " " + (n == 1 ? words.one : words.several) +
+                                                        " " + in_quotes(scene_.material_names[what.first]) + ": " +
+                                                        words.what});
         }
     }
 
@@ -176,18 +203,20 @@ private:
     Scene& scene_;
     std::vector<FaceMaterial> roles_;  // of each material
     std::vector<Bounds> bodies_;
-    std::vector<size_t> first_body_;  // of each mesh
+    std::vector<size_t> first_body_;                                // of each mesh
+    std::map<std::pair<uint32_t, uint32_t>, uint64_t> inside_out_;  // of meshes and materials
 };
 
 }  // namespace
 
 void make_thin_glass(const SceneDescription& description, std::span<const Transform> places, MaterialTable& materials,
-                     Scene& scene)
+                     Scene& scene, Diagnostics& diagnostics)
 {
     const auto begin = std::chrono::steady_clock::now();
     ThinGlass glass(description, places, materials, scene);
     if (!glass.is_asked()) return;
     glass.make();
+    glass.warn(diagnostics);
     scene.analyses.push_back(
         {"thin glass", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
 }

@@ -10,9 +10,9 @@ namespace lancer {
 class MaterialTable;
 
 // Called when the scene has all its shapes. places: of each mesh of the description, from its units to those of
-// Mesh::positions. Lists what it did in scene.sheets and how long it took in scene.analyses;
-// without glass or opacity it does nothing.
+// Mesh::positions. Lists what it did in scene.sheets and how long it took in scene.analyses; warns of bodies that are
+// inside out; without glass or opacity it does nothing.
 void make_thin_glass(const SceneDescription& description, std::span<const Transform> places, MaterialTable& materials,
-                     Scene& scene);
+                     Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace lancer
