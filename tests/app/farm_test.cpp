@@ -75,6 +75,12 @@ TEST_F(Farm, TheJobScriptDrawsFramesOfAnAnimation)
     ASSERT_EQ(script.code, 0) << script.err;
     expect_words(script.out, "lancer render film.toml --frame \"$frame\" --progress none");
     EXPECT_EQ(run({"slurm", "film.toml", "--frames", "1-48", "-o", "f.exr"}).code, 2);
+    // A mistake is told before the job waits for its turn; what a shell has yet to read is left to it.
+    const Said wrong = run({"slurm", "film.toml", "--render=-s 8 --integrator pth", "-o", "f.exr"});
+    EXPECT_EQ(wrong.code, 2);
+    expect_words(wrong.err, "did you mean 'path'?");
+    EXPECT_EQ(wrong.out, "");
+    EXPECT_EQ(run({"slurm", "film.toml", "--render=-s $SPP", "-o", "f.exr"}).code, 0);
 }
 
 }  // namespace

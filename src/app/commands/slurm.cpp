@@ -1,6 +1,8 @@
 // lancer slurm: a job script for a cluster that runs Slurm.
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "app/commands/commands.h"
 #include "app/console.h"
@@ -76,12 +78,30 @@ std::string script_of(const SlurmOptions& o)
            "END\n";
 }
 
+// A mistake in --render would else show when the tasks begin. What only a shell can read is left to it. Throws Error
+// (usage).
+void check_render_options(const SlurmOptions& o)
+{
+    std::vector<std::string> words{"lancer render", o.scene};
+    for (const std::string& options : o.render) {
+        if (options.find_first_of("\\'\"$`*?[;&|<>()") != std::string::npos) return;
+        std::istringstream rest(options);
+        for (std::string word; rest >> word;) words.push_back(word);
+    }
+    for (const std::string& word : {"--shard=1/" + std::to_string(o.shards), std::string("--output=part.lancer")})
+        words.push_back(word);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    parse_render(static_cast<int>(argv.size()), argv.data());
+}
+
 }  // namespace
 
 int run_slurm(int argc, char** argv)
 {
     const auto options = parse_slurm(argc, argv);
     if (!options) return exit_done;
+    check_render_options(*options);
     std::string script = script_of(*options);
     script.pop_back();  // print_result() ends the last line
     print_result(script);
