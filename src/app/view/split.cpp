@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/console.h"
 #include "scene/description/render_options.h"
@@ -13,7 +14,8 @@ namespace {
 constexpr uint32_t replicates = 4;
 constexpr uint32_t left_color = 0xff40c0ff, right_color = 0xffffc040, frame_color = 0xffa0a0a0,
                    shade_color = 0xc0000000, text_color = 0xffffffff;
-constexpr double chart_width = 240, chart_height = 140, chart_margin = 12;
+constexpr double widest_chart = 240, highest_chart = 140, chart_margin = 12;
+constexpr double part_of_chart = 0.4;  // of the picture, at most
 
 Sight in_replicates(Sight sight)
 {
@@ -38,8 +40,18 @@ std::string progress_of(const SessionStatus& status)
     return format_text("  %u samples, %.1f s, error %.4f", now.samples, now.seconds, now.error);
 }
 
-// The error of a mean falls with the root of time: this does not depend on when it is asked for.
-double cost_of(const ErrorAtTime& at) { return at.error * at.error * at.seconds; }
+// The squared error at that time, between its pictures as if both were logarithms. Nothing outside of them.
+std::optional<double> square_at(const std::vector<ErrorAtTime>& course, double seconds)
+{
+    for (size_t i = 1; i < course.size(); ++i) {
+        const ErrorAtTime &a = course[i - 1], &b = course[i];
+        if (!(a.seconds <= seconds && seconds <= b.seconds && a.seconds < b.seconds && a.error > 0 && b.error > 0))
+            continue;
+        const double part = std::log(seconds / a.seconds) / std::log(b.seconds / a.seconds);
+        return std::pow(a.error * std::pow(b.error / a.error, part), 2);
+    }
+    return {};
+}
 
 // A picture of any size as if it had another one.
 const Color& enlarged(const Image& image, int32_t x, int32_t y, int32_t width, int32_t height)
@@ -54,9 +66,11 @@ Mark line(double x0, double y0, double x1, double y1, uint32_t color)
 }
 
 // Error against seconds, both as logarithms, from the lower left corner of the picture on.
-void add_chart(const std::vector<ErrorAtTime>& left, const std::vector<ErrorAtTime>& right, double height,
+void add_chart(const std::vector<ErrorAtTime>& left, const std::vector<ErrorAtTime>& right, PictureSize size,
                std::vector<Mark>& marks)
 {
+    const double chart_width = std::min(widest_chart, part_of_chart * size.width),
+                 chart_height = std::min(highest_chart, part_of_chart * size.height);
     double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
     const auto across = [](const ErrorAtTime& at) { return std::log(at.seconds); };
     const auto up = [](const ErrorAtTime& at) { return std::log(at.error); };
@@ -68,7 +82,7 @@ void add_chart(const std::vector<ErrorAtTime>& left, const std::vector<ErrorAtTi
                 y0 = std::min(y0, up(at)), y1 = std::max(y1, up(at));
             }
     if (!(x1 > x0 && y1 > y0)) return;
-    const double bottom = height - chart_margin, top = bottom - chart_height;
+    const double bottom = size.height - chart_margin, top = bottom - chart_height;
     marks.push_back(line(chart_margin, top, chart_margin, bottom, frame_color));
     marks.push_back(line(chart_margin, bottom, chart_margin + chart_width, bottom, frame_color));
     const auto place = [&](const ErrorAtTime& at) {
@@ -141,9 +155,13 @@ std::vector<std::string> Split::lines() const
     const SessionStatus left = left_->status(), right = right_.status();
     std::vector<std::string> lines{"left: " + told(kept_.settings, now_.settings), progress_of(left),
                                    "right: " + told(now_.settings, kept_.settings), progress_of(right)};
-    if (!left.course.empty() && !right.course.empty() && cost_of(left.course.back()) > 0)
-        lines.push_back(format_text("error\u00b2 x seconds, right / left: %.3g",
-                                    cost_of(right.course.back()) / cost_of(left.course.back())));
+    if (!left.course.empty() && !right.course.empty()) {
+        const double seconds = std::min(left.course.back().seconds, right.course.back().seconds);
+        const auto of_left = square_at(left.course, seconds), of_right = square_at(right.course, seconds);
+        if (of_left && of_right)
+            lines.push_back(
+                format_text("squared error after %.1f s, right / left: %.3g", seconds, *of_right / *of_left));
+    }
     if (!left.problem.empty()) lines.push_back("left: " + left.problem);
     return lines;
 }
@@ -152,7 +170,7 @@ std::vector<Mark> Split::marks(PictureSize size) const
 {
     const double x = place_ * size.width;
     std::vector<Mark> marks{line(x, 0, x, size.height, frame_color)};
-    add_chart(left_->status().course, right_.status().course, size.height, marks);
+    add_chart(left_->status().course, right_.status().course, size, marks);
     return marks;
 }
 
