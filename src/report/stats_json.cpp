@@ -136,7 +136,12 @@ Json error_sources_of(const ErrorSources& s)
 std::string to_json(const RunStats& s)
 {
     Json phases = Json::array(), analyses = Json::array(), passes = Json::array();
-    for (const auto& p : s.phases) phases.push_back({{"name", p.name}, {"wall_s", p.wall_s}, {"cpu_s", p.cpu_s}});
+    for (const auto& p : s.phases)
+        phases.push_back({{"name", p.name},
+                          {"wall_s", p.wall_s},
+                          {"cpu_s", p.cpu_s},
+                          {"resident_bytes", p.resident_bytes},
+                          {"peak_bytes", p.peak_bytes}});
     for (const auto& a : s.analyses) analyses.push_back({{"name", a.name}, {"wall_s", a.wall_s}});
     for (const auto& p : s.passes)
         passes.push_back({{"spp", p.spp}, {"seconds", p.seconds}, {"error", or_null(p.error)}});

@@ -45,6 +45,7 @@ struct RunStats {
     struct Phase {
         std::string name;
         double wall_s = 0, cpu_s = 0;
+        uint64_t resident_bytes = 0, peak_bytes = 0;  // of the process, at its end: now, and at most so far
     };
     // A look at the whole scene while it was built; part of a phase.
     struct Analysis {

@@ -201,7 +201,11 @@ TEST_F(Render, StatsTellWhatWasDone)
     EXPECT_GT(s.at("estimated_error"), 0);
     EXPECT_EQ(s.at("partial"), false);
     std::vector<std::string> phases;
-    for (const auto& p : s.at("phases")) phases.push_back(p.at("name"));
+    for (const auto& p : s.at("phases")) {
+        phases.push_back(p.at("name"));
+        EXPECT_GT(p.at("resident_bytes"), 1000000);
+        EXPECT_GE(p.at("peak_bytes"), p.at("resident_bytes"));
+    }
     EXPECT_EQ(phases, (std::vector<std::string>{"load", "build scene", "build accelerator", "finish scene", "render",
                                                 "write"}));
     EXPECT_EQ(s.at("passes").back().at("spp"), 40);

@@ -1,4 +1,4 @@
-// How long the phases of a run take.
+// How long the phases of a run take, and how much memory.
 #pragma once
 
 #include "app/system_info.h"
@@ -21,7 +21,11 @@ public:
     }
 
 private:
-    void end() { stats_.phases.push_back({phase_, wall_seconds() - wall_, cpu_seconds() - cpu_}); }
+    void end()
+    {
+        stats_.phases.push_back(
+            {phase_, wall_seconds() - wall_, cpu_seconds() - cpu_, resident_bytes(), peak_memory_bytes()});
+    }
 
     RunStats& stats_;
     const char* phase_;
