@@ -140,6 +140,13 @@ private:
     std::array<bool, rows> is_filled_{};
 };
 
+// Facet losses of each lane.
+inline float loss_of(const AlbedoTable::Row& row, float cos) { return row.loss(cos); }
+inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
+{
+    return AlbedoTable::Row::losses(rows, cos);
+}
+
 // The directions in which light that was lost comes back: by L(cos) cos / (pi M), with the mean M of L under even
 // light. Default-constructed: none. The table must outlive it.
 class AlbedoTable::EvenLobe {

@@ -40,6 +40,7 @@ public:
     // The losses of one pair; the table must outlive it.
     class At {
     public:
+        explicit operator bool() const { return slices_[0] != nullptr; }
         // As AlbedoTable::Row::loss(). w: unit, along the tangent frame, z > 0.
         float loss(Vec3 w) const;
         // 1 - the hemispherical albedo.

@@ -78,11 +78,18 @@ inline double fresnel_conductor(double cos_i, double eta, double k)
     return std::clamp(0.5 * rs * (1 + rp), 0.0, 1.0);
 }
 
+// The weight of white in Schlick's approximation. m: 1 - cos.
+template <class T>
+inline T schlick_weight(T m)
+{
+    const T m2 = m * m;
+    return m2 * m2 * m;
+}
 // Schlick's approximation, from the reflectance at normal incidence to 1 at grazing.
 inline Color fresnel_schlick(Color f0, double cos_i)
 {
     const auto m = static_cast<float>(1 - std::clamp(cos_i, 0.0, 1.0));
-    const float m2 = m * m, w = m2 * m2 * m;
+    const float w = schlick_weight(m);
     return f0 * (1 - w) + Color{w, w, w};
 }
 // Its cosine-weighted mean over the hemisphere.

@@ -8,13 +8,6 @@
 
 namespace lancer {
 
-// Facet losses of each lane.
-inline float loss_of(const AlbedoTable::Row& row, float cos) { return row.loss(cos); }
-inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
-{
-    return AlbedoTable::Row::losses(rows, cos);
-}
-
 // T: float or a vector of them. Facets: AlbedoTable::Row of the coat, one per lane; unused where alpha is 0.
 template <class T, class Facets>
 struct PlasticCoat {

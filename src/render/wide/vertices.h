@@ -24,7 +24,7 @@ struct NonLambert {
     PlasticQueue::Eight plastic;
     std::array<AnyBsdf, float_lanes> own;  // storage of BSDFs that depend on the point
     uint32_t principled;                   // lanes of that material, seen from the front; their lobes:
-    std::array<std::optional<PrincipledBsdf::Lobes>, float_lanes> lobes;
+    std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
     // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
     // normal that it keeps.
     uint32_t mirrored;
