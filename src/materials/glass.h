@@ -48,13 +48,25 @@ struct GlassBsdf {
     {
         if (wo.z <= 0) return {};
         if (only_delta()) return thin ? sample_sheet(wo, u) : sample_smooth(wo, u);
+        const Vec3d unit = unit_in_double(wo);
+        const std::optional<Vec3> wi = sample_direction(wo, unit, u, v);
+        if (!wi) return {};
+        const BsdfValue f = eval_lobes(unit, *wi);
+        if (!(f.pdf > 0)) return {};
+        return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = index_towards(*wi)};
+    }
+    // The direction alone, of a rough boundary or sheet. wo.z > 0; unit: wo in double.
+    std::optional<Vec3> sample_direction(Vec3 wo, Vec3d unit, float u, Vec2 v) const
+    {
         if (multiple) {
             const float p = probability_of_multiple(multiple.here.loss(wo.z));
-            if (u < p) return sample_multiple(wo, u / p, v);
+            if (u < p) return sample_multiple(u / p, v);
             u = std::min((u - p) / (1 - p), 1 - 0x1p-24f);
         }
-        return thin ? sample_rough_sheet(wo, u, v) : sample_rough(wo, u, v);
+        return thin ? sample_rough_sheet(unit, u, v) : sample_rough(unit, u, v);
     }
+    // BsdfSample::eta of a direction.
+    float index_towards(Vec3 wi) const { return wi.z < 0 && !thin ? static_cast<float>(eta) : 1; }
 
     // Part of the light from -wo that a smooth sheet lets through; of a smooth boundary the part that goes on, as if
     // it were not turned. The angle counts as that outside, where light that came in by one face of a body meets the
@@ -107,21 +119,13 @@ private:
     {
         return chance_of_even_lobe(lost, max_component(multiple.color), max_component(tint));
     }
-    std::optional<BsdfSample> sample_multiple(Vec3 wo, float u, Vec2 v) const
+    std::optional<Vec3> sample_multiple(float u, Vec2 v) const
     {
         const bool through = u < multiple.part_through;
         Vec3 wi = direction_at((through ? multiple.beyond : multiple.here).sample_cos(v.x), v.y);
         if (through) wi.z = -wi.z;
         if (wi.z == 0) return {};
-        return sampled(unit_in_double(wo), wi);
-    }
-    // As a sample of all lobes.
-    std::optional<BsdfSample> sampled(Vec3d wo, Vec3 wi) const
-    {
-        const BsdfValue f = eval_lobes(wo, wi);
-        if (!(f.pdf > 0)) return {};
-        return BsdfSample{
-            .wi = wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = wi.z < 0 && !thin ? static_cast<float>(eta) : 1};
+        return wi;
     }
 
     BsdfValue value(double f_cos, double pdf) const
@@ -150,16 +154,16 @@ private:
             (1 - facet_fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
         return value(4 * through * ggx.visibility(wo, wi) * -wi.z / (n * n), 2 * through / (wo.z + ggx.spread(wo)));
     }
-    std::optional<BsdfSample> sample_rough(Vec3 w, float u, Vec2 v) const
+    std::optional<Vec3> sample_rough(Vec3d wo, float u, Vec2 v) const
     {
         const Ggx ggx{static_cast<double>(alpha)};
-        const Vec3d wo = unit_in_double(w), h = ggx.sample_visible(wo, v);
+        const Vec3d h = ggx.sample_visible(wo, v);
         const double cos_o = std::min(1.0, dot(wo, h)), n = eta;
         const auto [reflectance, cos_t] = facet_fresnel(cos_o);
         const bool through = !(u < static_cast<float>(reflectance));
         const Vec3 wi = to_float(through ? refracted(wo, h, cos_o, cos_t, n) : mirrored(wo, h));
         if (wi.z == 0 || (wi.z < 0) != through) return {};
-        return sampled(wo, wi);
+        return wi;
     }
 
     // Reflectance of one face of a sheet. w: unit, z > 0.
@@ -193,14 +197,12 @@ private:
         const Color least{std::min(of_o.r, of_i.r), std::min(of_o.g, of_i.g), std::min(of_o.b, of_i.b)};
         return {least * static_cast<float>(facets.f_cos), static_cast<float>(part_o * facets.pdf)};
     }
-    std::optional<BsdfSample> sample_rough_sheet(Vec3 w, float u, Vec2 v) const
+    std::optional<Vec3> sample_rough_sheet(Vec3d wo, float u, Vec2 v) const
     {
-        const Vec3d wo = unit_in_double(w);
         const bool through = !(u < static_cast<float>(reflectance_of_sheet(face(wo))));
         std::optional<Vec3> wi = sample_facets(sheet_facets(through), wo, v);
-        if (!wi) return {};
-        if (through) wi->z = -wi->z;
-        return sampled(wo, *wi);
+        if (wi && through) wi->z = -wi->z;
+        return wi;
     }
     Ggx sheet_facets(bool through) const { return {alpha_of_sheet(static_cast<double>(alpha), eta, through)}; }
 };

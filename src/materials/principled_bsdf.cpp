@@ -283,14 +283,12 @@ std::optional<BsdfSample> PrincipledBsdf::sample(const Seen& s, float u, Vec2 v)
         wi = sample_base(s, v);
     } else {
         at = std::clamp((at - smooth_facets) / smooth_glass, 0.0f, last_number);
-        const auto lobe = g.sample(wo, at, v);
-        if (!lobe) return {};
-        wi = lobe->wi, index = lobe->eta;
+        wi = g.sample_direction(wo, s.o, at, v);
     }
     if (!wi || wi->z == 0 || (wi->z < 0 && !(smooth_glass > 0))) return {};
     const BsdfValue f = eval_lobes(s, *wi);
     if (!(f.pdf > 0)) return {};
-    return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = wi->z < 0 ? index : 1};
+    return BsdfSample{.wi = *wi, .weight = f.f_cos / f.pdf, .pdf = f.pdf, .eta = g.index_towards(*wi)};
 }
 
 std::optional<Vec3> PrincipledBsdf::sample_base(const Seen& s, Vec2 v) const
