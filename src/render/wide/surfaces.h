@@ -115,7 +115,11 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
         set_lane(v.origin, i, s.origin);
         v.width[i] = cone.width + cone.spread * s.t;
         if constexpr (any) set_lane(v.non_lambert.p, i, s.p), set_lane(v.non_lambert.p_error, i, s.p_error);
-        view_.with_bsdf(s, number, take);
+        const WideScene::Fixed& fixed = scene_.fixed[v.material[i]];
+        if (fixed.is && (hits[i].kind != Kind::triangle || !scene_.has_colors))
+            std::visit(take, fixed.bsdf[s.front]);
+        else
+            view_.with_bsdf(s, number, take);
     });
     v.cos_o = dot(found.wo, v.ns);
     if constexpr (any) {
