@@ -1,35 +1,19 @@
-// Batched evaluation of plastic with the bits of PlasticBsdf. Few of eight lanes are plastic, and doubles are processed
-// by four, so the plastic points of many groups of eight lanes are queued contiguously.
+// Batched evaluation of plastic with the bits of PlasticBsdf.
 #pragma once
 
 #include <cassert>
 
-#include "core/lanes/vec.h"
+#include "materials/lane_queue.h"
 #include "materials/plastic.h"
 
 namespace lancer {
 
-using BsdfValueLanes = BsdfValueT<Vec3x8, Float8>;
-// As in BsdfSample, for the lanes in `found`; eta is 1.
-struct BsdfSampleLanes {
-    Vec3x8 wi, weight;
-    Float8 pdf;
-    uint32_t found, delta;
-};
-
-// Each operation has three steps: inputs are written for one group of eight lanes after another, in the order in which
-// they were added; everything is computed; results are read per group. Inputs and outputs are by lane; lanes that are
-// not plastic are undefined. Directions are local and unit.
+// See LaneQueue.
 class PlasticQueue {
 public:
-    static constexpr size_t most = 128;  // points
+    static constexpr size_t most = LaneQueue::most;
+    using Eight = LaneQueue::Eight;
 
-    // The contiguous points of a group of eight lanes.
-    struct Eight {
-        uint32_t first = 0, count = 0;
-        uint32_t lanes = 0;  // plastic lanes
-        UInt8 from{}, to{};  // lane of each point, point of each lane
-    };
     void clear() { count_ = 0; }
     Eight begin_eight() const { return {.first = count_}; }
     // of: the last group that was begun, as points are contiguous.
@@ -38,8 +22,7 @@ public:
         assert(of.first + of.count == count_);
         const PlasticBsdf::Coat& coat = bsdf.coat();
         const uint32_t k = count_++;
-        of.lanes |= 1u << lane;
-        of.from[of.count] = lane, of.to[lane] = of.count++;
+        of.add(lane);
         base_.set(k, bsdf.base()), specular_.set(k, bsdf.specular());
         eta_[k] = coat.eta, alpha_[k] = coat.alpha, mean_through_[k] = coat.mean_through;
         facets_[k / 4][k % 4] = coat.facets;
@@ -99,31 +82,9 @@ public:
     }
 
 private:
-    // A number per point. put() writes eight; the next group overwrites those beyond its own.
     template <class Lanes>
-    struct alignas(sizeof(Lanes)) Numbers : std::array<float, most + float_lanes> {
-        Float4 four(size_t k) const { return load4_aligned(&(*this)[k]); }
-        Lanes eight(size_t k) const { return reinterpret_cast<Lanes>(load8(&(*this)[k])); }
-        void set_eight(size_t k, Lanes x) { store8(&(*this)[k], reinterpret_cast<Float8>(x)); }
-        void put(const Eight& of, Lanes x)
-        {
-            store8_anywhere(&(*this)[of.first], reinterpret_cast<Float8>(permute(x, of.from)));
-        }
-        Lanes of(const Eight& of) const
-        {
-            return permute(reinterpret_cast<Lanes>(load8_anywhere(&(*this)[of.first])), of.to);
-        }
-    };
-    struct Vectors {
-        Numbers<Float8> x, y, z;
-
-        Vec3T<Float4> four(size_t k) const { return {x.four(k), y.four(k), z.four(k)}; }
-        Vec3x8 eight(size_t k) const { return {x.eight(k), y.eight(k), z.eight(k)}; }
-        void set_eight(size_t k, const Vec3x8& v) { x.set_eight(k, v.x), y.set_eight(k, v.y), z.set_eight(k, v.z); }
-        void set(size_t k, Color c) { x[k] = c.r, y[k] = c.g, z[k] = c.b; }
-        void put(const Eight& of, const Vec3x8& v) { x.put(of, v.x), y.put(of, v.y), z.put(of, v.z); }
-        Vec3x8 of(const Eight& of) const { return {x.of(of), y.of(of), z.of(of)}; }
-    };
+    using Numbers = LaneQueue::Numbers<Lanes>;
+    using Vectors = LaneQueue::Vectors;
     using Facets = std::array<AlbedoTable::Row, 4>;
     using Coat = PlasticCoat<Float4, Facets>;
 

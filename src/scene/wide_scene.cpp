@@ -90,6 +90,7 @@ std::optional<WideScene> WideScene::of(const Scene& scene, Shading least)
     WideScene d;
     std::vector<RowTable<1>::Record> albedo;
     d.shading = least;
+    d.has_principled = needed.has(feature_of(MaterialType::principled));
     if (!plain.covers(needed) || (has_triangle_lights && has_sky)) d.shading = Shading::textured;
     if (!(plain | textured).covers(needed)) d.shading = Shading::any;
     for (size_t i = 0; i < scene.materials.size(); ++i) {

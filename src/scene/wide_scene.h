@@ -33,7 +33,7 @@ struct WideScene {
                               is_fixed = 1u << 16,  // straight: no normal map, no tangent; fixed: see Fixed::is
         is_mirroring = 1u << 24;                    // MaterialTraits::mirrors
     // Flags of BSDFs.
-    static constexpr uint32_t is_non_lambert = 1, is_plastic = 1u << 8, is_only_delta = 1u << 16,
+    static constexpr uint32_t is_non_lambert = 1, is_queued = 1u << 8, is_only_delta = 1u << 16,
                               is_transmissive = 1u << 24;
 
     // Rows of a triangle light: its corners, with PointOnTriangle::rounding() behind the first one; the normal of its
@@ -78,6 +78,7 @@ struct WideScene {
     std::vector<uint32_t> triangle_flags;       // per material: flags of its non-instanced triangles
     std::vector<Fixed> fixed;                   // per material; not for Shading::plain
     bool has_colors = false;                    // some mesh has vertex colours
+    bool has_principled = false;                // some material is principled
     std::vector<LightKind> light_kinds;         // parallel to Scene::lights
     RowTable<light_rows> lights;                // parallel to Scene::lights if there are triangle lights
     std::vector<SphereLightRow> sphere_lights;  // parallel to Scene::lights if there are sphere lights
@@ -88,12 +89,19 @@ struct WideScene {
     static std::optional<WideScene> of(const Scene& scene, Shading least = Shading::plain);
 };
 
-// Flags of a BSDF: not Lambertian, plastic, only delta lobes, transmissive.
+// Whether points of a BSDF are processed together: see materials/lane_queue.h.
+template <Bsdf B>
+bool is_queued(const B& bsdf)
+{
+    if constexpr (std::is_same_v<B, PrincipledBsdf>) return bsdf.has_only_layers;
+    return std::is_same_v<B, PlasticBsdf>;
+}
+// Flags of a BSDF: not Lambertian, processed together, only delta lobes, transmissive.
 template <Bsdf B>
 uint32_t bsdf_flags(const B& bsdf)
 {
     if constexpr (std::is_same_v<B, LambertBsdf>) return 0;
-    return WideScene::is_non_lambert | (std::is_same_v<B, PlasticBsdf> ? WideScene::is_plastic : 0) |
+    return WideScene::is_non_lambert | (is_queued(bsdf) ? WideScene::is_queued : 0) |
            (bsdf.only_delta() ? WideScene::is_only_delta : 0) | (bsdf.transmits() ? WideScene::is_transmissive : 0);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 
 #include "core/frame.h"
@@ -64,6 +65,8 @@ public:
           prefetches_(tables_exceed_caches(view.scene)),
           moves_(textured && view.scene.geometry.motion.moves())
     {
+        if constexpr (any)
+            if (scene_.has_principled) non_lambert_.principled.emplace();
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
@@ -174,6 +177,19 @@ private:
     void lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v);
     template <class At>
     void lookup_bsdf(uint32_t lanes, Vertices& v, const At& at);
+    // Calls f(queue, points) for each queue with some of the lanes. queues: non_lambert_.
+    template <class Queues, class F>
+    static void for_queues(Queues& queues, const NonLambert& non_lambert, uint32_t lanes, const F& f)
+    {
+        if ((lanes & non_lambert.plastic.lanes) != 0) f(queues.plastic, non_lambert.plastic);
+        if ((lanes & non_lambert.principled.lanes) != 0) f(*queues.principled, non_lambert.principled);
+    }
+    template <class F>
+    void for_all_queues(const F& f)
+    {
+        f(non_lambert_.plastic);
+        if (non_lambert_.principled) f(*non_lambert_.principled);
+    }
     static void see_principled(NonLambert& non_lambert);
     template <class F>
     static auto with_bsdf(const NonLambert& non_lambert, uint32_t lane, const F& f);
@@ -280,10 +296,11 @@ private:
     // Additional working memory for materials that are not Lambertian.
     struct NonLambertWorkspace {
         PlasticQueue plastic;
+        std::optional<PrincipledQueue> principled;  // if the scene has such materials
         std::array<LightQuery, at_once / float_lanes> query;
         std::array<ScatterState, at_once / float_lanes> scatter_state;
     };
-    static_assert(at_once <= PlasticQueue::most);
+    static_assert(at_once <= LaneQueue::most);
     [[no_unique_address]] std::conditional_t<any, NonLambertWorkspace, wide::Empty> non_lambert_;
 };
 
@@ -348,7 +365,7 @@ inline void WideBatch<shading>::report_camera_hits(const Listener& listener, siz
 template <Shading shading>
 inline void WideBatch<shading>::shade(size_t first, size_t n)
 {
-    if constexpr (any) non_lambert_.plastic.clear();
+    if constexpr (any) for_all_queues([](auto& queue) { queue.clear(); });
     size_t met = 0;
     for (size_t i = 0; i < n; i += float_lanes)
         if (find_vertices(first + i, std::min<size_t>(float_lanes, n - i), vertices_[met])) ++met;
@@ -357,7 +374,7 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
         for (Vertices& v : vertices) find_surfaces(v);
         for (Vertices& v : vertices) lookup_materials(v);
     }
-    if constexpr (any) non_lambert_.plastic.see();
+    if constexpr (any) for_all_queues([](auto& queue) { queue.see(); });
     if (arrivals_)
         for (const Vertices& v : vertices)
             for_each_lane(v.hit,

@@ -86,11 +86,11 @@ inline void WideBatch<shading>::choose_part(const Vertices& v, ScatterState& g, 
         g.u = address.get2(v.path.sample);
     }
     g.cosine = square_to_cosine_hemisphere(g.u.x, g.u.y);
-    if ((lanes & v.non_lambert.plastic.lanes) != 0)
-        non_lambert_.plastic.put_numbers(v.non_lambert.plastic, g.lobe, g.u, g.cosine);
+    for_queues(non_lambert_, v.non_lambert, lanes,
+               [&](auto& queue, const LaneQueue::Eight& of) { queue.put_numbers(of, g.lobe, g.u, g.cosine); });
 }
 
-// Samples the BSDF of each lane: Lambertian and plastic lanes together, others one by one.
+// Samples the BSDF of each lane: Lambertian lanes and those of the queues together, others one by one.
 template <Shading shading>
 inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(const Vertices& v, const ScatterState& g,
                                                                                uint32_t lanes) const
@@ -100,15 +100,15 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
     BsdfSamples s{.wi = g.cosine, .weight = v.albedo, .pdf = pdf_cosine_hemisphere(g.cosine.z), .eta = broadcast(1.0f)};
     s.lanes = lanes & ~non_lambert.lanes & movemask((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
     if ((lanes & non_lambert.lanes) == 0) return s;
-    const uint32_t plastic = lanes & non_lambert.plastic.lanes;
-    if (plastic != 0) {
-        const BsdfSampleLanes sampled = non_lambert_.plastic.sampled(non_lambert.plastic);
-        const Mask8 is_asked = lanes_of(plastic);
+    for_queues(non_lambert_, non_lambert, lanes, [&](const auto& queue, const LaneQueue::Eight& of) {
+        const BsdfSampleLanes sampled = queue.sampled(of);
+        const uint32_t asked = lanes & of.lanes;
+        const Mask8 is_asked = lanes_of(asked);
         s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
         s.pdf = select(is_asked, sampled.pdf, s.pdf);
-        s.lanes |= plastic & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
-    }
-    for_each_lane(lanes & non_lambert.lanes & ~plastic, [&](uint32_t i) {
+        s.lanes |= asked & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
+    });
+    for_each_lane(lanes & non_lambert.lanes & ~non_lambert.queued(), [&](uint32_t i) {
         const auto sampled = with_bsdf(non_lambert, i, [&](const auto& bsdf, const auto& from) {
             return bsdf.sample(from, g.lobe[i], Vec2{g.u.x[i], g.u.y[i]});
         });
@@ -166,7 +166,7 @@ inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t
     const auto lanes = [&](const ScatterState& g) { return part == 0 ? g.sends : g.splits; };
     for (size_t i = 0; i < vertices.size(); ++i)
         if (ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
-    non_lambert_.plastic.sample();
+    for_all_queues([](auto& queue) { queue.sample(); });
     for (size_t i = 0; i < vertices.size(); ++i)
         if (const ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
 }

@@ -124,7 +124,8 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     v.cos_o = dot(found.wo, v.ns);
     if constexpr (any) {
         v.non_lambert.wo = FrameT<Float8>(v.ns).to_local(found.wo);
-        if (v.non_lambert.plastic.lanes != 0) non_lambert_.plastic.put_wo(v.non_lambert.plastic, v.non_lambert.wo);
+        for_queues(non_lambert_, v.non_lambert, v.non_lambert.lanes,
+                   [&](auto& queue, const LaneQueue::Eight& of) { queue.put_wo(of, v.non_lambert.wo); });
         see_principled(v.non_lambert);
     }
 }
@@ -133,23 +134,23 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
 template <Shading shading>
 inline void WideBatch<shading>::see_principled(NonLambert& non_lambert)
 {
-    non_lambert.principled = 0;
-    const uint32_t seen = non_lambert.lanes & ~non_lambert.plastic.lanes & movemask(non_lambert.wo.z > Float8{});
+    non_lambert.seen = 0;
+    const uint32_t seen = non_lambert.lanes & ~non_lambert.queued() & movemask(non_lambert.wo.z > Float8{});
     for_each_lane(seen, [&](uint32_t i) {
         const auto* bsdf = std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]);
         if (!bsdf) return;
-        non_lambert.principled |= 1u << i;
+        non_lambert.seen |= 1u << i;
         non_lambert.lobes[i] = bsdf->seen_from(lane(non_lambert.wo, i));
     });
 }
 
-// Calls f(bsdf, from) for a lane that is neither Lambertian nor plastic. from: the first argument of the BSDF's eval()
+// Calls f(bsdf, from) for a lane that is neither Lambertian nor queued. from: the first argument of the BSDF's eval()
 // and sample().
 template <Shading shading>
 template <class F>
 inline auto WideBatch<shading>::with_bsdf(const NonLambert& non_lambert, uint32_t i, const F& f)
 {
-    if ((non_lambert.principled >> i & 1) != 0)
+    if ((non_lambert.seen >> i & 1) != 0)
         return f(*std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]), *non_lambert.lobes[i]);
     const Vec3 wo = lane(non_lambert.wo, i);
     return std::visit([&](const auto& bsdf) { return f(bsdf, wo); }, *non_lambert.bsdf[i]);
@@ -174,6 +175,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     NonLambert& non_lambert = v.non_lambert;
     non_lambert.lanes = non_lambert.only_delta = non_lambert.transmits = 0;
     non_lambert.plastic = non_lambert_.plastic.begin_eight();
+    if (non_lambert_.principled) non_lambert.principled = non_lambert_.principled->begin_eight();
     if (lanes == 0) return;
     WideScene::LaneFlags flags;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -185,8 +187,11 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     non_lambert.lanes = lanes & flags.lanes(WideScene::is_non_lambert);
     non_lambert.only_delta = lanes & flags.lanes(WideScene::is_only_delta);
     non_lambert.transmits = lanes & flags.lanes(WideScene::is_transmissive);
-    for_each_lane(lanes & flags.lanes(WideScene::is_plastic), [&](uint32_t i) {
-        non_lambert_.plastic.add(non_lambert.plastic, i, *std::get_if<PlasticBsdf>(non_lambert.bsdf[i]));
+    for_each_lane(lanes & flags.lanes(WideScene::is_queued), [&](uint32_t i) {
+        if (const auto* plastic = std::get_if<PlasticBsdf>(non_lambert.bsdf[i]))
+            non_lambert_.plastic.add(non_lambert.plastic, i, *plastic);
+        else
+            non_lambert_.principled->add(non_lambert.principled, i, *std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]));
     });
 }
 
@@ -205,8 +210,10 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
         non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
         if (!by_mirrors_) return;
     }
-    non_lambert.own[i] = bsdf;
+    const B& own = non_lambert.own[i].emplace<B>(bsdf);
     non_lambert.bsdf[i] = &non_lambert.own[i];
+    if constexpr (std::is_same_v<B, PrincipledBsdf>)
+        if (own.has_only_layers) non_lambert_.principled->add(non_lambert.principled, i, own);
 }
 
 // Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the

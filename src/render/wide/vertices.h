@@ -8,6 +8,7 @@
 #include "geometry/hit_lanes.h"
 #include "materials/material.h"
 #include "materials/plastic_queue.h"
+#include "materials/principled_queue.h"
 #include "render/wide/states.h"
 #include "scene/lights/wide.h"
 #include "scene/triangle_interaction.h"
@@ -17,19 +18,21 @@ namespace lancer::wide {
 // The lanes whose material is not Lambertian.
 struct NonLambert {
     uint32_t lanes;                                // lanes that are not Lambertian
-    std::array<const AnyBsdf*, float_lanes> bsdf;  // their BSDFs; plastic is in the queue below
+    std::array<const AnyBsdf*, float_lanes> bsdf;  // their BSDFs; of plastic only if it is the same everywhere
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
-    PlasticQueue::Eight plastic;
-    std::array<AnyBsdf, float_lanes> own;  // storage of BSDFs that depend on the point
-    uint32_t principled;                   // lanes of that material, seen from the front; their lobes:
+    LaneQueue::Eight plastic, principled;          // points in the queues
+    std::array<AnyBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
+    uint32_t seen;                                 // other principled lanes, seen from the front; their lobes:
     std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
     // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
     // normal that it keeps.
     uint32_t mirrored;
     Float8 mirrored_pdf, mirror_distance;
     Vec3x8 mirrored_normal;
+
+    uint32_t queued() const { return plastic.lanes | principled.lanes; }
 };
 struct Empty {};
 // Which data the surfaces need.

@@ -1,8 +1,10 @@
-// Plastic at many places at once has the bits of plastic at each.
-#include "materials/plastic_queue.h"
+// A material at many places at once has the bits of it at each.
+#include "materials/lane_queue.h"
 
 #include <gtest/gtest.h>
 
+#include "materials/plastic_queue.h"
+#include "materials/principled_queue.h"
 #include "materials/samples.h"
 
 namespace lancer {
@@ -26,29 +28,57 @@ void expect_color(const Vec3x8& found, uint32_t i, Color wanted)
     EXPECT_EQ(found.z[i], wanted.b);
 }
 
-constexpr size_t eights = PlasticQueue::most / float_lanes;
+struct PlasticCase {
+    using Queue = PlasticQueue;
+    using Bsdf = PlasticBsdf;
 
-// As many eights of lanes as a list may have to do with, some of them plastic, each of any kind.
+    static std::vector<Bsdf> all()
+    {
+        std::vector<Bsdf> bsdfs;
+        for (const auto& s : samples<Plastic>()) bsdfs.push_back(s.material.at({}));
+        return bsdfs;
+    }
+};
+struct PrincipledCase {
+    using Queue = PrincipledQueue;
+    using Bsdf = PrincipledBsdf;
+
+    static std::vector<Bsdf> all()
+    {
+        static const auto materials = samples<Principled>();
+        std::vector<Bsdf> bsdfs;
+        for (const auto& s : materials)
+            for (const bool front : {true, false})
+                if (const Bsdf b = s.material.at({.front = front}); b.has_only_layers) bsdfs.push_back(b);
+        return bsdfs;
+    }
+};
+
+constexpr size_t eights = LaneQueue::most / float_lanes;
+
+// As many eights of lanes as a list may have to do with, some of them of the material, each of any kind.
+template <class Case>
 struct Places {
+    using Bsdf = typename Case::Bsdf;
     struct Eight {
-        std::array<std::optional<PlasticBsdf>, float_lanes> bsdf;
-        PlasticQueue::Eight of;
+        std::array<std::optional<Bsdf>, float_lanes> bsdf;
+        LaneQueue::Eight of;
         Vec3x8 wo;
     };
-    PlasticQueue list;
+    typename Case::Queue list;
     std::array<Eight, eights> eight;
 
     // Other places have been there before.
     void set(Random& random)
     {
-        static const auto all = samples<Plastic>();
+        static const std::vector<Bsdf> all = Case::all();
         const uint32_t part = random.below(9);
         list.clear();
         for (Eight& e : eight) {
             e.of = list.begin_eight();
             for (auto& bsdf : e.bsdf) {
                 bsdf.reset();
-                if (random.below(8) < part) bsdf = all[random.below(static_cast<uint32_t>(all.size()))].material.at({});
+                if (random.below(8) < part) bsdf = all[random.below(static_cast<uint32_t>(all.size()))];
             }
             // Whoever looks places up does so in no order.
             for (const bool odd : {true, false})
@@ -74,10 +104,16 @@ struct Places {
     }
 };
 
-TEST(PlasticQueue, EvaluatesAsEachAlone)
+template <class Case>
+struct LaneQueueTest : testing::Test {
+};
+using Cases = testing::Types<PlasticCase, PrincipledCase>;
+TYPED_TEST_SUITE(LaneQueueTest, Cases);
+
+TYPED_TEST(LaneQueueTest, EvaluatesAsEachAlone)
 {
     Random random(1);
-    Places places;
+    Places<TypeParam> places;
     for (int round = 0; round < 2000; ++round) {
         places.set(random);
         std::array<Vec3x8, eights> wi;
@@ -86,20 +122,21 @@ TEST(PlasticQueue, EvaluatesAsEachAlone)
             places.list.put_wi(places.eight[k].of, wi[k]);
         }
         places.list.eval();
-        places.for_each([&](size_t k, const Places::Eight& e, uint32_t i, const PlasticBsdf& bsdf, Vec3 wo) {
+        places.for_each([&](size_t k, const auto& e, uint32_t i, const auto& bsdf, Vec3 wo) {
+            if (bsdf.only_delta()) return;
             const BsdfValueLanes f = places.list.value(e.of);
             const BsdfValue wanted = bsdf.eval(wo, lane(wi[k], i));
             expect_color(f.f_cos, i, wanted.f_cos);
             EXPECT_EQ(f.pdf[i], wanted.pdf);
         });
-        if (HasFailure()) return;
+        if (this->HasFailure()) return;
     }
 }
 
-TEST(PlasticQueue, SamplesAsEachAlone)
+TYPED_TEST(LaneQueueTest, SamplesAsEachAlone)
 {
     Random random(2);
-    Places places;
+    Places<TypeParam> places;
     int found = 0, mirrored = 0, lost = 0;
     for (int round = 0; round < 2000; ++round) {
         places.set(random);
@@ -111,7 +148,7 @@ TEST(PlasticQueue, SamplesAsEachAlone)
             places.list.put_numbers(places.eight[k].of, u[k], v[k], square_to_cosine_hemisphere(v[k].x, v[k].y));
         }
         places.list.sample();
-        places.for_each([&](size_t k, const Places::Eight& e, uint32_t i, const PlasticBsdf& bsdf, Vec3 wo) {
+        places.for_each([&](size_t k, const auto& e, uint32_t i, const auto& bsdf, Vec3 wo) {
             const BsdfSampleLanes s = places.list.sampled(e.of);
             const auto wanted = bsdf.sample(wo, u[k][i], {v[k].x[i], v[k].y[i]});
             ASSERT_EQ((s.found >> i & 1) != 0, wanted.has_value());
@@ -123,7 +160,7 @@ TEST(PlasticQueue, SamplesAsEachAlone)
             EXPECT_EQ(s.pdf[i], wanted->pdf);
             EXPECT_EQ(wanted->eta, 1);
         });
-        if (HasFailure()) return;
+        if (this->HasFailure()) return;
     }
     EXPECT_GT(found, 1000);
     EXPECT_GT(mirrored, 1000);
