@@ -10,8 +10,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <type_traits>
+#include <vector>
 
 #include "core/lanes/lanes.h"
+#include "materials/albedo_nodes.h"
 #include "materials/fresnel.h"
 
 namespace lancer {
@@ -33,21 +36,33 @@ struct FacetReflectance {
         if (kind != FacetKind::coat) return one;
         return fresnel_dielectric_double(smaller(one, cos), (1.0 - cos) * (1.0 + cos), eta + D{}).reflectance;
     }
+    // What the albedo of rough facets is counted from.
+    double whole(double cos) const { return kind == FacetKind::coat && has_edge(eta) ? 1 : (*this)(cos); }
+    // Whether the reflectance has an edge, where all of it begins.
+    static bool has_edge(double eta) { return eta < 1; }
+    // The critical cosine where few values miss that edge, as in albedo_nodes.h; 0 elsewhere. What a boundary loses has
+    // none.
+    float edge() const;
 };
+// The same as whole() of a coat of any roughness. smooth: its reflectance if it were smooth. Up to an edge that varies
+// with the angle as the albedo does, so that few values of their quotient tell all; facets smear the edge.
+template <class T>
+inline T whole_of_coat(T smooth, std::type_identity_t<T> eta, std::type_identity_t<T> alpha)
+{
+    return select((alpha > 0.0f) & (eta < 1.0f), T{} + 1.0f, smooth);
+}
 
 class AlbedoTable {
-    // Nodes have few leading bits, four per power of two, as losses vary with cos / alpha near grazing and with cos
-    // elsewhere. Below the first node its values are used.
-    static constexpr uint32_t bits_below_node = 21;
-    static constexpr float least_cos = 0x1p-12f, least_row = 0x1p-14f;
-    static constexpr uint32_t cosines = 49, rows = 57;
+    static constexpr float least_row = 0x1p-14f;
+    static constexpr uint32_t rows = 57;
 
 public:
     // eta: index beyond the surface over index before it, finite, > 0; of a sheet that of its glass; of a reflector it
     // does not count. Nothing may be asked of a table before need() or need_all().
-    explicit AlbedoTable(FacetKind kind, double eta = 1) : eta_(eta), kind_(kind) {}
+    explicit AlbedoTable(FacetKind kind, double eta = 1);
     // From now on row() and mean_missing() answer for this alpha in (0, 1]. The bits do not depend on what else was
-    // needed. About half a millisecond; a boundary or sheet takes twice as long.
+    // needed. About half a millisecond; a boundary or sheet takes twice as long, with an edge some fifteen times as
+    // long.
     void need(float alpha);
     // The same for every alpha: 28 times as long.
     void need_all();
@@ -58,28 +73,30 @@ public:
     public:
         Row() = default;
         explicit operator bool() const { return losses_ != none.data(); }
-        // L, where F(cos) (1 - L) is the directional albedo and F that of the smooth surface: the reflectance of a
-        // coat, else 1, and then L is in [0, 1]. cos in (0, 1]. 0 of a row that is none.
+        // L, where F(cos) (1 - L) is the directional albedo and F is whole_of_coat() of a coat, else 1. Where F is 1, L
+        // is in [0, 1]. cos in (0, 1]. 0 of a row that is none.
         float loss(float cos) const
         {
-            const Cell c = cell(cos, least_cos, cosines);
+            const NodeCell c = cosine_cell(edge_, cos);
             const auto at = [&](const float* l) { return l[0] + c.part * (l[1] - l[0]); };
-            const float low = at(losses_ + c.index), high = at(losses_ + cosines + c.index);
+            const float low = at(losses_ + c.index), high = at(losses_ + cosines_of(edge_) + c.index);
             return low + part_ * (high - low);
         }
         // Four rows, each at its own cosine.
         static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
         {
+            if (four[0].edge_ + four[1].edge_ + four[2].edge_ + four[3].edge_ > 0)
+                return Float4{four[0].loss(cos[0]), four[1].loss(cos[1]), four[2].loss(cos[2]), four[3].loss(cos[3])};
             const Float4 x = max(min(cos, broadcast_to<Float4>(1)), broadcast_to<Float4>(least_cos));
             const UInt4 offset = reinterpret_cast<UInt4>(x) - std::bit_cast<uint32_t>(least_cos);
-            const UInt4 index = min(offset >> bits_below_node, UInt4{} + (cosines - 2));
+            const UInt4 index = min(offset >> bits_below_node, UInt4{} + (plain_cosines - 2));
             const Int4 rest = reinterpret_cast<Int4>(offset - (index << bits_below_node));
             const Float4 part = to_float(rest) * (1.0f / (uint32_t{1} << bits_below_node));
             alignas(16) std::array<uint32_t, 4> first;
             store4_aligned(first.data(), index);
             const auto ends = [&](size_t i) {
                 const float* low = four[i].losses_ + first[i];
-                return load2x2(low, low + cosines);
+                return load2x2(low, low + plain_cosines);
             };
             const auto [a, b, c, d] = transpose4x4(std::array<Float4, 4>{ends(0), ends(1), ends(2), ends(3)});
             const Float4 low = a + part * (b - a), high = c + part * (d - c);
@@ -88,54 +105,39 @@ public:
 
     private:
         friend AlbedoTable;
-        Row(const float* losses, float part) : losses_(losses), part_(part) {}
+        Row(const float* losses, float part, float edge) : losses_(losses), part_(part), edge_(edge) {}
 
-        static constexpr std::array<float, 2 * cosines> none{};
+        static constexpr std::array<float, 2 * plain_cosines> none{};
 
         const float* losses_ = none.data();  // of two alphas, one behind the other
         float part_ = 0;                     // interpolation weight of the second
+        float edge_ = 0;                     // as in albedo_nodes.h
     };
     // alpha: in (0, 1]. Not of a coat.
     EvenLobe even_lobe(float alpha) const;
     // alpha: in (0, 1].
     Row row(float alpha) const
     {
-        const Cell a = cell(alpha, least_row, rows);
-        return {&loss_[a.index * cosines], a.part};
+        const NodeCell a = cell_from(alpha, least_row, rows);
+        return {&loss_[a.index * size_t{cosines_of(edge_)}], a.part, edge_};
     }
     float loss(float cos, float alpha) const { return row(alpha).loss(cos); }
     // 1 - the hemispherical albedo (the cosine-weighted mean), exactly that of the interpolated loss().
     float mean_missing(float alpha) const
     {
-        const Cell a = cell(alpha, least_row, rows);
+        const NodeCell a = cell_from(alpha, least_row, rows);
         return mean_missing_[a.index] + a.part * (mean_missing_[a.index + 1] - mean_missing_[a.index]);
     }
 
 private:
     void fill_row(uint32_t row);
 
-    static constexpr float node(float least, uint32_t i)
-    {
-        return std::bit_cast<float>(std::bit_cast<uint32_t>(least) + (i << bits_below_node));
-    }
-    struct Cell {
-        uint32_t index;
-        float part;
-    };
-    static Cell cell(float x, float least, uint32_t nodes)
-    {
-        const uint32_t first = std::bit_cast<uint32_t>(least);
-        const uint32_t offset = std::bit_cast<uint32_t>(std::clamp(x, least, 1.0f)) - first;
-        const uint32_t index = std::min(offset >> bits_below_node, nodes - 2);
-        const auto rest = static_cast<float>(offset - (index << bits_below_node));
-        return {index, rest * (1.0f / (uint32_t{1} << bits_below_node))};
-    }
-
-    std::array<float, rows * cosines> loss_{};  // row by row
+    std::vector<float> loss_;  // row by row
     // Likewise: integral of 2 x L(x) from 0 to each node, the first one standing for 0.
-    std::array<float, rows * cosines> cumulative_{};
+    std::vector<float> cumulative_;
     std::array<float, rows> mean_missing_{};
     double eta_;
+    float edge_;  // as in albedo_nodes.h
     FacetKind kind_;
     std::array<bool, rows> is_filled_{};
 };
@@ -159,31 +161,34 @@ public:
     // cos in [0, 1].
     float pdf(float cos) const
     {
-        const uint32_t i = cell(cos, least_cos, cosines).index;
-        const float low = lower_end(i), high = node(least_cos, i + 1);
+        const uint32_t i = cosine_cell(row_.edge_, cos).index;
+        const float low = lower_end(i), high = cosine_node(row_.edge_, i + 1);
         const float mean_here = (up_to(i + 1) - up_to(i)) / ((high - low) * (high + low));
-        return mean_here * cos * (std::numbers::inv_pi_v<float> / up_to(cosines - 1));
+        return mean_here * cos * (std::numbers::inv_pi_v<float> / up_to(cosines_of(row_.edge_) - 1));
     }
     // u: in [0, 1).
     float sample_cos(float u) const
     {
-        const float at = u * up_to(cosines - 1);
-        uint32_t first = 0, count = cosines - 1;  // the last node whose integral is at most `at`
-        while (count > 1) {
+        uint32_t first = 0, count = cosines_of(row_.edge_) - 1;
+        const float at = u * up_to(count);
+        while (count > 1) {  // the last node whose integral is at most `at`
             const uint32_t half = count / 2;
             if (up_to(first + half) <= at) first += half;
             count -= half;
         }
         const float from = up_to(first), mass = up_to(first + 1) - from;
         const float part = mass > 0 ? std::clamp((at - from) / mass, 0.0f, 1.0f) : 0;
-        const float low = lower_end(first), high = node(least_cos, first + 1);
+        const float low = lower_end(first), high = cosine_node(row_.edge_, first + 1);
         return std::sqrt(low * low + part * ((high - low) * (high + low)));
     }
 
 private:
     friend AlbedoTable;
-    static float lower_end(uint32_t i) { return i == 0 ? 0 : node(least_cos, i); }
-    float up_to(uint32_t i) const { return cumulative_[i] + part_ * (cumulative_[cosines + i] - cumulative_[i]); }
+    float lower_end(uint32_t i) const { return i == 0 ? 0 : cosine_node(row_.edge_, i); }
+    float up_to(uint32_t i) const
+    {
+        return cumulative_[i] + part_ * (cumulative_[cosines_of(row_.edge_) + i] - cumulative_[i]);
+    }
 
     Row row_;
     const float* cumulative_ = nullptr;  // of two alphas, one behind the other
@@ -191,9 +196,9 @@ private:
 };
 inline AlbedoTable::EvenLobe AlbedoTable::even_lobe(float alpha) const
 {
-    const Cell a = cell(alpha, least_row, rows);
+    const NodeCell a = cell_from(alpha, least_row, rows);
     EvenLobe lobe;
-    lobe.row_ = row(alpha), lobe.cumulative_ = &cumulative_[a.index * cosines];
+    lobe.row_ = row(alpha), lobe.cumulative_ = &cumulative_[a.index * size_t{cosines_of(edge_)}];
     lobe.part_ = a.part, lobe.mean_ = mean_missing(alpha);
     return lobe.mean_ > 0 ? lobe : EvenLobe{};
 }

@@ -21,21 +21,23 @@ PlaceInRange place_in(float x, uint32_t nodes)
 // Albedo over that of the smooth surface, subtracted from 1. Four normals at a time.
 double loss_of_stretched(const AlphaPair& alpha, Vec3d wo, const FacetReflectance& reflectance)
 {
-    constexpr size_t turns = 24, heights = 24;
-    const double smooth = reflectance(wo.z);
+    constexpr size_t most_turns = 48;
+    const size_t turns = reflectance.edge() > 0 ? most_turns : 24, heights = turns;
+    const double smooth = reflectance.whole(wo.z);
     if (!(smooth > 0)) return 0;
-    std::array<SinCosT<Double4>, turns / double_lanes> phi;
+    std::array<SinCosT<Double4>, most_turns / double_lanes> phi;
     for (size_t i = 0; i < turns; ++i) {
-        const SinCos at = sin_cos_2pi((static_cast<float>(i) + 0.5f) / turns);
+        const SinCos at = sin_cos_2pi((static_cast<float>(i) + 0.5f) / static_cast<float>(turns));
         phi[i / 4].sin[i % 4] = at.sin, phi[i / 4].cos[i % 4] = at.cos;
     }
     const StretchedGgxT<Double4> ggx{broadcast(double{alpha.along}), broadcast(double{alpha.across})};
     const Vec3T<Double4> from = in_four_lanes(wo);
     double sum = 0, weights = 0;
     for (size_t j = 0; j < heights; ++j) {
-        const double s = (static_cast<double>(j) + 0.5) / heights, weight = s * (1 - s), v = s * s * (3 - 2 * s);
-        for (const SinCosT<Double4>& four : phi) {
-            const Vec3T<Double4> h = ggx.sample_visible(from, broadcast(double{static_cast<float>(v)}), four);
+        const double s = (static_cast<double>(j) + 0.5) / static_cast<double>(heights), weight = s * (1 - s),
+                     v = s * s * (3 - 2 * s);
+        for (size_t i = 0; i < turns / double_lanes; ++i) {
+            const Vec3T<Double4> h = ggx.sample_visible(from, broadcast(double{static_cast<float>(v)}), phi[i]);
             const Vec3T<Double4> wi = mirrored(from, h);
             const FacetReflectionT<Double4> f = eval_stretched(ggx, from, wi);
             const Double4 part =
@@ -55,9 +57,12 @@ Vec3d direction(double cos, double turn)
 
 }  // namespace
 
-AnisotropicTable::Slice::Place AnisotropicTable::Slice::place(float cos, float x, float y)
+AnisotropicTable::Slice::Place AnisotropicTable::Slice::place(float edge, float cos, float x, float y)
 {
-    const auto [c, part] = place_in(std::sqrt(std::clamp(cos, 0.0f, 1.0f)), cosines);
+    const float in_range = std::clamp(cos, 0.0f, 1.0f);
+    const EdgedCosine at = edge > 0 ? edged_cosine(edge, in_range) : EdgedCosine{0, in_range};
+    const auto [step, part] = place_in(std::sqrt(at.from), cosines);
+    const uint32_t c = at.piece * cosines + step;
     const float azimuth = x == 0 && y == 0 ? 0 : std::atan2(std::abs(y), std::abs(x)) * (2 / pi);
     const auto [a, side] = place_in(azimuth, azimuths);
     return {c * azimuths + a, part, side};
@@ -71,14 +76,14 @@ float AnisotropicTable::Slice::at(const Place& p) const
     return here + p.part * (there - here);
 }
 
-std::vector<AnisotropicTable::Slice::Place> AnisotropicTable::even_light()
+std::vector<AnisotropicTable::Slice::Place> AnisotropicTable::even_light(float edge)
 {
     std::vector<Slice::Place> places;
     places.reserve(steps * steps);
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
             const Vec3 w = to_float(direction(std::sqrt((i + 0.5) / steps), (j + 0.5) / steps));
-            places.push_back(Slice::place(w.z, w.x, w.y));
+            places.push_back(Slice::place(edge, w.z, w.x, w.y));
         }
     return places;
 }
@@ -89,17 +94,22 @@ AnisotropicTable::Slice AnisotropicTable::make(float roughness, float anisotropy
     const FacetReflectance reflectance{kind_, eta_};
     const AlphaPair alpha = alphas_of(roughness, anisotropy);
     Slice slice;
-    for (uint32_t c = 0; c < cosines; ++c)
+    slice.edge = reflectance.edge();
+    const uint32_t pieces = slice.edge > 0 ? 3 : 1;
+    slice.loss.resize(size_t{pieces} * cosines * azimuths);
+    for (uint32_t c = 0; c < pieces * cosines; ++c)
         for (uint32_t a = 0; a < azimuths; ++a) {
-            const double root = std::max(2e-3, static_cast<double>(c) / (cosines - 1));
-            const Vec3d wo = direction(root * root, static_cast<double>(a) / (azimuths - 1));
+            const double root = std::max(2e-3, static_cast<double>(c % cosines) / (cosines - 1));
+            double cos = root * root;
+            if (pieces > 1) cos = double{cosine_of(slice.edge, {c / cosines, static_cast<float>(cos)})};
+            const Vec3d wo = direction(cos, static_cast<double>(a) / (azimuths - 1));
             slice.loss[c * azimuths + a] = static_cast<float>(loss_of_stretched(alpha, wo, reflectance));
         }
     // Of the interpolated losses.
     double sum = 0;
     const Slice::Place* place = even.data();
     for (int i = 0; i < steps; ++i) {
-        const double r = reflectance(std::sqrt((i + 0.5) / steps));
+        const double r = reflectance.whole(std::sqrt((i + 0.5) / steps));
         for (int j = 0; j < steps; ++j) sum += (1 - r) + r * static_cast<double>(slice.at(*place++));
     }
     slice.mean = static_cast<float>(sum / (steps * steps));
@@ -108,14 +118,14 @@ AnisotropicTable::Slice AnisotropicTable::make(float roughness, float anisotropy
 
 void AnisotropicTable::need(float roughness, float anisotropy)
 {
-    if (slices_.empty()) slices_.push_back(make(roughness, anisotropy, even_light()));
+    if (slices_.empty()) slices_.push_back(make(roughness, anisotropy, even_light(edge())));
 }
 
 void AnisotropicTable::need_all()
 {
     roughnesses_ = all_roughnesses, anisotropies_ = all_anisotropies;
     slices_.clear();
-    const std::vector<Slice::Place> even = even_light();
+    const std::vector<Slice::Place> even = even_light(edge());
     for (uint32_t r = 0; r < roughnesses_; ++r)
         for (uint32_t a = 0; a < anisotropies_; ++a)
             slices_.push_back(make(std::max(0.02f, static_cast<float>(r) / (all_roughnesses - 1)),

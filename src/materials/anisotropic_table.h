@@ -14,25 +14,26 @@ class AnisotropicTable {
     static constexpr uint32_t cosines = 25, azimuths = 9;
 
     // Of one roughness and anisotropy: losses row by row, at even steps of the root of the cosine and of the azimuth of
-    // a quarter turn, and their mean.
+    // a quarter turn, and their mean. With an edge (albedo_nodes.h) of the root of EdgedCosine::from in each piece.
     struct Slice {
         // Between which losses a direction lies: the first of four, and the weights of the others.
         struct Place {
             uint32_t first;
             float part, side;
         };
-        static Place place(float cos, float x, float y);
+        static Place place(float edge, float cos, float x, float y);
         float at(const Place& p) const;
-        float at(float cos, float x, float y) const { return at(place(cos, x, y)); }
+        float at(float cos, float x, float y) const { return at(place(edge, cos, x, y)); }
 
-        std::array<float, cosines * azimuths> loss{};
-        float mean = 0;
+        std::vector<float> loss{};
+        float mean = 0, edge = 0;
     };
 
 public:
     // kind: reflector or coat; eta as for AlbedoTable.
     AnisotropicTable(FacetKind kind, double eta) : kind_(kind), eta_(eta) {}
-    // From now on at() answers for this pair, and only for it. Roughness above 0; a few milliseconds.
+    // From now on at() answers for this pair, and only for it. Roughness above 0; a few milliseconds, or some ten
+    // times as many of a coat of an index below 1.
     void need(float roughness, float anisotropy);
     // The same for every pair: some sixty times as long.
     void need_all();
@@ -56,7 +57,8 @@ public:
 private:
     // Directions of even light: those of one cosine one behind the other.
     static constexpr int steps = 96;
-    static std::vector<Slice::Place> even_light();
+    static std::vector<Slice::Place> even_light(float edge);
+    float edge() const { return FacetReflectance{kind_, eta_}.edge(); }
     Slice make(float roughness, float anisotropy, const std::vector<Slice::Place>& even) const;
 
     FacetKind kind_;

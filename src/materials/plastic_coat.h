@@ -31,7 +31,8 @@ struct PlasticCoat {
     {
         const D c = to_double(smaller(T{} + 1.0f, cos));
         const T smooth = to_float(fresnel_dielectric_double(c, (1.0 - c) * (1.0 + c), to_double(eta)).reflectance);
-        return 1.0f - smooth + smooth * loss_of(facets, cos);
+        const T whole = whole_of_coat(smooth, eta, alpha);
+        return 1.0f - whole + whole * loss_of(facets, cos);
     }
     // wo: z > 0. specular, base: largest components of the colours. Lobes are selected by the light that they reflect.
     Seen seen(const Vec3T<T>& wo, T specular, T base) const

@@ -108,9 +108,10 @@ Color PrincipledBsdf::dielectric_reflectance(float cos) const
 
 Color PrincipledBsdf::dielectric_albedo(float cos, float lost) const
 {
-    if (!(film > 0) || facet_alpha == 0) return dielectric_reflectance(cos) * (1 - lost);
-    return mix(PrincipledLayers::dielectric_albedo(cos, lost),
-               material->tables->film->albedo(cos, roughness, film_thickness), film);
+    if (facet_alpha == 0) return dielectric_reflectance(cos);
+    const Color bare = PrincipledLayers::dielectric_albedo(cos, lost);
+    if (!(film > 0)) return bare;
+    return mix(bare, material->tables->film->albedo(cos, roughness, film_thickness), film);
 }
 
 // What a film makes of the light that smooth glass, or a facet, reflects or lets through, as a factor. cos: at the

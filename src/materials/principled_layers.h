@@ -90,7 +90,12 @@ struct PrincipledLayers : PrincipledNumbers<T> {
     // Without the tint.
     Spectrum dielectric_reflectance(T cos) const { return grey(fresnel(cos, N::dielectric_ior).reflectance); }
     // The same, of all facets together, which lose a part.
-    Spectrum dielectric_albedo(T cos, T lost) const { return dielectric_reflectance(cos) * (1.0f - lost); }
+    Spectrum dielectric_albedo(T cos, T lost) const { return grey(facet_albedo(cos, lost)); }
+    T facet_albedo(T cos, T lost) const
+    {
+        const T smooth = fresnel(cos, N::dielectric_ior).reflectance;
+        return whole_of_coat(smooth, N::dielectric_ior, N::facet_alpha) * (1.0f - lost);
+    }
     // unit: w in double.
     T dielectric_loss(const Vec3T<T>& w, const Vec3T<Double>&) const { return loss_of(dielectric_row, w.z); }
     T metal_loss(const Vec3T<T>& w, const Vec3T<Double>&) const { return loss_of(metal_row, w.z); }
@@ -103,10 +108,7 @@ struct PrincipledLayers : PrincipledNumbers<T> {
     {
         return diffuse_below(s.through * through_back(wi.z, dielectric_loss(wi, i)), wi);
     }
-    T through_back(T cos, T lost) const
-    {
-        return (1.0f - fresnel(cos, N::dielectric_ior).reflectance * (1.0f - lost)) / N::mean_through;
-    }
+    T through_back(T cos, T lost) const { return (1.0f - facet_albedo(cos, lost)) / N::mean_through; }
     Spectrum diffuse_below(const Spectrum& through, const Vec3T<T>& wi) const
     {
         return product(N::base, through) * (N::body * pdf_cosine_hemisphere(wi.z));
@@ -133,7 +135,8 @@ void see_layers(const B& b, typename B::Seen& s)
     s.under_coat = B::grey(under_fuzz);
     if (!any_lane(b.coat > 0.0f)) return;
     const FresnelT<T> fresnel = B::fresnel(s.wo.z, b.coat_ior);
-    const T albedo = fresnel.reflectance * (1.0f - loss_of(b.coat_row, s.wo.z));
+    const T whole = whole_of_coat(fresnel.reflectance, b.coat_ior, b.coat_alpha);
+    const T albedo = whole * (1.0f - loss_of(b.coat_row, s.wo.z));
     s.over = under_fuzz * b.coat;
     s.coat_chance = s.over * albedo;
     s.under_coat = product(B::grey(under_fuzz * (1.0f - b.coat * albedo)), b.tint_of_coat(fresnel.cos_t));

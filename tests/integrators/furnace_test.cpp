@@ -130,15 +130,18 @@ TEST(SkyFurnace, RoughThingsThatLoseNothingAreInvisible)
             const std::string what = name_of(how) + " " + std::to_string(roughness);
             const MaterialDescription metal = make_glossy("metal", MaterialType::metal, {1, 1, 1}, roughness);
             EXPECT_NEAR(brightness_of_ball(metal, how), 1, 0.01) << "metal, " << what;
-            for (const float ior : {1.1f, 1.5f, 2.5f}) {
+            for (const float ior : {0.4f, 0.7f, 1.1f, 1.5f, 2.5f}) {
                 MaterialDescription glass = make_glossy("glass", MaterialType::glass, {1, 1, 1}, roughness);
                 glass.ior = ior;
                 // Light is caught inside for long: 32000 paths are right to 1.5 %.
                 EXPECT_NEAR(brightness_of_ball(glass, how, ior > 2 ? 1024 : 128), 1, 0.01)
                     << "glass of index " << ior << ", " << what;
             }
-            const MaterialDescription plastic = make_glossy("plastic", MaterialType::plastic, {1, 1, 1}, roughness);
-            EXPECT_NEAR(brightness_of_ball(plastic, how), 1, 0.005) << "plastic, " << what;
+            for (const float ior : {0.5f, 0.7f, 1.5f}) {
+                MaterialDescription plastic = make_glossy("plastic", MaterialType::plastic, {1, 1, 1}, roughness);
+                plastic.ior = ior;
+                EXPECT_NEAR(brightness_of_ball(plastic, how), 1, 0.005) << "plastic of index " << ior << ", " << what;
+            }
         }
 }
 

@@ -1,0 +1,85 @@
+// The cosines at which tables of albedos have values, and between which of them one lies. There are few leading bits in
+// a node, four nodes per power of two, as losses vary with cos / alpha near grazing and with cos elsewhere. Below the
+// first node its values are used.
+// Where light meets what is thinner, the reflectance has an edge: all of it at the critical angle, and a root less
+// beyond. Facets smear it by as much as they are rough. Such a table has the same nodes three times, and most of them
+// where something happens: from grazing to half of the critical cosine, from there towards it, and from it on.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace lancer {
+
+inline constexpr uint32_t bits_below_node = 21;
+inline constexpr float least_cos = 0x1p-12f;
+inline constexpr uint32_t plain_cosines = 49, edged_cosines = 3 * plain_cosines;
+
+// Between a node and the next one.
+struct NodeCell {
+    uint32_t index;
+    float part;
+};
+
+constexpr float node_from(float least, uint32_t i)
+{
+    return std::bit_cast<float>(std::bit_cast<uint32_t>(least) + (i << bits_below_node));
+}
+inline NodeCell cell_from(float x, float least, uint32_t nodes)
+{
+    const uint32_t first = std::bit_cast<uint32_t>(least);
+    const uint32_t offset = std::bit_cast<uint32_t>(std::clamp(x, least, 1.0f)) - first;
+    const uint32_t index = std::min(offset >> bits_below_node, nodes - 2);
+    const auto rest = static_cast<float>(offset - (index << bits_below_node));
+    return {index, rest * (1.0f / (uint32_t{1} << bits_below_node))};
+}
+
+// A cosine of a table with an edge: in which of the three pieces, and how far it is in [0, 1] from where most nodes
+// are: from grazing, from the edge below it, from the edge above it.
+struct EdgedCosine {
+    uint32_t piece;
+    float from;
+};
+// edge: the critical cosine, in (0, 1).
+inline EdgedCosine edged_cosine(float edge, float cos)
+{
+    const float half = 0.5f * edge;
+    if (cos <= half) return {0, cos / half};
+    if (cos < edge) return {1, (edge - cos) / half};
+    return {2, (cos - edge) / (1 - edge)};
+}
+constexpr float cosine_of(float edge, EdgedCosine c)
+{
+    const float half = 0.5f * edge;
+    return c.piece == 0 ? half * c.from : c.piece == 1 ? edge - half * c.from : edge + (1 - edge) * c.from;
+}
+
+// From here on an edge of 0 is none.
+constexpr uint32_t cosines_of(float edge) { return edge > 0 ? edged_cosines : plain_cosines; }
+
+// Node i, ascending.
+constexpr float cosine_node(float edge, uint32_t i)
+{
+    if (!(edge > 0)) return node_from(least_cos, i);
+    const uint32_t piece = i / plain_cosines, k = i % plain_cosines;
+    return cosine_of(edge, {piece, node_from(least_cos, piece == 1 ? plain_cosines - 1 - k : k)});
+}
+inline NodeCell edged_cell(float edge, float cos)
+{
+    const auto [piece, from] = edged_cosine(edge, cos);
+    if (piece > 0 && from < least_cos) {  // between the two nodes next to the edge
+        constexpr uint32_t last = 2 * plain_cosines - 1;
+        const float low = cosine_node(edge, last), high = cosine_node(edge, last + 1);
+        return {last, std::clamp((cos - low) / (high - low), 0.0f, 1.0f)};
+    }
+    const NodeCell c = cell_from(from, least_cos, plain_cosines);
+    if (piece == 1) return {2 * plain_cosines - 2 - c.index, 1 - c.part};
+    return {piece * plain_cosines + c.index, c.part};
+}
+inline NodeCell cosine_cell(float edge, float cos)
+{
+    return edge > 0 ? edged_cell(edge, cos) : cell_from(cos, least_cos, plain_cosines);
+}
+
+}  // namespace lancer
