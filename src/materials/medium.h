@@ -4,7 +4,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -46,32 +46,52 @@ inline Color transmittance(const Medium& medium, float distance)
     return {part(sigma.r), part(sigma.g), part(sigma.b)};
 }
 
-// The stack of objects that a ray has entered and not left, as medium ids. It drops the oldest entry on overflow.
-// Leaving an object that is not on the stack is ignored as if it had been entered first, so that dropped entries
-// reappear.
+// The list of objects that a ray has entered and not left, as medium ids, in 64 bits: as many bits for each id as the
+// scene's media need. An object that finds no place is passed by: its surface is ignored both ways. So each surface
+// goes on from the index at which the one before it ended, in whatever order objects are entered and left, and no light
+// is lost or gained. Leaving an object that was never entered counts as if it had been entered first.
 class MediumStack {
-public:
-    static constexpr size_t capacity = 4;
+    using Media = std::span<const Medium>;
+    static constexpr int listed_bits = 60;
+    static constexpr uint64_t one_passed_by = uint64_t{1} << listed_bits, many_passed_by = 15 * one_passed_by;
 
-    void enter(uint16_t id)
+public:
+    // How many objects are told apart: 60 of one medium, 15 of up to 15 media, 7 of up to 255, at least 3.
+    static size_t capacity(Media media) { return static_cast<size_t>(listed_bits / width(media)); }
+
+    // Returns whether there was a place.
+    bool enter(Media media, uint16_t id)
     {
-        std::copy_backward(ids_.begin(), ids_.end() - 1, ids_.end());
-        ids_[0] = id;
-    }
-    // Removes a medium; returns whether it was on the stack.
-    bool leave(uint16_t id)
-    {
-        const auto at = std::find(ids_.begin(), ids_.end(), id);
-        if (at == ids_.end()) return false;
-        std::copy(at + 1, ids_.end(), at);
-        ids_.back() = no_medium;
+        if (is_full(media)) {
+            if (bits_ < many_passed_by) bits_ += one_passed_by;
+            return false;
+        }
+        list((listed() << width(media)) | entry(id));
         return true;
     }
-    // Inserts a medium as the oldest entry.
-    void enter_first(uint16_t id)
+    // Removes a medium, the one entered last of those that are alike; returns whether it was on the list.
+    bool leave(Media media, uint16_t id)
     {
-        const auto end = std::find(ids_.begin(), ids_.end(), no_medium);
-        if (end != ids_.end()) *end = id;
+        const int w = width(media);
+        const int none = end(w);
+        int at = 0;
+        while (at < none && entry_at(at, w) != entry(id)) at += w;
+        if (at == none) return false;
+        list((listed() >> (at + w) << at) | (listed() & ((uint64_t{1} << at) - 1)));
+        return true;
+    }
+    // Leaves an object that found no place; returns whether there was one. So many that they were not counted never
+    // end.
+    bool leave_passed_by()
+    {
+        if (bits_ < one_passed_by) return false;
+        if (bits_ < many_passed_by) bits_ -= one_passed_by;
+        return true;
+    }
+    // Inserts a medium as the oldest entry, if there is a place.
+    void enter_first(Media media, uint16_t id)
+    {
+        if (!is_full(media)) list(listed() | entry(id) << end(width(media)));
     }
 
     struct Current {
@@ -80,15 +100,17 @@ public:
     };
     // The present medium. Of equal priority the one entered first; a medium without priority is present from its
     // surface until another surface.
-    Current current(std::span<const Medium> media) const
+    Current current(Media media) const
     {
         Current c;
-        for (size_t i = capacity; i-- > 0;) {
-            if (ids_[i] == no_medium) continue;
-            const Medium& m = media[ids_[i]];
+        const int w = width(media);
+        for (int at = end(w); at > 0;) {
+            at -= w;
+            const auto id = static_cast<uint16_t>(entry_at(at, w) - 1);
+            const Medium& m = media[id];
             if (c.id != no_medium && m.priority && media[c.id].priority && *m.priority <= *media[c.id].priority)
                 continue;
-            c = {ids_[i], m.priority ? m.ior : c.ior * m.ior};
+            c = {id, m.priority ? m.ior : c.ior * m.ior};
         }
         return c;
     }
@@ -96,24 +118,39 @@ public:
     friend bool operator==(const MediumStack&, const MediumStack&) = default;
 
 private:
-    std::array<uint16_t, capacity> ids_{no_medium, no_medium, no_medium, no_medium};  // most recent first
+    static int bits_of(uint64_t x) { return static_cast<int>(std::bit_width(x)); }
+    // Bits of an entry, which is an id and 1: no entry is 0.
+    static int width(Media media) { return bits_of(media.size() | 1); }
+    static uint64_t entry(uint16_t id) { return uint64_t{id} + 1; }
+    uint64_t entry_at(int at, int w) const { return (listed() >> at) & ((uint64_t{1} << w) - 1); }
+    // Where the entries end; the most recent one is at 0.
+    int end(int w) const { return (bits_of(listed()) + w - 1) / w * w; }
+    bool is_full(Media media) const { return end(width(media)) + width(media) > listed_bits; }
+
+    uint64_t listed() const { return bits_ & (one_passed_by - 1); }
+    void list(uint64_t entries) { bits_ = (bits_ & ~(one_passed_by - 1)) | entries; }
+
+    uint64_t bits_ = 0;  // the list, and above it how many are passed by
 };
 
 // The crossing of a surface from within `here`.
 struct Boundary {
     MediumStack here, beyond;
     float eta = 0;        // relative index; 0: that of the material
-    bool absent = false;  // the same medium on both sides, or nothing but media: the surface is ignored
+    bool absent = false;  // the same medium on both sides, nothing but media, or no place: the surface is ignored
 };
 // id: medium behind the surface, or none; front: the ray would enter it.
 inline Boundary cross(std::span<const Medium> media, const MediumStack& in, uint16_t id, bool front)
 {
     Boundary c{in, in};
     if (id == no_medium) return c;
-    if (front)
-        c.beyond.enter(id);
-    else if (!c.beyond.leave(id))
-        c.here.enter_first(id);
+    if (front) {
+        c.absent = !c.beyond.enter(media, id);
+    } else if (!c.beyond.leave(media, id)) {
+        c.absent = c.beyond.leave_passed_by();
+        if (!c.absent) c.here.enter_first(media, id);
+    }
+    if (c.absent) return c;
     const Medium& m = media[id];
     if (!m.priority) {
         c.absent = m.is_bare;

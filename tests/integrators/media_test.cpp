@@ -222,6 +222,25 @@ TEST(Overlap, NestedBodiesAreTheSameByRatiosOfIndices)
 }
 
 // Without a priority or absorption nothing is kept track of, and in the ways of the past neither.
+// Shells within each other cannot be told from the sky, sample by sample; so do not those that find no place in the
+// list of media, however many.
+TEST(Overlap, AnyNumberOfNestedBodiesLosesAndGainsNothing)
+{
+    for (const int bodies : {1, 4, 5, 12, 20, 40}) {
+        SceneDescription d;
+        const Color sky{0.5f, 1, 2};
+        d.lights.push_back(sky_of(sky));
+        for (int i = 0; i < bodies; ++i) {
+            const std::string name = "glass " + std::to_string(i);
+            d.materials.push_back(make_medium(name, i % 2 == 0 ? 1.5f : 1.1f + 0.01f * static_cast<float>(i), {}));
+            d.materials.back().priority = i;
+            d.spheres.push_back(sphere_of({0, 0, 0}, 1 - 0.9 * i / bodies, name));
+        }
+        d.camera = make_camera({0.4, 0.5, 3}, {0, 0, 0}, 45);
+        expect_all_equal(shoot(d, {.integrator = without_roulette({})}), sky, gamma(4096), std::to_string(bodies));
+    }
+}
+
 TEST(Media, CostNothingWhereThereAreNone)
 {
     EXPECT_TRUE(build_scene(spheres_scene()).media.empty());

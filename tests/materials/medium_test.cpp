@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -46,12 +47,13 @@ TEST(MediumStack, IsWhatWasEnteredAndNotLeft)
     Random random(5);
     MediumStack stack;
     std::vector<uint16_t> entered;
-    int depths[MediumStack::capacity + 1] = {};
-    for (int i = 0; i < 20000; ++i) {
-        const bool full = entered.size() == MediumStack::capacity;
+    const size_t capacity = MediumStack::capacity(media);
+    std::vector<int> depths(capacity + 1);
+    for (int i = 0; i < 200000; ++i) {
+        const bool full = entered.size() == capacity;
         if (entered.empty() || (!full && random.unit() < 0.55f)) {
             entered.push_back(static_cast<uint16_t>(random.below(static_cast<uint32_t>(media.size()))));
-            stack.enter(entered.back());
+            ASSERT_TRUE(stack.enter(media, entered.back()));
         } else {
             // Bodies may be left in any order; of two that are alike the one entered last.
             const uint16_t id = entered[random.below(static_cast<uint32_t>(entered.size()))];
@@ -60,7 +62,7 @@ TEST(MediumStack, IsWhatWasEnteredAndNotLeft)
                     entered.erase(entered.begin() + static_cast<std::ptrdiff_t>(k));
                     break;
                 }
-            ASSERT_TRUE(stack.leave(id));
+            ASSERT_TRUE(stack.leave(media, id));
         }
         ++depths[entered.size()];
         const MediumStack::Current is = stack.current(media), should = expected(entered);
@@ -70,20 +72,77 @@ TEST(MediumStack, IsWhatWasEnteredAndNotLeft)
     for (const int n : depths) EXPECT_GT(n, 100);
 }
 
-TEST(MediumStack, ForgetsTheOldestUntilItIsLeft)
+TEST(MediumStack, TellsSevenBodiesApartInAllButHugeScenes)
+{
+    const auto places = [](size_t count) { return MediumStack::capacity(std::vector<Medium>(count)); };
+    EXPECT_EQ(places(1), 60u);
+    EXPECT_EQ(places(15), 15u);
+    EXPECT_EQ(places(255), 7u);
+    EXPECT_EQ(places(65535), 3u);
+    // The largest id in every place.
+    const std::vector<Medium> most(65535, Medium{.priority = 1});
+    MediumStack stack;
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(stack.enter(most, 65534));
+    EXPECT_EQ(stack.current(most).id, 65534);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(stack.leave(most, 65534));
+    EXPECT_EQ(stack, MediumStack());
+}
+
+TEST(MediumStack, PassesByWhatFindsNoPlace)
+{
+    const std::vector<Medium> all{{.ior = 1.1f, .priority = 1}, {.ior = 1.2f, .priority = 9}, {.ior = 1.3f}};
+    MediumStack full;
+    for (size_t i = 0; i < MediumStack::capacity(all); ++i) ASSERT_TRUE(full.enter(all, 0));
+    for (const uint16_t id : {uint16_t{1}, uint16_t{2}}) {
+        const Boundary in = cross(all, full, id, true), out = cross(all, in.beyond, id, false);
+        EXPECT_TRUE(in.absent && out.absent);
+        EXPECT_EQ(in.beyond.current(all).id, 0);
+        EXPECT_EQ(out.beyond, full);
+    }
+}
+
+TEST(MediumStack, WhatIsLeftWithoutHavingBeenEnteredWasThereFromTheStart)
 {
     const std::vector<Medium> all{{.ior = 1.1f, .priority = 9}, {.ior = 1.2f, .priority = 1}};
     MediumStack stack;
-    stack.enter(0);
-    for (size_t i = 1; i < MediumStack::capacity; ++i) stack.enter(1);
-    EXPECT_EQ(stack.current(all).id, 0);
-    stack.enter(1);
-    EXPECT_EQ(stack.current(all).id, 1) << "one too many";
-    EXPECT_TRUE(stack.leave(1));
+    stack.enter(all, 1);
     const Boundary out = cross(all, stack, 0, false);
-    EXPECT_EQ(out.here.current(all).id, 0) << "what is left without having been entered was there from the start";
+    EXPECT_EQ(out.here.current(all).id, 0);
     EXPECT_EQ(out.beyond.current(all).id, 1);
     EXPECT_FALSE(out.absent);
+}
+
+// The squared ratio of indices is what light gains at a surface: they must multiply to the index at hand, whatever is
+// entered and left, more than finds a place included. All bodies left, it is 1 again.
+TEST(MediumStack, RatiosOfIndicesMultiplyToTheIndexThatIsThere)
+{
+    Random random(8);
+    for (const size_t count : {size_t{3}, size_t{40}, size_t{3000}}) {
+        std::vector<Medium> all(count);
+        for (Medium& m : all) m = {.ior = 1 + random.unit(), .priority = static_cast<int32_t>(random.below(5))};
+        const size_t most = MediumStack::capacity(all) + 25;  // more than are counted
+        size_t deepest = 0;
+        for (int path = 0; path < 50; ++path) {
+            MediumStack stack;
+            std::vector<uint16_t> bodies;
+            double index = 1;
+            for (int i = 0; i < 400 || !bodies.empty(); ++i) {
+                const bool enters = i < 200 && bodies.size() < most && (bodies.empty() || random.unit() < 0.7f);
+                if (!enters && bodies.empty()) continue;
+                const size_t at = enters ? bodies.size() : random.below(static_cast<uint32_t>(bodies.size()));
+                if (enters) bodies.push_back(static_cast<uint16_t>(random.below(static_cast<uint32_t>(count))));
+                const Boundary c = cross(all, stack, bodies[at], enters);
+                if (!enters) bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(at));
+                if (!c.absent) index *= static_cast<double>(c.eta);
+                stack = c.beyond;
+                deepest = std::max(deepest, bodies.size());
+                const auto there = static_cast<double>(stack.current(all).ior);
+                ASSERT_NEAR(index, there, 1e-4 * there) << count << ' ' << path << ' ' << i;
+            }
+            ASSERT_EQ(stack.current(all).id, no_medium);
+        }
+        EXPECT_GT(deepest, MediumStack::capacity(all) + 15) << count;
+    }
 }
 
 // Over all pairs, from either side.
@@ -113,7 +172,7 @@ TEST(Boundary, WithoutAPriorityIsAlwaysThereAsItsMaterialSays)
 {
     for (uint16_t a = 0; a < media.size(); ++a) {
         MediumStack in;
-        in.enter(a);
+        in.enter(media, a);
         for (const uint16_t b : {uint16_t{4}, uint16_t{5}}) {
             const Boundary c = cross(media, in, b, true);
             EXPECT_FALSE(c.absent);

@@ -231,7 +231,7 @@ void MaterialTable::put_camera_into(const std::string& name, const Location& whe
 {
     const uint16_t medium = scene_.traits[named(name, where)].medium;
     if (medium != no_medium)
-        scene_.camera_media.enter(medium);
+        scene_.camera_media.enter(scene_.media, medium);
     else if (index_.count(name))
         diagnostics_.error(where, "the camera cannot be inside of " + in_quotes(name) + ", which fills nothing");
 }
