@@ -44,12 +44,9 @@ double mean_over_normals(const Ggx& ggx, const Normals& wo, const F& f, size_t f
     return sum / weights;
 }
 
-// Part of the light that other facets stop on its way to wi: 1 - G2 / G1 without cancellation; all that goes below the
-// surface. hidden_o: lambda(wo).
 Double4 stopped(const Ggx& ggx, double hidden_o, const Normals& wi)
 {
-    const Double4 hidden_i = GgxT<Double4>{broadcast(ggx.alpha)}.lambda(wi);
-    return hidden_i / (1 + hidden_o + hidden_i);
+    return GgxT<Double4>{broadcast(ggx.alpha)}.stopped(broadcast(hidden_o), wi);
 }
 
 // L of a reflector or coat.

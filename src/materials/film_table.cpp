@@ -14,12 +14,12 @@ constexpr float film_root_step = 1.0f / (film_cosines - 1);
 
 }  // namespace
 
-float FilmTable::Steps::at(uint32_t i) const
+float FilmSteps::at(uint32_t i) const
 {
     return count == 1 ? least : mix(least, most, static_cast<float>(i) / static_cast<float>(count - 1));
 }
 
-uint32_t FilmTable::Steps::below(float x, float& part) const
+uint32_t FilmSteps::below(float x, float& part) const
 {
     part = 0;
     if (count == 1) return 0;
@@ -31,9 +31,8 @@ uint32_t FilmTable::Steps::below(float x, float& part) const
 
 void FilmTable::need(float least_roughness, float most_roughness, float least_thickness, float most_thickness)
 {
-    constexpr uint32_t roughnesses = 9, thicknesses = 24;
-    roughness_ = {least_roughness, most_roughness, least_roughness < most_roughness ? roughnesses : 1};
-    thickness_ = {least_thickness, most_thickness, least_thickness < most_thickness ? thicknesses : 1};
+    roughness_ = FilmSteps::of_roughness(least_roughness, most_roughness);
+    thickness_ = FilmSteps::of_thickness(least_thickness, most_thickness);
     albedo_.resize(size_t{roughness_.count} * thickness_.count * film_cosines);
     Color* row = albedo_.data();
     for (uint32_t r = 0; r < roughness_.count; ++r)

@@ -10,6 +10,18 @@
 
 namespace lancer {
 
+// Even steps between two numbers, for tables of films.
+struct FilmSteps {
+    float least, most;
+    uint32_t count;
+
+    static FilmSteps of_roughness(float least, float most) { return {least, most, least < most ? 9u : 1u}; }
+    static FilmSteps of_thickness(float least, float most) { return {least, most, least < most ? 24u : 1u}; }
+    float at(uint32_t i) const;
+    // The step below x, and how far x is on the way to the next.
+    uint32_t below(float x, float& part) const;
+};
+
 class FilmTable {
 public:
     // film_ior, base_ior: over that outside.
@@ -21,17 +33,10 @@ public:
     Color albedo(float cos, float roughness, float thickness) const;
 
 private:
-    // Even steps between two numbers.
-    struct Steps {
-        float least, most;
-        uint32_t count;
-        float at(uint32_t i) const;
-        uint32_t below(float x, float& part) const;
-    };
     void fill(Color* row, float roughness, float thickness) const;
 
     float film_ior_, base_ior_;
-    Steps roughness_{}, thickness_{};
+    FilmSteps roughness_{}, thickness_{};
     std::vector<Color> albedo_;  // by roughness, thickness and the root of the cosine
 };
 

@@ -194,8 +194,7 @@ private:
         const SheetColors o = colors_of_sheet(r_o, tint), i = colors_of_sheet(r_i, tint);
         const Color of_o = (through ? o.transmitted : o.reflected) * static_cast<float>(part_o);
         const Color of_i = (through ? i.transmitted : i.reflected) * static_cast<float>(part_i);
-        const Color least{std::min(of_o.r, of_i.r), std::min(of_o.g, of_i.g), std::min(of_o.b, of_i.b)};
-        return {least * static_cast<float>(facets.f_cos), static_cast<float>(part_o * facets.pdf)};
+        return {least_of(of_o, of_i) * static_cast<float>(facets.f_cos), static_cast<float>(part_o * facets.pdf)};
     }
     std::optional<Vec3> sample_rough_sheet(Vec3d wo, float u, Vec2 v) const
     {

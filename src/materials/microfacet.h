@@ -71,6 +71,13 @@ struct GgxT {
         const D a = alpha * alpha * (w.x * w.x + w.y * w.y), cos = abs(w.z);
         return 0.5 * a / (cos * (cos + sqrt(w.z * w.z + a)));
     }
+    // Part of the light that other facets stop on its way to wi: 1 - G2 / G1 without cancellation; all that goes below
+    // the surface. hidden_o: lambda(wo).
+    D stopped(std::type_identity_t<D> hidden_o, const Vec3T<D>& wi) const
+    {
+        const D hidden_i = lambda(wi);
+        return hidden_i / (1.0 + hidden_o + hidden_i);
+    }
     // G2 / (4 |cos_o| |cos_i|), with the joint masking-shadowing function G2. For any z except both 0.
     D visibility(const Vec3T<D>& wo, const Vec3T<D>& wi) const
     {

@@ -3,13 +3,13 @@
 // Portsmouth, Hill, Kutz et al., "OpenPBR: Novel Features and Implementation Details", SIGGRAPH 2025 courses, and the
 // specification of OpenPBR. Coat and fuzz let through what their albedo leaves, as seen from wo: all light of a white
 // furnace stays, whatever is below; but light may not travel both ways alike under them (docs/integrators.md).
-// Without them, a film, or a rough diffuse body it may.
+// Without them, a film on a diffuse body, or a rough diffuse body it may.
 #pragma once
 
 #include <memory>
 
 #include "materials/anisotropic_table.h"
-#include "materials/film_table.h"
+#include "materials/film_losses.h"
 #include "materials/fuzz.h"
 #include "materials/glass.h"
 #include "materials/material_type.h"
@@ -30,6 +30,7 @@ struct PrincipledTables {
     std::shared_ptr<const AlbedoTable> metal{};       // of reflectors; missing: multiple scattering is lost
     std::shared_ptr<const AnisotropicTable> wide_dielectric{}, wide_metal{};  // the same where facets are anisotropic
     std::shared_ptr<const FilmTable> film{};                                  // of a rough dielectric
+    std::shared_ptr<const FilmLosses> film_losses{};                          // of rough glass, likewise
     std::shared_ptr<const FuzzTable> fuzz{};
 };
 

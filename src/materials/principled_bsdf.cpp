@@ -12,12 +12,6 @@ constexpr Color white{1, 1, 1};
 
 Color complement(Color c) { return white - c; }
 
-float part_of_sheets(float r, bool through) { return static_cast<float>(part_of_sheet(double{r}, through)); }
-Color part_of_sheets(Color r, bool through)
-{
-    return {part_of_sheets(r.r, through), part_of_sheets(r.g, through), part_of_sheets(r.b, through)};
-}
-
 // What a tint takes from Schlick's reflectance, but for the cosine times the sixth power of its complement.
 Color edge_of(Color f0, Color tint)
 {
@@ -43,6 +37,7 @@ void PrincipledBsdf::finish()
     if (!(inside > 0)) return;
     glass = material->tables->glass.with({.front = front, .eta = media_eta}, white, roughness);
     sends_through = glass.transmits(), has_smooth = has_smooth || !glass.only_delta();
+    if (film > 0 && sends_through) film_losses = losses_of_film();
 }
 
 // Losses of the facets of the base, and what follows from them.
@@ -114,27 +109,6 @@ Color PrincipledBsdf::dielectric_albedo(float cos, float lost) const
     return mix(bare, material->tables->film->albedo(cos, roughness, film_thickness), film);
 }
 
-// What a film makes of the light that smooth glass, or a facet, reflects or lets through, as a factor. cos: at the
-// facet, on the side of wo.
-Color PrincipledBsdf::film_on_glass(const GlassBsdf& g, double cos, bool through) const
-{
-    const Fresnel f = fresnel_dielectric(std::min(1.0, cos), (1 - cos) * (1 + cos), g.eta);
-    if (!(film > 0) || !(f.reflectance > 0 && f.reflectance < 1)) return white;
-    const Color with = film_on_boundary(g, f, cos);
-    if (g.thin) return part_of_sheets(with, through) / part_of_sheets(f.reflectance, through);
-    return through ? complement(with) / (1 - f.reflectance) : with / f.reflectance;
-}
-
-// The reflectance of a boundary with the film.
-Color PrincipledBsdf::film_on_boundary(const GlassBsdf& g, const Fresnel& bare, double cos) const
-{
-    const bool is_denser = g.eta >= 1;  // beyond
-    const auto outside = static_cast<float>(is_denser ? cos : static_cast<double>(bare.cos_t));
-    const auto n = static_cast<float>(is_denser ? g.eta : 1 / g.eta);
-    const float r = bare.reflectance;
-    return mix(Color{r, r, r}, ThinFilm{material->film_ior, film_thickness}.on_dielectric(outside, n), film);
-}
-
 float PrincipledBsdf::fuzz_albedo(float cos) const { return material->tables->fuzz->albedo(cos, {fuzz_roughness}); }
 float PrincipledBsdf::fuzz_value(Vec3 wo, Vec3 wi) const { return Fuzz{fuzz_roughness}.eval(wo, wi); }
 
@@ -203,17 +177,20 @@ void PrincipledBsdf::add_glass(const Seen& s, Vec3 wi, BsdfValue& f) const
     const Color factor = s.under_coat * (through ? transmittance : specular) * part_of_glass();
     if (!(film > 0)) {
         f.f_cos += v.f_cos * factor;
-    } else if (g.thin) {  // whose lobes are not those of facets at an angle
-        f.f_cos += v.f_cos * factor * film_on_glass(g, double{s.wo.z}, through);
     } else {
-        // Of single scattering, at the facet that turns wo to wi; the rest is as without a film.
         GlassBsdf once = g;
         once.multiple = {};
         const Vec3d o = s.o, i = unit_in_double(wi);
-        const Vec3d sum = through ? o + g.eta * i : o + i;
-        const double cos = std::min(1.0, std::abs(dot(o, sum)) / length(sum));
         const Color single = once.eval(s.wo, wi).f_cos;
-        f.f_cos += factor * (v.f_cos - single + single * film_on_glass(g, cos, through));
+        const Color further = film_losses ? further_with_film(s, wi) : v.f_cos - single;
+        Color of_film;
+        if (g.thin) {  // whose lobes are not those of facets at an angle
+            of_film = sheet_with_film(o, i, through);
+        } else {  // at the facet that turns wo to wi
+            const Vec3d sum = through ? o + g.eta * i : o + i;
+            of_film = film_on_glass(std::min(1.0, std::abs(dot(o, sum)) / length(sum)), through);
+        }
+        f.f_cos += factor * (further + single * of_film);
     }
     f.pdf += s.glass_chance * v.pdf;
 }
@@ -260,7 +237,7 @@ std::optional<BsdfSample> PrincipledBsdf::sample(const Seen& s, float u, Vec2 v)
             if (!lobe || (end > 0 && lobe->wi.z > 0)) continue;
             const bool through = lobe->wi.z < 0;
             if (through && end == 0) continue;  // nothing is reflected; it comes again
-            const Color value = factor * lobe->weight * lobe->pdf * film_on_glass(g, double{wo.z}, through);
+            const Color value = factor * lobe->weight * lobe->pdf * film_on_glass(double{wo.z}, through);
             if (through)
                 sent = value * transmittance, ahead = s.glass_chance * lobe->pdf, beyond = lobe->wi, index = lobe->eta;
             else

@@ -5,6 +5,7 @@
 #include "materials/anisotropic.h"
 #include "materials/anisotropic_table.h"
 #include "materials/bsdf.h"
+#include "materials/film_losses.h"
 #include "materials/glass.h"
 #include "materials/principled_layers.h"
 
@@ -28,6 +29,7 @@ struct PrincipledBsdf : PrincipledLayers<float> {
     bool has_only_layers = false;                          // PrincipledLayers has all that it is
     AnisotropicTable::At wide_dielectric{}, wide_metal{};  // losses of anisotropic facets
     GlassBsdf glass{};                                     // what is let through, but for its tint
+    FilmLosses::At film_losses{};                          // of that under the film
 
     // Sets what follows from all others.
     void finish();
@@ -65,8 +67,11 @@ private:
     void finish_base();
     void finish_coat();
     BsdfValue eval_lobes(const Seen& lobes, Vec3 wi) const;
-    Color film_on_glass(const GlassBsdf& g, double cos, bool through) const;
-    Color film_on_boundary(const GlassBsdf& g, const Fresnel& bare, double cos) const;
+    FilmLosses::At losses_of_film() const;
+    Color film_on_glass(double cos, bool through) const;
+    Color film_on_boundary(const Fresnel& bare, double cos) const;
+    Color sheet_with_film(Vec3d o, Vec3d i, bool through) const;
+    Color further_with_film(const Seen& lobes, Vec3 wi) const;
     void add_glass(const Seen& lobes, Vec3 wi, BsdfValue& f) const;
     std::optional<Vec3> sample_base(const Seen& lobes, Vec2 v) const;
     Vec3d to_tangent(Vec3d w) const;

@@ -23,6 +23,13 @@ inline D part_of_sheet(D r, bool through)
     return through ? (1 - r) / (1 + r) : reflectance_of_sheet(r);
 }
 
+inline Color least_of(Color a, Color b) { return {std::min(a.r, b.r), std::min(a.g, b.g), std::min(a.b, b.b)}; }
+inline Color part_of_sheets(Color r, bool through)
+{
+    const auto part = [=](float x) { return static_cast<float>(part_of_sheet(double{x}, through)); };
+    return {part(r.r), part(r.g), part(r.b)};
+}
+
 // What a tint changes: the light of both directions over that of a clear sheet. tint: the factor of each reflection and
 // each refraction, as of a solid body; in [0, 1]. Without one both are 1.
 struct SheetColors {

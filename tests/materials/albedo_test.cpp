@@ -140,6 +140,29 @@ TEST(Albedo, OfWhiteGlassInAMediumThatItTouchesIsOne)
             }
 }
 
+// A film changes what facets reflect, and with that what they lose: whatever its index and its part, the glass and the
+// side, all comes back in each channel.
+TEST(Albedo, OfWhiteGlassUnderAFilmIsOne)
+{
+    for (const float ior : {1.5f, 0.7f})
+        for (const bool thin : {false, true})
+            for (const float part : {1.0f, 0.4f})
+                for (const float roughness : {0.3f, 1.0f}) {
+                    const Principled glass = make_principled([&](MaterialDescription& m) {
+                        m.transmission = 1, m.ior = ior, m.roughness = roughness, m.thin = thin;
+                        m.film = part, m.film_ior = 2;
+                    });
+                    for (const float cos : {1.0f, 0.72f, 0.3f, 0.03f})
+                        for (const bool front : {true, false}) {
+                            const Color albedo = directional_albedo(glass.at({.front = front}), cos);
+                            for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                                EXPECT_NEAR(albedo.*channel, 1, 0.01)
+                                    << ior << (thin ? " thin " : " ") << part << ' ' << roughness << ' ' << cos
+                                    << (front ? "" : ", from the inside");
+                        }
+                }
+}
+
 // What comes back has met facets more than once: it is deeper in colour, and less than what a white glass gets.
 TEST(Albedo, OfColouredGlassGrowsWithMultipleScatteringAndDeepensItsColour)
 {

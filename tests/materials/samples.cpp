@@ -44,7 +44,8 @@ std::vector<Sample<Principled>> samples<Principled>()
     // White ones lose nothing, up to what tables and the stated approximations promise.
     const auto white = [](const std::string& name, double tolerance, const std::function<void(D&)>& change) {
         const Principled p = make_principled(change);
-        const bool one_way = p.coat.value > 0 || p.fuzz.value > 0 || p.film.value > 0 || p.diffuse_roughness > 0;
+        const bool films_body = p.film.value > 0 && p.transmission.value < 1 && p.metallic.value < 1;
+        const bool one_way = p.coat.value > 0 || p.fuzz.value > 0 || films_body || p.diffuse_roughness > 0;
         return Sample<Principled>{name,
                                   p,
                                   true,
@@ -101,7 +102,13 @@ std::vector<Sample<Principled>> samples<Principled>()
         white("white iridescent metal", 0.01, [](D& m) { m.film = 1, m.metallic = 1.0f, m.roughness = 0.5f; }),
         white("bubble", 0.01,
               [](D& m) { m.film = 1, m.film_thickness = 300, m.transmission = 1, m.thin = true, m.roughness = 0; }),
-        white("iridescent glass", 0.02, [](D& m) { m.film = 1, m.transmission = 1, m.roughness = 0.5f; }),
+        white("iridescent glass", 0.01, [](D& m) { m.film = 1, m.transmission = 1, m.roughness = 0.5f; }),
+        white("iridescent ground glass", 0.01,
+              [](D& m) { m.film = 0.7f, m.film_ior = 2, m.transmission = 1, m.roughness = 1; }),
+        white("iridescent frosted bubble", 0.01,
+              [](D& m) { m.film = 1, m.film_ior = 2, m.ior = 0.7f, m.transmission = 1, m.roughness = 0.7f; }),
+        white("iridescent ground pane", 0.01,
+              [](D& m) { m.film = 1, m.film_ior = 2, m.transmission = 1, m.thin = true, m.roughness = 1; }),
         white("white rough body", 0.01, [](D& m) { m.diffuse_roughness = 1, m.roughness = 0.7f; }),
         white("white half rough body", 0.01, [](D& m) { m.diffuse_roughness = 0.5f, m.roughness = 0.7f; }),
         white("white of all layers", 0.02,

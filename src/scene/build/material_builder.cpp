@@ -142,11 +142,15 @@ void MaterialBuilder::finish(Principled& p, const MaterialDescription& m)
             tables->coat = coat_of(m.coat_ior, [&](AlbedoTable& table) { need_alpha_of(table, p.coat_roughness); });
     }
     if (p.film.value > 0 && is_rough) {
-        auto film = std::make_shared<FilmTable>(m.film_ior, tables->dielectric_ior);
-        const float thickest = p.film_thickness.value;
-        film->need(roughness ? *roughness : 0.05f, roughness ? *roughness : 1.0f,
-                   is_constant(p.film_thickness) ? thickest : 0.0f, thickest);
-        tables->film = film;
+        const auto filled = [&](auto film) {
+            const float thickest = p.film_thickness.value;
+            film->need(roughness ? *roughness : 0.05f, roughness ? *roughness : 1.0f,
+                       is_constant(p.film_thickness) ? thickest : 0.0f, thickest);
+            return film;
+        };
+        tables->film = filled(std::make_shared<FilmTable>(m.film_ior, tables->dielectric_ior));
+        if (p.transmission.value > 0 && options_.multiscatter)
+            tables->film_losses = filled(std::make_shared<FilmLosses>(m.film_ior, m.ior, m.thin.value_or(false)));
     }
     if (p.fuzz.value > 0) {
         if (!fuzz_) fuzz_ = std::make_shared<FuzzTable>();
