@@ -1,6 +1,8 @@
 // How long the phases of a run take, and how much memory.
 #pragma once
 
+#include <algorithm>
+
 #include "app/system_info.h"
 #include "report/stats_json.h"
 
@@ -23,8 +25,10 @@ public:
 private:
     void end()
     {
-        stats_.phases.push_back(
-            {phase_, wall_seconds() - wall_, cpu_seconds() - cpu_, resident_bytes(), peak_memory_bytes()});
+        const uint64_t resident = resident_bytes();
+        // The system counts both a little late, not alike.
+        const uint64_t peak = std::max(resident, peak_memory_bytes());
+        stats_.phases.push_back({phase_, wall_seconds() - wall_, cpu_seconds() - cpu_, resident, peak});
     }
 
     RunStats& stats_;
