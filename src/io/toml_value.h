@@ -18,7 +18,7 @@ struct TomlValue {
 
     uint32_t line = 0, column = 0;
     std::variant<Table, Array, std::string, int64_t, double, bool, Date> data;
-    uint32_t source = 0;  // 0: the file; else a text of the command line, see TomlProblems
+    uint32_t source = 0;                    // 0: the file; else a text of the command line, see TomlProblems
     uint32_t end_line = 0, end_column = 0;  // behind its last character
 };
 
