@@ -22,8 +22,7 @@ using Entries = TomlValue::Table;
 
 TomlValue& entry(Entries& table, const std::string& key, TomlValue usual)
 {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
-    if (found != table.end()) return found->value;
+    if (TomlValue* const found = value_at(table, key)) return *found;
     table.push_back({.key = key, .value = std::move(usual)});
     return table.back().value;
 }

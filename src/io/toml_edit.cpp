@@ -14,12 +14,6 @@ namespace {
 using Table = TomlValue::Table;
 using Array = TomlValue::Array;
 
-const TomlEntry* find(const Table& table, const std::string& key)
-{
-    const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
-    return found == table.end() ? nullptr : &*found;
-}
-
 std::optional<double> number_in(const TomlValue& value)
 {
     if (const auto* whole = std::get_if<int64_t>(&value.data)) return static_cast<double>(*whole);
@@ -35,8 +29,8 @@ bool says_the_same(const TomlValue& a, const TomlValue& b)
     if (const auto* tables = std::get_if<Table>(&a.data)) {
         const auto& others = std::get<Table>(b.data);
         return tables->size() == others.size() && std::all_of(tables->begin(), tables->end(), [&](const TomlEntry& e) {
-                   const TomlEntry* other = find(others, e.key);
-                   return other && says_the_same(e.value, other->value);
+                   const TomlValue* other = value_at(others, e.key);
+                   return other && says_the_same(e.value, *other);
                });
     }
     if (const auto* array = std::get_if<Array>(&a.data))
@@ -123,9 +117,8 @@ private:
         for (const TomlEntry& e : from) {
             const bool is_line = !has_header(e.value) && !is_list_with_headers(e.value);
             if (is_line) behind = std::max(behind, after_line_of(end_of(e.value)));
-            const TomlEntry* now = find(to, e.key);
-            if (now)
-                edit_value(e.value, now->value, path_of(path, e.key));
+            if (const TomlValue* now = value_at(to, e.key))
+                edit_value(e.value, *now, path_of(path, e.key));
             else if (is_line)
                 edits_.push_back({offset(e.line, 1), after_line_of(end_of(e.value)), ""});
         }
@@ -135,7 +128,7 @@ private:
                              });
         Table lines, tables;
         for (const TomlEntry& e : to) {
-            if (find(from, e.key)) continue;
+            if (value_at(from, e.key)) continue;
             const bool is_table = std::holds_alternative<Table>(e.value.data);
             (!is_of_list && (is_table || is_list_of_tables(e.value)) ? tables : lines).push_back(e);
         }

@@ -2,8 +2,10 @@
 // library. A value may also come from the command line: `source` identifies it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -28,5 +30,12 @@ struct TomlEntry {
     TomlValue value;
     uint32_t source = 0;  // as of values
 };
+
+// The value of a key of a TomlValue::Table, const where the table is; null if it has none.
+auto value_at(auto& table, std::string_view key) -> decltype(&table.begin()->value)
+{
+    const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
+    return found == table.end() ? nullptr : &found->value;
+}
 
 }  // namespace lancer

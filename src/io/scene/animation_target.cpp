@@ -26,13 +26,10 @@ public:
         for (size_t i = 0; i < path.size() && at; ++i) {
             const bool is_last = i + 1 == path.size();
             if (const auto* table = std::get_if<TomlValue::Table>(&at->data)) {
-                const auto found = std::find_if(table->begin(), table->end(),
-                                                [&](const TomlEntry& entry) { return entry.key == path[i]; });
+                at = value_at(*table, path[i]);
                 // What a camera does not say is chosen; it may have no table.
-                if (found == table->end() && (is_last || (i == 0 && path[0] == "camera"))) return path;
-                if (found == table->end())
-                    return fail("unknown " + in_quotes(path[i]) + suggestion(path[i], names(*table)));
-                at = &found->value;
+                if (!at && (is_last || (i == 0 && path[0] == "camera"))) return path;
+                if (!at) return fail("unknown " + in_quotes(path[i]) + suggestion(path[i], names(*table)));
             } else if (const auto* list = std::get_if<TomlValue::Array>(&at->data)) {
                 const std::optional<size_t> place = place_in(*list, path[i]);
                 if (!place) return {};

@@ -22,13 +22,6 @@ std::string path_text(const std::vector<std::string>& path, size_t parts)
     return text;
 }
 
-TomlValue* find_entry(TomlValue::Table& table, const std::string& key)
-{
-    const auto found =
-        std::find_if(table.begin(), table.end(), [&](const TomlEntry& entry) { return entry.key == key; });
-    return found == table.end() ? nullptr : &found->value;
-}
-
 // What stands at one part of the path; made if it may be, as if it stood where `origin` does. Null and a problem
 // otherwise.
 TomlValue* step(TomlValue& at, const Definition& definition, size_t part, const TomlValue& origin,
@@ -40,7 +33,7 @@ TomlValue* step(TomlValue& at, const Definition& definition, size_t part, const 
         return nullptr;
     };
     if (auto* table = std::get_if<TomlValue::Table>(&at.data)) {
-        if (TomlValue* value = find_entry(*table, name)) return value;
+        if (TomlValue* value = value_at(*table, name)) return value;
         // What follows a key that is not there tells whether it is a list; the name of a table may be a number, too.
         const bool is_list = part + 1 < definition.path.size() && is_place(definition.path[part + 1]) &&
                              name != "material" && name != "texture" && name != "camera";

@@ -9,12 +9,6 @@ namespace {
 
 using CameraEntries = TomlValue::Table;
 
-const TomlValue* value_at(const CameraEntries& table, std::string_view key)
-{
-    const auto found = std::find_if(table.begin(), table.end(), [&](const TomlEntry& e) { return e.key == key; });
-    return found == table.end() ? nullptr : &found->value;
-}
-
 // Adds what is not there yet and moves with a view.
 void inherit(CameraEntries& table, const CameraEntries& from, std::span<const std::string_view> keys)
 {
