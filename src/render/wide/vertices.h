@@ -15,6 +15,11 @@
 
 namespace lancer::wide {
 
+// Room for a BSDF. A variant would clear all of it, for each lane of each batch.
+union OwnBsdf {
+    OwnBsdf() {}
+    AnyBsdf bsdf;
+};
 // The lanes whose material is not Lambertian.
 struct NonLambert {
     uint32_t lanes;                                // lanes that are not Lambertian
@@ -23,7 +28,7 @@ struct NonLambert {
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
     LaneQueue::Eight plastic, principled;          // points in the queues
-    std::array<AnyBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
+    std::array<OwnBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
     uint32_t seen;                                 // other principled lanes, seen from the front; their lobes:
     std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
     // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
