@@ -1,8 +1,9 @@
 // Points of one material, queued contiguously for the wide kernel: few of eight lanes are of that material, and doubles
-// are processed by four. plastic_queue.h and principled_queue.h say what is asked of them.
+// are processed by four. PlasticQueue and PrincipledQueue evaluate and sample them.
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 #include "core/lanes/vec.h"
@@ -21,7 +22,8 @@ struct BsdfSampleLanes {
 // Operations on a queue have three steps: inputs are written for one group of eight lanes after another, in the order
 // in which they were added; everything is computed; results are read per group. Inputs and outputs are by lane; lanes
 // of other materials are undefined. Directions are local and unit.
-struct LaneQueue {
+class LaneQueue {
+public:
     static constexpr size_t most = 128;  // points
 
     // The contiguous points of a group of eight lanes.
@@ -59,6 +61,36 @@ struct LaneQueue {
         void put(const Eight& of, const Vec3x8& v) { x.put(of, v.x), y.put(of, v.y), z.put(of, v.z); }
         Vec3x8 of(const Eight& of) const { return {x.of(of), y.of(of), z.of(of)}; }
     };
+
+    void clear() { count_ = 0; }
+    Eight begin_eight() const { return {.first = count_}; }
+    // wo: before all other operations.
+    void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
+    void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
+    // After eval().
+    BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
+    // After sample().
+    BsdfSampleLanes sampled(const Eight& of) const
+    {
+        const uint32_t found = movemask(found_.of(of)) & of.lanes;
+        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & movemask(delta_.of(of))};
+    }
+
+protected:
+    // The number of a new point. of: the last group that was begun, as points are contiguous.
+    uint32_t add_to(Eight& of, uint32_t lane)
+    {
+        assert(of.first + of.count == count_);
+        of.add(lane);
+        return count_++;
+    }
+
+    uint32_t count_ = 0;
+    Vectors wo_{}, wi_{};
+    Numbers<Float8> u_{};
+    Vectors color_{};  // f cos, or the weight
+    Numbers<Float8> pdf_{};
+    Numbers<Mask8> found_{}, delta_{};
 };
 
 }  // namespace lancer

@@ -1,35 +1,23 @@
 // Batched evaluation of plastic with the bits of PlasticBsdf.
 #pragma once
 
-#include <cassert>
-
 #include "materials/lane_queue.h"
 #include "materials/plastic.h"
 
 namespace lancer {
 
-// See LaneQueue.
-class PlasticQueue {
+class PlasticQueue : public LaneQueue {
 public:
-    static constexpr size_t most = LaneQueue::most;
-    using Eight = LaneQueue::Eight;
-
-    void clear() { count_ = 0; }
-    Eight begin_eight() const { return {.first = count_}; }
-    // of: the last group that was begun, as points are contiguous.
     void add(Eight& of, uint32_t lane, const PlasticBsdf& bsdf)
     {
-        assert(of.first + of.count == count_);
         const PlasticBsdf::Coat& coat = bsdf.coat();
-        const uint32_t k = count_++;
-        of.add(lane);
+        const uint32_t k = add_to(of, lane);
         base_.set(k, bsdf.base()), specular_.set(k, bsdf.specular());
         eta_[k] = coat.eta, alpha_[k] = coat.alpha, mean_through_[k] = coat.mean_through;
         facets_[k / 4][k % 4] = coat.facets;
     }
 
-    // Must be called before the other operations.
-    void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
+    // After put_wo(), before all else.
     void see()
     {
         const auto largest = [](const Vec3T<Float4>& c) { return larger(c.x, larger(c.y, c.z)); };
@@ -37,7 +25,6 @@ public:
             seen_[k / 4] = coat(k).seen(wo_.four(k), largest(specular_.four(k)), largest(base_.four(k)));
     }
 
-    void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
     void eval()
     {
         const Float8 zero{};
@@ -50,7 +37,6 @@ public:
             pdf_.set_eight(k, select(is_lit, f.pdf, zero));
         }
     }
-    BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
 
     // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
     void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
@@ -75,16 +61,8 @@ public:
             delta_.set_eight(k, is_delta);
         }
     }
-    BsdfSampleLanes sampled(const Eight& of) const
-    {
-        const uint32_t found = movemask(found_.of(of)) & of.lanes;
-        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & movemask(delta_.of(of))};
-    }
 
 private:
-    template <class Lanes>
-    using Numbers = LaneQueue::Numbers<Lanes>;
-    using Vectors = LaneQueue::Vectors;
     using Facets = std::array<AlbedoTable::Row, 4>;
     using Coat = PlasticCoat<Float4, Facets>;
 
@@ -118,16 +96,11 @@ private:
         return concat(wi[0], wi[1]);
     }
 
-    uint32_t count_ = 0;
     Vectors base_{}, specular_{};  // base colour under the coat
     Numbers<Float8> eta_{}, alpha_{}, mean_through_{};
     std::array<Facets, most / 4> facets_{};
-    Vectors wo_{}, wi_{};
     std::array<Coat::Seen, most / 4> seen_{};
-    Numbers<Float8> u_{}, v_x_{}, v_y_{};
-    Vectors color_{};  // f cos, or the weight
-    Numbers<Float8> pdf_{};
-    Numbers<Mask8> found_{}, delta_{};
+    Numbers<Float8> v_x_{}, v_y_{};
 };
 
 }  // namespace lancer

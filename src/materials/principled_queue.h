@@ -8,26 +8,19 @@
 
 namespace lancer {
 
-// See LaneQueue.
-class PrincipledQueue {
+class PrincipledQueue : public LaneQueue {
 public:
-    using Eight = LaneQueue::Eight;
-
-    void clear() { count_ = 0; }
-    Eight begin_eight() const { return {.first = count_}; }
-    // of: the last group that was begun, as points are contiguous. The BSDF must outlive the queue's use.
+    // The BSDF must outlive the queue's use.
     void add(Eight& of, uint32_t lane, const PrincipledBsdf& bsdf)
     {
-        assert(of.first + of.count == count_ && bsdf.has_only_layers);
-        of.add(lane);
-        const uint32_t k = count_++;
+        assert(bsdf.has_only_layers);
+        const uint32_t k = add_to(of, lane);
         // Of a group that is not full, no other point is asked.
         if (k % 4 == 0) points_[k / 4].fuzz = points_[k / 4].coat = Float4{}, points_[k / 4].has_tint = false;
         points_[k / 4].set(k % 4, bsdf);
     }
 
-    // Must be called before the other operations.
-    void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
+    // After put_wo(), before all else.
     void see()
     {
         for (size_t k = 0; k < count_; k += 4) {
@@ -37,7 +30,6 @@ public:
         }
     }
 
-    void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
     // Of points with other than delta lobes.
     void eval()
     {
@@ -54,7 +46,6 @@ public:
             pdf_.set_four(k, select(is_lit, f.pdf, zero));
         }
     }
-    BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
 
     // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
     void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
@@ -67,16 +58,8 @@ public:
     {
         for (size_t k = 0; k < count_; k += 4) sample_four(k);
     }
-    BsdfSampleLanes sampled(const Eight& of) const
-    {
-        const uint32_t found = movemask(found_.of(of)) & of.lanes;
-        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & movemask(delta_.of(of))};
-    }
 
 private:
-    template <class Lanes>
-    using Numbers = LaneQueue::Numbers<Lanes>;
-    using Vectors = LaneQueue::Vectors;
     using Value = BsdfValueT<Vec3T<Float4>, Float4>;
 
     // Four points. What neither layers nor tables of facets have is asked of them one by one.
@@ -152,14 +135,9 @@ private:
         found_.set_four(k, reinterpret_cast<Float4>(is_found)), delta_.set_four(k, reinterpret_cast<Float4>(is_delta));
     }
 
-    uint32_t count_ = 0;
-    std::array<Four, LaneQueue::most / 4> points_{};
-    std::array<Four::Seen, LaneQueue::most / 4> seen_{};
-    Vectors wo_{}, wi_{};
-    Numbers<Float8> u_{}, v_y_{}, sin_{}, cos_{};
-    Vectors color_{};  // f cos, or the weight
-    Numbers<Float8> pdf_{};
-    Numbers<Mask8> found_{}, delta_{};
+    std::array<Four, most / 4> points_{};
+    std::array<Four::Seen, most / 4> seen_{};
+    Numbers<Float8> v_y_{}, sin_{}, cos_{};
 };
 
 }  // namespace lancer
