@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace lancer {
@@ -41,21 +42,23 @@ struct EdgedCosine {
     uint32_t piece;
     float from;
 };
-// edge: the critical cosine, in (0, 1).
+// edge: the critical cosine, in (0, 1); 0: there is none, and one piece.
+constexpr uint32_t pieces_of(float edge) { return edge > 0 ? 3 : 1; }
 inline EdgedCosine edged_cosine(float edge, float cos)
 {
+    if (!(edge > 0)) return {0, cos};
     const float half = 0.5f * edge;
     if (cos <= half) return {0, cos / half};
     if (cos < edge) return {1, (edge - cos) / half};
     return {2, (cos - edge) / (1 - edge)};
 }
+// edge: above 0.
 constexpr float cosine_of(float edge, EdgedCosine c)
 {
     const float half = 0.5f * edge;
     return c.piece == 0 ? half * c.from : c.piece == 1 ? edge - half * c.from : edge + (1 - edge) * c.from;
 }
 
-// From here on an edge of 0 is none.
 constexpr uint32_t cosines_of(float edge) { return edge > 0 ? edged_cosines : plain_cosines; }
 
 // Node i, ascending.
@@ -80,6 +83,22 @@ inline NodeCell edged_cell(float edge, float cos)
 inline NodeCell cosine_cell(float edge, float cos)
 {
     return edge > 0 ? edged_cell(edge, cos) : cell_from(cos, least_cos, plain_cosines);
+}
+
+// Tables whose values vary with the root of the cosine have even steps of it, the first one near grazing.
+inline double root_node(uint32_t i, uint32_t count) { return std::max(2e-3, static_cast<double>(i) / (count - 1)); }
+
+// Where fixed quadratures over visible normals have their heights, in (0, 1), and how much each counts: denser towards
+// both ends, as the few strongly tilted normals lose most.
+template <class T>
+struct HeightNode {
+    T at, weight;
+};
+template <class T>
+HeightNode<T> height_node(size_t i, size_t count)
+{
+    const T s = (static_cast<T>(i) + T{0.5f}) / static_cast<T>(count);
+    return {s * s * (3 - 2 * s), s * (1 - s)};
 }
 
 }  // namespace lancer

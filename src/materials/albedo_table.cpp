@@ -12,9 +12,8 @@ namespace {
 
 using Normals = Vec3T<Double4>;  // or directions: four at a time, each with the bits that it has alone
 
-// Mean of f(four normals) over visible normals of `wo`. Half of the azimuths suffice by symmetry. Heights are denser
-// towards both ends, as the few strongly tilted normals lose most. finer: how many times as many of each, at most
-// most_finer, for what has an edge.
+// Mean of f(four normals) over visible normals of `wo`. Half of the azimuths suffice by symmetry. finer: how many times
+// as many of each, at most most_finer, for what has an edge.
 constexpr size_t most_finer = 3;
 size_t fineness(double eta) { return FacetReflectance::has_edge(eta) ? most_finer : 1; }
 template <class F>
@@ -32,8 +31,7 @@ double mean_over_normals(const Ggx& ggx, const Normals& wo, const F& f, size_t f
     const size_t heights = 24 * finer;
     double sum = 0, weights = 0;
     for (size_t j = 0; j < heights; ++j) {
-        const double s = (static_cast<double>(j) + 0.5) / static_cast<double>(heights);
-        const double weight = s * (1 - s), v = s * s * (3 - 2 * s);
+        const auto [v, weight] = height_node<double>(j, heights);
         const Double4 height = broadcast(static_cast<double>(static_cast<float>(v)));
         for (size_t i = 0; i < 2 * finer; ++i) {
             const Double4 value = f(facets.sample_visible(wo, height, phi[i]));

@@ -34,8 +34,7 @@ double loss_of_stretched(const AlphaPair& alpha, Vec3d wo, const FacetReflectanc
     const Vec3T<Double4> from = in_four_lanes(wo);
     double sum = 0, weights = 0;
     for (size_t j = 0; j < heights; ++j) {
-        const double s = (static_cast<double>(j) + 0.5) / static_cast<double>(heights), weight = s * (1 - s),
-                     v = s * s * (3 - 2 * s);
+        const auto [v, weight] = height_node<double>(j, heights);
         for (size_t i = 0; i < turns / double_lanes; ++i) {
             const Vec3T<Double4> h = ggx.sample_visible(from, broadcast(double{static_cast<float>(v)}), phi[i]);
             const Vec3T<Double4> wi = mirrored(from, h);
@@ -59,8 +58,7 @@ Vec3d direction(double cos, double turn)
 
 AnisotropicTable::Slice::Place AnisotropicTable::Slice::place(float edge, float cos, float x, float y)
 {
-    const float in_range = std::clamp(cos, 0.0f, 1.0f);
-    const EdgedCosine at = edge > 0 ? edged_cosine(edge, in_range) : EdgedCosine{0, in_range};
+    const EdgedCosine at = edged_cosine(edge, std::clamp(cos, 0.0f, 1.0f));
     const auto [step, part] = place_in(std::sqrt(at.from), cosines);
     const uint32_t c = at.piece * cosines + step;
     const float azimuth = x == 0 && y == 0 ? 0 : std::atan2(std::abs(y), std::abs(x)) * (2 / pi);
@@ -95,11 +93,11 @@ AnisotropicTable::Slice AnisotropicTable::make(float roughness, float anisotropy
     const AlphaPair alpha = alphas_of(roughness, anisotropy);
     Slice slice;
     slice.edge = reflectance.edge();
-    const uint32_t pieces = slice.edge > 0 ? 3 : 1;
+    const uint32_t pieces = pieces_of(slice.edge);
     slice.loss.resize(size_t{pieces} * cosines * azimuths);
     for (uint32_t c = 0; c < pieces * cosines; ++c)
         for (uint32_t a = 0; a < azimuths; ++a) {
-            const double root = std::max(2e-3, static_cast<double>(c % cosines) / (cosines - 1));
+            const double root = root_node(c % cosines, cosines);
             double cos = root * root;
             if (pieces > 1) cos = double{cosine_of(slice.edge, {c / cosines, static_cast<float>(cos)})};
             const Vec3d wo = direction(cos, static_cast<double>(a) / (azimuths - 1));

@@ -19,8 +19,7 @@ Color mean_over_normals(const Ggx& ggx, Vec3d wo, int turns, int heights, const 
     Color sum{};
     float weights = 0;
     for (int j = 0; j < heights; ++j) {
-        const float s = (static_cast<float>(j) + 0.5f) / static_cast<float>(heights);
-        const float weight = s * (1 - s), v = s * s * (3 - 2 * s);
+        const auto [v, weight] = height_node<float>(static_cast<size_t>(j), static_cast<size_t>(heights));
         for (int i = 0; i < turns; ++i) {
             const float turn = (static_cast<float>(i) + 0.5f) / static_cast<float>(2 * turns);
             sum += f(ggx.sample_visible(wo, {turn, v})) * weight, weights += weight;
@@ -28,8 +27,6 @@ Color mean_over_normals(const Ggx& ggx, Vec3d wo, int turns, int heights, const 
     }
     return sum / weights;
 }
-
-double root_of(uint32_t i, uint32_t count) { return std::max(2e-3, static_cast<double>(i) / (count - 1)); }
 
 Vec3d direction_at(double cos) { return {std::sqrt((1 - cos) * (1 + cos)), 0, cos}; }
 
@@ -136,12 +133,12 @@ FilmLosses::Node FilmLosses::make(float roughness, float thickness) const
         return sum;
     };
     Node node;
-    const uint32_t pieces = edge_ > 0 ? 3 : 1;
+    const uint32_t pieces = pieces_of(edge_);
     for (uint32_t side = 0; side < (sheet_ ? 1u : 2u); ++side) {
         std::vector<Color>& loss = node.loss[side];
         loss.resize(size_t{pieces} * cosines);
         for (uint32_t c = 0; c < pieces * cosines; ++c) {
-            const double root = root_of(c % cosines, cosines);
+            const double root = root_node(c % cosines, cosines);
             double cos = root * root;
             if (pieces > 1) cos = double{cosine_of(edge_, {c / cosines, static_cast<float>(cos)})};
             const Vec3d wo = direction_at(cos);
@@ -181,8 +178,7 @@ Color FilmLosses::At::interpolate(const F& f) const
 
 Color FilmLosses::At::loss(uint32_t side, float cos) const
 {
-    const float in_range = std::clamp(cos, 0.0f, 1.0f);
-    const EdgedCosine at = edge_ > 0 ? edged_cosine(edge_, in_range) : EdgedCosine{0, in_range};
+    const EdgedCosine at = edged_cosine(edge_, std::clamp(cos, 0.0f, 1.0f));
     const float place = std::sqrt(at.from) * (cosines - 1);
     const uint32_t below = std::min(static_cast<uint32_t>(place), cosines - 2), c = at.piece * cosines + below;
     const float part = place - static_cast<float>(below);

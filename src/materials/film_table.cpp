@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/albedo_nodes.h"
 #include "materials/microfacet.h"
 #include "materials/thin_film.h"
 
@@ -42,7 +43,7 @@ void FilmTable::need(float least_roughness, float most_roughness, float least_th
 
 void FilmTable::fill(Color* row, float roughness, float thickness) const
 {
-    // Heights of visible normals are denser towards both ends; half of the azimuths, by symmetry.
+    // Half of the azimuths, by symmetry.
     constexpr int turns = 10, heights = 20;
     const Ggx ggx{double{std::max(least_alpha, alpha_of_roughness(roughness))}};
     const ThinFilm film{film_ior_, thickness};
@@ -53,7 +54,7 @@ void FilmTable::fill(Color* row, float roughness, float thickness) const
         Color sum{};
         float weights = 0;
         for (int j = 0; j < heights; ++j) {
-            const float s = (static_cast<float>(j) + 0.5f) / heights, weight = s * (1 - s), v = s * s * (3 - 2 * s);
+            const auto [v, weight] = height_node<float>(static_cast<size_t>(j), heights);
             for (int i = 0; i < turns; ++i) {
                 const Vec3d h = ggx.sample_visible(wo, {(static_cast<float>(i) + 0.5f) / (2 * turns), v});
                 const Vec3d wi = mirrored(wo, h);
