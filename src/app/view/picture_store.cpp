@@ -14,6 +14,20 @@ void set_size(Image& image, int32_t width, int32_t height)
 
 }  // namespace
 
+void enlarge_columns(const Image& from, int32_t first, int32_t end, Image& to)
+{
+    const int64_t w = from.data.width(), h = from.data.height();
+    if (w == 0 || h == 0) return;
+    const int32_t width = to.data.width(), height = to.data.height();
+    std::vector<int32_t> columns;
+    for (int32_t x = first; x < end; ++x) columns.push_back(static_cast<int32_t>(x * w / width));
+    for (int32_t y = 0; y < height; ++y) {
+        const Color* const row = &from.at(0, static_cast<int32_t>(y * h / height));
+        Color* pixel = &to.at(0, y) + first;
+        for (const int32_t x : columns) *pixel++ = row[x];
+    }
+}
+
 void PictureStore::put(const Image& image, uint64_t sight)
 {
     {
@@ -29,17 +43,9 @@ void PictureStore::enlarge(uint32_t width, uint32_t height, uint64_t sight)
 {
     const std::lock_guard lock(mutex_);
     const Image small = image_;
-    const int32_t w = small.data.width(), h = small.data.height();
     set_size(image_, static_cast<int32_t>(width), static_cast<int32_t>(height));
     sight_ = sight;
-    std::vector<int32_t> columns(width);
-    for (uint32_t x = 0; x < width; ++x)
-        columns[x] = static_cast<int32_t>(uint64_t{x} * static_cast<uint32_t>(w) / width);
-    Color* to = image_.pixels.data();
-    for (uint32_t y = 0; w > 0 && h > 0 && y < height; ++y) {
-        const Color* const row = &small.at(0, static_cast<int32_t>(uint64_t{y} * static_cast<uint32_t>(h) / height));
-        for (const int32_t x : columns) *to++ = row[x];
-    }
+    enlarge_columns(small, 0, static_cast<int32_t>(width), image_);
     changed_.assign(static_cast<size_t>((image_.data.height() + band - 1) / band), ++version_);
 }
 

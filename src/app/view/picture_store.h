@@ -21,6 +21,10 @@ struct ShownPicture {
     int32_t first_row = 0, end_row = 0;
 };
 
+// Columns [first, end) of `to` become those of `from` as if it had the size of `to`: each pixel is the one that lies
+// there. Nothing if `from` has no pixels.
+void enlarge_columns(const Image& from, int32_t first, int32_t end, Image& to);
+
 // All members may be called from any thread.
 class PictureStore {
 public:

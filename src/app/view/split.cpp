@@ -17,10 +17,13 @@ constexpr uint32_t left_color = 0xff40c0ff, right_color = 0xffffc040, frame_colo
 constexpr double widest_chart = 240, highest_chart = 140, chart_margin = 12;
 constexpr double part_of_chart = 0.4;  // of the picture, at most
 
-Sight in_replicates(Sight sight)
+// Of the view of a sight.
+Sight in_replicates(const Sight& sight, const RenderSettings& settings)
 {
-    sight.settings.replicates = std::max(sight.settings.replicates, replicates);
-    return sight;
+    Sight by = sight;
+    by.settings = settings;
+    by.settings.replicates = std::max(settings.replicates, replicates);
+    return by;
 }
 
 // Of what differs, the values of one.
@@ -51,13 +54,6 @@ std::optional<double> square_at(const std::vector<ErrorAtTime>& course, double s
         return std::pow(a.error * std::pow(b.error / a.error, part), 2);
     }
     return {};
-}
-
-// A picture of any size as if it had another one.
-const Color& enlarged(const Image& image, int32_t x, int32_t y, int32_t width, int32_t height)
-{
-    return image.at(static_cast<int32_t>(int64_t{x} * image.data.width() / width),
-                    static_cast<int32_t>(int64_t{y} * image.data.height() / height));
 }
 
 Mark line(double x0, double y0, double x1, double y1, uint32_t color)
@@ -110,18 +106,16 @@ void add_chart(const std::vector<ErrorAtTime>& left, const std::vector<ErrorAtTi
 }  // namespace
 
 Split::Split(Session& right, const Sight& kept)
-    : right_(right), left_(right.beside(in_replicates(kept))), kept_(kept), now_(kept)
+    : right_(right), left_(right.beside(in_replicates(kept, kept.settings))), kept_(kept.settings), now_(kept.settings)
 {
 }
 
 uint64_t Split::show(const Sight& sight)
 {
-    now_ = sight;
-    Sight left = in_replicates(sight);
-    left.settings = in_replicates(kept_).settings;
-    left.settings.spp = sight.settings.spp;
-    left_->show(std::move(left));
-    return right_.show(in_replicates(sight));
+    now_ = sight.settings;
+    kept_.spp = now_.spp;
+    left_->show(in_replicates(sight, kept_));
+    return right_.show(in_replicates(sight, now_));
 }
 
 bool Split::take(ShownPicture& both)
@@ -135,11 +129,11 @@ bool Split::take(ShownPicture& both)
     const bool has_left = !left.pixels.empty();
     const Image& larger = has_left && left.pixels.size() > right.pixels.size() ? left : right;
     const int32_t width = larger.data.width(), height = larger.data.height();
-    both.image = larger;
+    both.image.display = larger.data, both.image.data = larger.data;
+    both.image.pixels.resize(larger.pixels.size());
     const int32_t line = has_left ? static_cast<int32_t>(std::lround(place_ * width)) : 0;
-    for (int32_t y = 0; y < height; ++y)
-        for (int32_t x = 0; x < width; ++x)
-            both.image.at(x, y) = enlarged(x < line ? left : right, x, y, width, height);
+    enlarge_columns(left, 0, line, both.image);
+    enlarge_columns(right, line, width, both.image);
     ++both.version;
     both.sight = right_picture_.sight;
     both.first_row = 0, both.end_row = height;
@@ -153,8 +147,8 @@ void Split::wait_until_idle() const { left_->wait_until_idle(), right_.wait_unti
 std::vector<std::string> Split::lines() const
 {
     const SessionStatus left = left_->status(), right = right_.status();
-    std::vector<std::string> lines{"left: " + told(kept_.settings, now_.settings), progress_of(left),
-                                   "right: " + told(now_.settings, kept_.settings), progress_of(right)};
+    std::vector<std::string> lines{"left: " + told(kept_, now_), progress_of(left), "right: " + told(now_, kept_),
+                                   progress_of(right)};
     if (!left.course.empty() && !right.course.empty()) {
         const double seconds = std::min(left.course.back().seconds, right.course.back().seconds);
         const auto of_left = square_at(left.course, seconds), of_right = square_at(right.course, seconds);

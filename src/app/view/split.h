@@ -37,7 +37,7 @@ public:
 private:
     Session& right_;
     std::unique_ptr<Session> left_;
-    Sight kept_, now_;
+    RenderSettings kept_, now_;
     ShownPicture left_picture_, right_picture_;
     double place_ = 0.5;
     bool has_moved_ = true;
