@@ -47,13 +47,13 @@ inline Color transmittance(const Medium& medium, float distance)
 }
 
 // The list of objects that a ray has entered and not left, as medium ids, in 64 bits: as many bits for each id as the
-// scene's media need. An object that finds no place is passed by: its surface is ignored both ways. So each surface
+// scene's media need. An object that finds no place is not tracked: its surface is ignored both ways. So each surface
 // goes on from the index at which the one before it ended, in whatever order objects are entered and left, and no light
 // is lost or gained. Leaving an object that was never entered counts as if it had been entered first.
 class MediumStack {
     using Media = std::span<const Medium>;
     static constexpr int listed_bits = 60;
-    static constexpr uint64_t one_passed_by = uint64_t{1} << listed_bits, many_passed_by = 15 * one_passed_by;
+    static constexpr uint64_t one_untracked = uint64_t{1} << listed_bits, many_untracked = 15 * one_untracked;
 
 public:
     // How many objects are told apart: 60 of one medium, 15 of up to 15 media, 7 of up to 255, at least 3.
@@ -63,13 +63,13 @@ public:
     bool enter(Media media, uint16_t id)
     {
         if (is_full(media)) {
-            if (bits_ < many_passed_by) bits_ += one_passed_by;
+            if (bits_ < many_untracked) bits_ += one_untracked;
             return false;
         }
         list((listed() << width(media)) | entry(id));
         return true;
     }
-    // Removes a medium, the one entered last of those that are alike; returns whether it was on the list.
+    // Removes the most recent entry of a medium; returns whether there was one.
     bool leave(Media media, uint16_t id)
     {
         const int w = width(media);
@@ -80,12 +80,11 @@ public:
         list((listed() >> (at + w) << at) | (listed() & ((uint64_t{1} << at) - 1)));
         return true;
     }
-    // Leaves an object that found no place; returns whether there was one. So many that they were not counted never
-    // end.
-    bool leave_passed_by()
+    // Leaves an untracked object; returns whether there was one. Beyond the largest count there always is.
+    bool leave_untracked()
     {
-        if (bits_ < one_passed_by) return false;
-        if (bits_ < many_passed_by) bits_ -= one_passed_by;
+        if (bits_ < one_untracked) return false;
+        if (bits_ < many_untracked) bits_ -= one_untracked;
         return true;
     }
     // Inserts a medium as the oldest entry, if there is a place.
@@ -127,10 +126,10 @@ private:
     int end(int w) const { return (bits_of(listed()) + w - 1) / w * w; }
     bool is_full(Media media) const { return end(width(media)) + width(media) > listed_bits; }
 
-    uint64_t listed() const { return bits_ & (one_passed_by - 1); }
-    void list(uint64_t entries) { bits_ = (bits_ & ~(one_passed_by - 1)) | entries; }
+    uint64_t listed() const { return bits_ & (one_untracked - 1); }
+    void list(uint64_t entries) { bits_ = (bits_ & ~(one_untracked - 1)) | entries; }
 
-    uint64_t bits_ = 0;  // the list, and above it how many are passed by
+    uint64_t bits_ = 0;  // the list, and above it the number of untracked objects
 };
 
 // The crossing of a surface from within `here`.
@@ -147,7 +146,7 @@ inline Boundary cross(std::span<const Medium> media, const MediumStack& in, uint
     if (front) {
         c.absent = !c.beyond.enter(media, id);
     } else if (!c.beyond.leave(media, id)) {
-        c.absent = c.beyond.leave_passed_by();
+        c.absent = c.beyond.leave_untracked();
         if (!c.absent) c.here.enter_first(media, id);
     }
     if (c.absent) return c;

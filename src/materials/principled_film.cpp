@@ -8,7 +8,6 @@ namespace {
 
 constexpr Color whole{1, 1, 1};
 
-Color rest_of(Color part) { return whole - part; }
 Color over(Color a, Color b) { return {a.r / b.r, a.g / b.g, a.b / b.b}; }
 
 }  // namespace
@@ -23,7 +22,7 @@ Color PrincipledBsdf::film_on_glass(double cos, bool through) const
     const Color with = film_on_boundary(f, cos);
     if (g.thin)
         return part_of_sheets(with, through) / static_cast<float>(part_of_sheet(double{f.reflectance}, through));
-    return through ? rest_of(with) / (1 - f.reflectance) : with / f.reflectance;
+    return through ? complement(with) / (1 - f.reflectance) : with / f.reflectance;
 }
 
 // The reflectance of a boundary with the film.
@@ -85,7 +84,7 @@ Color PrincipledBsdf::further_with_film(const Seen& s, Vec3 wi) const
     const Color lost_i = mixed(other.loss(cos_i), film_losses.loss(through ? side_beyond : side_o, cos_i));
     const Color part_through = g.thin ? sent : over(sent * beyond, all);
     const Color lobe =
-        through ? over(part_through, beyond) * (g.thin ? 1 : 1 / (eta * eta)) : over(rest_of(part_through), here);
+        through ? over(part_through, beyond) * (g.thin ? 1 : 1 / (eta * eta)) : over(complement(part_through), here);
     return bare.color * lost * lost_i * lobe * (cos_i / pi);
 }
 

@@ -88,8 +88,8 @@ void check_render_options(const SlurmOptions& o)
         std::istringstream rest(options);
         for (std::string word; rest >> word;) words.push_back(word);
     }
-    for (const std::string& word : {"--shard=1/" + std::to_string(o.shards), std::string("--output=part.lancer")})
-        words.push_back(word);
+    words.push_back("--shard=1/" + std::to_string(o.shards));
+    words.emplace_back("--output=part.lancer");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     parse_render(static_cast<int>(argv.size()), argv.data());

@@ -96,21 +96,20 @@ public:
             advance(depth_ == 0 ? Coherence::coherent : Coherence::incoherent, listener);
             if (are_last() && !shines_) return;
             add_unoccluded();
-            if constexpr (any)
+            if constexpr (any) {
                 if (view_.scene.passes_glass || by_mirrors_) w_.set_times_of_shadows();
-            if constexpr (any)
                 if (view_.scene.passes_glass) {
                     const auto trace = [&](const auto& to) {
                         trace_tinted_shadows(view_, accel_, Path::TintedShadows{}, w_, counters_, to);
                     };
                     arrivals_ ? trace(*arrivals_) : trace(NoListener{});
                 }
-            if constexpr (any)
                 if (by_mirrors_) {
                     trace_mirrored_shadows(view_, accel_, w_, counters_, NoListener{});
                     w_.queue.mirrored_shadows.clear();
                     std::swap(w_.wide.mirror_distances_now, w_.wide.mirror_distances_next);
                 }
+            }
             std::swap(now_, next_);
             std::swap(w_.wide.normals_now, w_.wide.normals_next);
             std::swap(w_.wide.cells_now, w_.wide.cells_next);
