@@ -75,10 +75,14 @@ TEST_F(ViewTest, LightsAreAddedAndMovedLikeThoseOfTheFile)
     ASSERT_EQ(hand().document().scene()->lights.size(), before + 4);
     EXPECT_EQ(hand().document().scene()->lights[before + 3].type, LightType::sphere);
     expect_rendered();
+    EXPECT_EQ(session_->status().accelerators_built, 2u) << "for the lamp, which is a sphere";
+    // Each is waited for: of changes that come sooner, the session may build the last alone.
     set("radius", 0.3);  // of the one that was added last
+    expect_rendered();
+    EXPECT_EQ(session_->status().accelerators_built, 3u);
     set("place", 1, 2, 0.5);
     expect_rendered();
-    EXPECT_EQ(session_->status().accelerators_built, 3u) << "for the lamp, which is a sphere";
+    EXPECT_EQ(session_->status().accelerators_built, 4u);
     key('X');
     expect_rendered();
 }
