@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the scenes of bench/studies/rooms.toml that stand outside this repository, each under two skies:
+# Writes the scenes of bench/studies/rooms.toml and six.toml that stand outside this repository, each under two skies:
 # LANCER_SHARED names the folder that holds scenes/sponza, scenes/country-kitchen and scenes/env (../shared).
 set -euo pipefail
 

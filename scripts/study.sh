@@ -44,7 +44,7 @@ anchor_scenes() {
 if ((${#files[@]})); then
     case ${files[0]} in
         *anchors.toml) anchor_scenes ;;
-        *rooms.toml) scripts/rooms.sh ;;
+        *rooms.toml | *six.toml) scripts/rooms.sh ;;
     esac
     study "${files[@]}"
     exit

@@ -124,7 +124,7 @@ complete -c lancer -n '__lancer_is render film' -l exposure -x -a 'auto' -d 'PNG
 complete -c lancer -n '__lancer_is render film' -l dither -d 'PNG, PPM and JPEG with a fixed dither pattern against banding'
 complete -c lancer -n '__lancer_is render film' -l reference -x -a '(__lancer_files .exr)' -d 'Picture that the render is measured against as it goes'
 complete -c lancer -n '__lancer_is render film' -l reference2 -x -a '(__lancer_files .exr)' -d 'A second one, independent of the first: their noise then cancels out'
-complete -c lancer -n '__lancer_is render film' -l error-log -x -a '(__lancer_files .csv)' -d 'Seconds, rays and errors each time that samples have doubled, as CSV'
+complete -c lancer -n '__lancer_is render film' -l error-log -x -a '(__lancer_files .csv)' -d 'Seconds, rays and errors each time that samples have doubled, as CSV; with --denoise those of the denoised picture, and the seconds that it takes'
 complete -c lancer -n '__lancer_is render film' -l outliers -x -d 'Also list the N samples with the largest part of the error, and what paths the error comes from'
 complete -c lancer -n '__lancer_is render film' -l write-scene -x -a '(__lancer_files .toml)' -d 'The scene with what was added to it, and with these options: renders the same picture'
 complete -c lancer -n '__lancer_is render film' -l stats -x -a '(__lancer_files .json)' -d 'Figures of the run as JSON'

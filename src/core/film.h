@@ -61,27 +61,27 @@ struct SampleSet {
     }
 };
 
-// How samples are dealt to sets: two halves that are about as good as each other, and as independent as can be. With
-// four replicates and more, the last one of each half is a set of its own, which can be held out.
+// How samples are dealt to sets, of which the denoiser makes two halves that are about as good as each other, and as
+// independent as can be.
 struct SetDeal {
     uint32_t replicates = 1;  // see KernelSettings::replicates
-    // Without replicates: the first sample of the second half, if it is known how many there will be, else 0. Sobol'
-    // points are then cut in the middle, which leaves two low-discrepancy sets; two sets of every second point would
-    // each be worse, and err in opposite ways.
-    uint32_t second_half = 0;
 
-    constexpr uint32_t count() const { return replicates < 4 ? 2 : 4; }
-    // 0: first half, 1: second half; 2, 3: held out of them. path: as in KernelSettings::replicate_of().
+    // Without replicates three sets serve any number of samples n: with 2^k < n <= 2^(k+1) they are [0, 2^(k-1)),
+    // [2^(k-1), 2^k) and [2^k, n), so that Sobol' points are cut into low-discrepancy sets. Two sets of every second
+    // point, or of halves of these intervals, would each be worse, and err in opposite ways.
+    constexpr bool has_intervals() const { return replicates == 1; }
+    // With four replicates and more, the last one of each half is a set of its own, which can be held out.
+    constexpr uint32_t count() const { return has_intervals() ? 3 : replicates < 4 ? 2 : 4; }
+    // path: as in KernelSettings::replicate_of().
     constexpr uint32_t set_of(uint32_t path) const
     {
-        if (replicates > 1) {
-            const uint32_t r = path % replicates;
-            return (r & 1) + (replicates >= 4 && r + 2 >= replicates ? 2 : 0);
-        }
-        if (second_half != 0) return path >= second_half ? 1 : 0;
-        // The second half of each interval [2^k, 2^(k+1)), so that the halves are even whenever the number doubles.
-        return path < 2 ? path : (path >> (std::bit_width(path) - 2)) & 1;
+        if (has_intervals()) return 2;
+        const uint32_t r = path % replicates;
+        return (r & 1) + (replicates >= 4 && r + 2 >= replicates ? 2 : 0);
     }
+    // Where intervals begin.
+    static constexpr bool is_begin(uint32_t sample) { return std::has_single_bit(sample); }
+    static constexpr uint32_t next_begin(uint32_t sample) { return std::bit_ceil(sample + 1); }
 };
 
 // Half-open rectangle of pixels in the coordinates of the whole picture, y down.
@@ -168,6 +168,17 @@ struct Film {
     }
     // The set of a path of a pixel.
     SampleSet& set_of(size_t pixel, uint32_t path) { return sets[pixel * deal.count() + deal.set_of(path)]; }
+    // Without replicates: before the first sample of a pixel that is in the next interval.
+    void begin_interval(size_t pixel)
+    {
+        SampleSet* const s = &sets[pixel * deal.count()];
+        s[0] += s[1], s[1] = s[2], s[2] = {};
+        for (size_t k = 0; k < layers.size(); ++k) {
+            auto &a = layers_of(pixel, 0)[k], &b = layers_of(pixel, 1)[k], &c = layers_of(pixel, 2)[k];
+            for (size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+            b = c, c = {};
+        }
+    }
     // Allows passes to end after any sample without changing the bits of the picture. AOVs must be allocated before.
     void keep_blocks_open() { open.resize(pixels.size()), open_aovs.resize(aovs.size()); }
     // The sums including partial blocks.

@@ -173,7 +173,7 @@ TEST_F(Checkpoint, OfAnotherPictureIsRefused)
     expect_refused({"--aov", "depth"}, 65, "aov '' there, 'depth' here");
     expect_refused({"--crop", "0,0,9,9"}, 65, "crop '0,0,24,16' there, '0,0,9,9' here");
     expect_refused({"-s", "2"}, 2, "more than the 2 of --spp");
-    expect_refused({"--denoise"}, 65, "halves to denoise 'none' there, 'of 2 samples each' here");
+    expect_refused({"--denoise"}, 65, "halves to denoise 'none' there, 'of 3 sets' here");
     write("scene.toml", read_bytes(file("scene.toml")) + "# changed\n");
     expect_refused({}, 65, "scene '");
     EXPECT_EQ(render({"--resume", "auto"}).code, 2);

@@ -1,6 +1,7 @@
 // Error against run time from the shell: the log, what stops a render, and what is said of it.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -93,6 +94,32 @@ TEST_F(ErrorLog, HasARowAtEveryDoublingAndNoOtherBits)
     EXPECT_NE(compared.out.find(std::string("rmse") + std::string(17, ' ') + rows[6].at("rmse").substr(0, 6)),
               std::string::npos)
         << compared.out << rows[6].at("rmse");
+}
+
+// Of the picture that would be written then, with the time that it takes.
+TEST_F(ErrorLog, IsOfTheDenoisedPicture)
+{
+    ASSERT_EQ(render({"-o", "reference.exr", "-s", "200", "--seed", "5"}).code, 0);
+    const auto log_of = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"-o",          "x.exr",         "-s",          "16",
+                                       "--reference", "reference.exr", "--error-log", "e.csv"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Said said = render(words);
+        EXPECT_EQ(said.code, 0) << said.err;
+        return rows_of(read_bytes(file("e.csv")));
+    };
+    const auto noisy = log_of({}), denoised = log_of({"--denoise"});
+    ASSERT_EQ(denoised.size(), noisy.size());
+    EXPECT_EQ(denoised[0].at("relmse"), noisy[0].at("relmse")) << "one sample has no halves";
+    for (const uint32_t spp : {4u, 16u}) {
+        ASSERT_EQ(render({"-o", "until.exr", "-s", std::to_string(spp), "--denoise"}).code, 0);
+        const auto& row = denoised[static_cast<size_t>(std::countr_zero(spp))];
+        const Said compared = run({"compare", "until.exr", "reference.exr", "--json"});
+        EXPECT_NEAR(nlohmann::json::parse(compared.out)["metrics"]["relmse"].get<double>(), std::stod(row.at("relmse")), 1e-12)
+            << spp;
+        EXPECT_EQ(row.at("estimated_error"), noisy[static_cast<size_t>(std::countr_zero(spp))].at("estimated_error"));
+    }
+    EXPECT_TRUE(same_pixels(image("x.exr"), image("until.exr"))) << "a log changes no bit";
 }
 
 TEST_F(ErrorLog, TwoReferencesGiveTheUnbiasedError)

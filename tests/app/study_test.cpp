@@ -1,4 +1,5 @@
 // lancer study: what it makes, that it goes on where it ended, and what it says of wrong files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/run_program.h"
@@ -35,7 +36,9 @@ TEST_F(StudyCommand, DrawsEveryMethodWithEverySeedAndMakesAPage)
 {
     const Said said = run({"study", "study.toml", "-o", "out"});
     ASSERT_EQ(said.code, 0) << said.err;
-    EXPECT_EQ(said.out, "out/index.html\nout/study.json\nout/runs.csv\n");
+    EXPECT_THAT(said.out, testing::ContainsRegex("balls +whitted .* not ranked: "));
+    EXPECT_THAT(said.out, testing::ContainsRegex("geometric mean +whitted +not ranked: "));
+    EXPECT_TRUE(said.out.ends_with("\nout/index.html\nout/study.json\nout/runs.csv\n")) << said.out;
     EXPECT_NE(said.err.find("4 of 4: balls, whitted, seed 2"), std::string::npos) << said.err;
     const Study s = result();
     ASSERT_EQ(s.runs.size(), 4u);
@@ -56,6 +59,20 @@ TEST_F(StudyCommand, DrawsEveryMethodWithEverySeedAndMakesAPage)
     const std::string page = read_bytes(file("out/index.html"));
     EXPECT_NE(page.find("Two ways"), std::string::npos);
     EXPECT_NE(page.find("whitted (biased)"), std::string::npos);
+}
+
+TEST_F(StudyCommand, DenoisesWhereAMethodAsksForIt)
+{
+    std::string denoised = study;
+    denoised.replace(denoised.find("--integrator whitted"), 20, "--denoise");
+    write("study.toml", denoised);
+    ASSERT_EQ(run({"study", "study.toml", "-o", "out"}).code, 0);
+    const Study s = result();
+    EXPECT_EQ(s.methods[1].biases, std::vector<std::string>{"denoised"});
+    const auto last = [&](size_t run) { return s.runs[run].points.back(); };
+    EXPECT_NE(last(0).rmse, last(1).rmse);
+    EXPECT_EQ(last(0).rays_shadow, last(1).rays_shadow);
+    EXPECT_NE(read_bytes(file("out/index.html")).find("s to FLIP 0.1"), std::string::npos);
 }
 
 TEST_F(StudyCommand, TheLedgerOfAMethodIsOfAllScenes)

@@ -16,11 +16,23 @@ std::vector<uint32_t> counts_of(const SetDeal& deal, uint32_t paths)
     return counts;
 }
 
-TEST(SampleSets, AreTwoEvenHalves)
+// Whole intervals where the number has doubled, else one at most twice the other.
+TEST(SampleSets, MakeHalvesOfAnyNumberOfSamples)
 {
-    EXPECT_EQ(counts_of({.second_half = 6}, 12), (std::vector<uint32_t>{6, 6}));
-    for (const uint32_t n : {2u, 4u, 8u, 64u, 4096u})
-        EXPECT_EQ(counts_of({}, n), (std::vector<uint32_t>{n / 2, n / 2})) << "whenever the number has doubled";
+    Film film(1, 1, {0, 0, 1, 1});
+    film.keep_sets({});
+    for (uint32_t n = 1; n <= 5000; ++n) {
+        if (SetDeal::is_begin(n - 1)) film.begin_interval(0);
+        ++film.set_of(0, n - 1).n;
+        const auto [a, b] = halves_of(film).samples;
+        EXPECT_EQ(a + b, static_cast<float>(n));
+        if (std::has_single_bit(n) && n > 1) {
+            EXPECT_EQ(a, b) << n;
+        }
+        if (n > 1) {
+            EXPECT_LE(std::max(a, b), 2 * std::min(a, b)) << n;
+        }
+    }
     EXPECT_EQ(counts_of({.replicates = 2}, 8), (std::vector<uint32_t>{4, 4}));
 }
 
@@ -65,7 +77,7 @@ TEST_P(SetsOf, LeaveThePictureAlone)
 TEST_P(SetsOf, AreTheSameHoweverTheWorkIsCutUp)
 {
     RenderRequest r;
-    r.sets = SetDeal{.second_half = 8};
+    r.sets = SetDeal{};
     const Film film = draw(r);
     RenderRequest cut = r;
     cut.threads = 3, cut.tile = 7, cut.spp = {1, 2, 13}, cut.settings.kernel.batch = 5;
@@ -74,6 +86,24 @@ TEST_P(SetsOf, AreTheSameHoweverTheWorkIsCutUp)
     for (const RenderRequest& other : {cut, all}) {
         const Film again = draw(other);
         for (size_t i = 0; i < film.sets.size(); ++i) ASSERT_TRUE(same(film.sets[i], again.sets[i]));
+    }
+}
+
+// Also of pixels that end before others do, whose intervals no later sample shifts.
+TEST_P(SetsOf, AreWholeIntervalsOfEveryPixel)
+{
+    RenderRequest r;
+    r.sets = SetDeal{};
+    r.spp = {16, 48};
+    r.settings.kernel.stop = StopRule::confidence, r.settings.kernel.stop_error = 0.05f;
+    const Film film = draw(r);
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        uint32_t seen[3]{};
+        for (uint32_t sample = 0; sample < std::min(film.wanted[i], 64u); ++sample) {
+            if (SetDeal::is_begin(sample)) seen[0] += seen[1], seen[1] = seen[2], seen[2] = 0;
+            ++seen[2];
+        }
+        for (size_t k = 0; k < 3; ++k) ASSERT_EQ(film.sets[3 * i + k].seen, seen[k]) << "pixel " << i << ", set " << k;
     }
 }
 
@@ -109,9 +139,9 @@ SampleSet middle_of(const SceneDescription& d)
 {
     RenderRequest r;
     r.width = r.height = 5;
-    r.sets = SetDeal{.second_half = 8};
+    r.sets = SetDeal{};
     const Film film = render(d, r).film;
-    SampleSet half = film.sets[2 * 12];
+    SampleSet half = film.sets[3 * 12 + 2];
     for (float& f : half.features) f /= static_cast<float>(half.seen);
     return half;
 }
@@ -150,7 +180,7 @@ TEST(DenoiseFilm, LessensTheErrorOfAPicture)
     const SceneDescription d = cornell_scene();
     RenderRequest r;
     r.width = 64, r.height = 64, r.spp = {8};
-    r.sets = SetDeal{.second_half = 4};
+    r.sets = SetDeal{};
     const Film film = render(d, r).film;
     Denoised denoised;
     with_threads(2, [&] { denoised = denoise_film(film); });
@@ -176,8 +206,8 @@ TEST(DenoiseFilm, LessensTheErrorOfAPicture)
 TEST(DenoiseFilm, GivesTheSameFromSavedPlanes)
 {
     RenderRequest r;
-    r.spp = {13};  // halves of 6 and 7
-    r.sets = SetDeal{.second_half = 6};
+    r.spp = {13};  // halves of 8 and 5
+    r.sets = SetDeal{};
     const Film film = render(cornell_scene(), r).film;
     const HalfPlanes halves = halves_of(film);
     const std::vector<ImagePlane> planes = planes_of(halves);

@@ -12,6 +12,7 @@
 #include "report/bench/bench_page.h"
 #include "report/bench/interval.h"
 #include "report/bench/tables.h"
+#include "report/page/text_table.h"
 #include "report/metrics/statistics.h"
 #include "report/page/html.h"
 #include "support/random.h"

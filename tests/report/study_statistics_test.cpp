@@ -100,6 +100,14 @@ TEST(StudyStatistics, ExactLawsAreFoundExactly)
     EXPECT_NEAR(at.relmse_trimmed, 0.1 / 16, 1e-15);
     EXPECT_NEAR(at.rmse, 0.3 * std::sqrt(0.125 / 16), 1e-15);
     EXPECT_TRUE(std::isnan(at.flip));
+    EXPECT_EQ(f.flip_time.reach, Reach::not_measured);
+    for (StudyRun& run : even.runs)
+        for (ErrorPoint& p : run.points) p.flip = 0.4 / std::sqrt(p.wall_s);
+    const TimeToError flip = first_figures(even).flip_time;
+    EXPECT_EQ(flip.reach, Reach::measured);
+    EXPECT_NEAR(flip.seconds, 16, 1e-12);
+    even.runs[3].points.clear();
+    EXPECT_EQ(first_figures(even).flip_time.reach, Reach::measured) << "a run without points is none";
 }
 
 // With nine seeds, as many studies as two standard deviations below 95 % would leave.

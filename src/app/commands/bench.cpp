@@ -15,6 +15,7 @@
 #include "report/bench/bench_page.h"
 #include "report/bench/tables.h"
 #include "report/page/html.h"
+#include "report/page/text_table.h"
 
 namespace lancer {
 namespace {

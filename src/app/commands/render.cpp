@@ -68,6 +68,7 @@ private:
     void render(const Renderer& renderer);
     void add_samples(const Film& film, const Counters& counters, const RenderLimits& limits);
     void end_pass(const Film& film, bool complete, SampleRange range, const RenderLimits& limits);
+    void log_error(const Film& film, const RenderLimits& limits);
     double samples_per_pixel() const
     {
         return static_cast<double>(stats_.samples) / static_cast<double>(std::max<uint64_t>(pixels_, 1));
@@ -245,7 +246,6 @@ PictureRecipe Run::recipe() const
             .light_groups = light_groups_,
             .manifests = manifests_,
             .camera = camera_,
-            .has_stop_rule = options_.time || options_.error,
             .keeps_blocks_open = options_.time || options_.error || Checkpoints::are_wanted(options_)};
 }
 
@@ -295,7 +295,19 @@ void Run::end_pass(const Film& film, bool complete, SampleRange range, const Ren
     estimate_error(film);
     if (!complete) return;
     stats_.passes.push_back({spp, stats_.render_s, stats_.estimated_error});
-    if (limits.is_mark(spp) && log_->is_wanted()) log_->add(to_image(film), stats_, limits.cpu_seconds());
+    if (limits.is_mark(spp) && log_->is_wanted()) log_error(film, limits);
+}
+
+// A row of the error log: of the denoised picture where that is what will be written. What denoising it takes is part
+// of its time, what denoising earlier ones took is not.
+void Run::log_error(const Film& film, const RenderLimits& limits)
+{
+    if (!options_.denoise || samples_per_pixel() < 2) return log_->add(to_image(film), stats_, limits.cpu_seconds());
+    const double wall = wall_seconds(), cpu = cpu_seconds();
+    const Denoised denoised = denoise_film(film);
+    RunStats stats = stats_;
+    stats.render_s += wall_seconds() - wall;
+    log_->add(to_image(film, denoised.pixels), stats, limits.cpu_seconds() + (cpu_seconds() - cpu));
 }
 
 // Ends the render before spp; the picture is complete.
@@ -382,7 +394,7 @@ void Run::render(const Renderer& renderer)
             if (const auto stop = limits.reached(range.end, error_to_judge(film, range.end, limits))) {
                 end_at(*stop, spp);
                 if (*stop != Stop::samples && log_->is_wanted() && !(left.empty() && limits.is_mark(spp)))
-                    log_->add(to_image(film), stats_, limits.cpu_seconds());
+                    log_error(film, limits);
                 break;
             }
         }

@@ -14,10 +14,12 @@
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "report/page/html.h"
+#include "report/page/text_table.h"
 #include "report/study/check.h"
 #include "report/study/csv.h"
 #include "report/study/json.h"
 #include "report/study/page.h"
+#include "report/study/tables.h"
 
 namespace lancer {
 namespace {
@@ -194,6 +196,7 @@ int StudyRunner::execute()
         return exit_interrupted;
     }
     write();
+    if (study_.methods.size() > 1) print_result(to_text(overview_rows(study_)));
     for (const char* name : {"index.html", "study.json", "runs.csv"}) print_result(work_.file(name));
     return write_report();
 }

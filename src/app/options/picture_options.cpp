@@ -152,8 +152,11 @@ void add_render_options(OptionParser& p, RenderOptions& o, bool is_film)
     p.value("--reference2", "FILE", "A second one, independent of the first: their noise then cancels out",
             [&](const std::string& t) { o.reference2 = t; });
     p.takes_files(files::exr);
-    p.value("--error-log", "FILE", "Seconds, rays and errors each time that samples have doubled, as CSV",
-            [&](const std::string& t) { o.error_log = t; });
+    p.value(
+        "--error-log", "FILE",
+        "Seconds, rays and errors each time that samples have doubled, as CSV; with --denoise those of the denoised "
+        "picture, and the seconds that it takes",
+        [&](const std::string& t) { o.error_log = t; });
     p.takes_files(files::csv);
     p.value("--outliers", "N",
             "Also list the N samples with the largest part of the error, and what paths the error comes from",

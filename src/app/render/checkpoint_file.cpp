@@ -11,7 +11,7 @@ namespace lancer {
 namespace {
 
 // The last character is the version of the format. The number behind it shows the order of its bytes.
-constexpr std::string_view magic = "lancer checkpoint 5\n";
+constexpr std::string_view magic = "lancer checkpoint 6\n";
 constexpr uint32_t byte_order = 0x01020304;
 
 // Every member in turn.

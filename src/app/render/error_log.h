@@ -24,8 +24,8 @@ public:
     // Warns of references with the same random numbers as a picture of that seed, or as each other.
     void warn_of_shared_samples(uint64_t seed) const;
     // Adds a row, which is written at once, so that it survives a crash. If that fails, a warning says so, as the
-    // picture is worth more. stats: the present figures; rendering time
-    // does not advance meanwhile.
+    // picture is worth more. stats: the present figures, with the time that the
+    // picture took.
     void add(const Image& picture, const RunStats& stats, double cpu_seconds);
     // The log so far, and the same for a render that goes on from another.
     const std::string& text() const { return text_; }

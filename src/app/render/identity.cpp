@@ -6,17 +6,6 @@
 #include "scene/description/render_options.h"
 
 namespace lancer {
-namespace {
-
-// How the halves are dealt: with a given number of samples it counts.
-std::string halves_text(const SetDeal& deal)
-{
-    return deal.replicates > 1 || deal.second_half == 0 ? "of any number of samples"
-                                                        : format_text("of %u samples each", deal.second_half);
-}
-
-}  // namespace
-
 RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const std::optional<SetDeal>& sets)
 {
     const RunStats::Context& c = stats.context;
@@ -36,7 +25,7 @@ RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, 
                                    (options.part_layers ? "parts " : "") + (options.lobe_layers ? "lobes " : "") +
                                    (options.mattes ? "cryptomatte" : ""));
     all.emplace_back("background", name_of(options.background));
-    all.emplace_back("halves to denoise", sets ? halves_text(*sets) : "none");
+    all.emplace_back("halves to denoise", sets ? format_text("of %u sets", sets->count()) : "none");
     return all;
 }
 

@@ -152,6 +152,7 @@ ImageRows rows_of(const Film& film, const std::vector<Color>& pixels)
 }
 
 Image to_image(const Film& film) { return to_image(rows_of(film)); }
+Image to_image(const Film& film, const std::vector<Color>& pixels) { return to_image(rows_of(film, pixels)); }
 
 Metadata make_metadata(const RunStats& s, bool reproducible)
 {

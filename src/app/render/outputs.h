@@ -18,6 +18,7 @@ void refuse_input_as_output(const RenderOptions& options, const SceneDescription
 
 // The mean of each pixel's samples; pixels without samples are black.
 Image to_image(const Film& film);
+Image to_image(const Film& film, const std::vector<Color>& pixels);  // other pixels in the film's place
 // The same, row by row; the film must outlive the result.
 ImageRows rows_of(const Film& film);
 // Other pixels in the film's place, which must outlive the result.

@@ -65,7 +65,7 @@ void visit_recipe(Stream& stream, AnyRecipe& r)
         for (auto* matrix : {&r.camera->world_to_camera, &r.camera->world_to_ndc})
             for (auto& row : *matrix)
                 for (auto& x : row) stream(x);
-    visit_flag(stream, r.has_stop_rule), visit_flag(stream, r.keeps_blocks_open);
+    visit_flag(stream, r.keeps_blocks_open);
 }
 
 // A stream that keeps nothing but the hash.
@@ -85,10 +85,10 @@ struct HashStream {
 
 }  // namespace
 
-std::optional<SetDeal> sets_of(const RenderOptions& o, const RenderSettings& s, bool has_stop_rule)
+std::optional<SetDeal> sets_of(const RenderOptions& o, const RenderSettings& s)
 {
     if (!o.denoise && !o.denoise_sets && !o.guides) return {};
-    return SetDeal{.replicates = s.replicates, .second_half = has_stop_rule ? 0 : s.spp / 2};
+    return SetDeal{.replicates = s.replicates};
 }
 
 uint64_t hash_of_contents(const RenderOptions& options)
@@ -110,7 +110,7 @@ Film empty_film(const PictureRecipe& recipe)
     if (o.mattes) layout.add(AovSum::samples), film.keep_mattes();
     film.keep_aovs(layout);
     keep_for_settings(s, film);
-    if (const auto sets = sets_of(o, s, recipe.has_stop_rule)) film.keep_sets(*sets);
+    if (const auto sets = sets_of(o, s)) film.keep_sets(*sets);
     film.keep_layers({.groups = o.light_layers ? static_cast<uint32_t>(recipe.light_groups.size()) : 0,
                       .has_segments = o.part_layers,
                       .has_lobes = o.lobe_layers});

@@ -19,16 +19,11 @@ struct PictureRecipe {
     std::vector<std::string> light_groups;  // LightGroups::names
     std::vector<MatteManifest> manifests;   // with --aov cryptomatte
     std::optional<ExrCamera> camera{};      // there once the scene is built
-    bool has_stop_rule = false;             // --time, --error
     bool keeps_blocks_open = false;
 };
 
 // How samples are dealt to the sets that denoising needs; nothing if it is not asked for.
-std::optional<SetDeal> sets_of(const RenderOptions& options, const RenderSettings& settings, bool has_stop_rule);
-inline std::optional<SetDeal> sets_of(const RenderOptions& options, const RenderSettings& settings)
-{
-    return sets_of(options, settings, options.time || options.error);
-}
+std::optional<SetDeal> sets_of(const RenderOptions& options, const RenderSettings& settings);
 // Of the options that decide what files hold besides the picture itself.
 uint64_t hash_of_contents(const RenderOptions& options);
 

@@ -7,13 +7,42 @@
 namespace lancer {
 namespace {
 
-// The samples of one half of a pixel.
-SampleSet half_of(const Film& film, size_t pixel, size_t half, UsedSets used)
+using SetsOfHalf = std::array<bool, 4>;
+
+// Which sets of a pixel each half is made of. Of three the newest goes to the larger part until it is as large as the
+// one before it; of four those that are held out are used, too, unless they are not to be.
+std::array<SetsOfHalf, 2> sets_of_halves(const Film& film, size_t pixel, UsedSets used)
 {
-    const SampleSet* const sets = &film.sets[pixel * film.deal.count()];
-    SampleSet sum = sets[half];
-    if (used == UsedSets::all && film.deal.count() == 4) sum += sets[2 + half];
+    if (film.deal.has_intervals()) {
+        const SampleSet* const s = &film.sets[pixel * film.deal.count()];
+        if (s[2].n < s[1].n) return {{{true, false, true, false}, {false, true, false, false}}};
+        return {{{true, true, false, false}, {false, false, true, false}}};
+    }
+    const bool all = film.deal.count() == 4 && used == UsedSets::all;
+    return {{{true, false, all, false}, {false, true, false, all}}};
+}
+
+SampleSet sum_of(const Film& film, size_t pixel, const SetsOfHalf& sets)
+{
+    SampleSet sum;
+    for (size_t k = 0; k < film.deal.count(); ++k)
+        if (sets[k]) sum += film.sets[pixel * film.deal.count() + k];
     return sum;
+}
+
+// The samples of both halves of a pixel. A half without a sample is as good as the other.
+struct Halves {
+    std::array<SetsOfHalf, 2> sets;
+    std::array<SampleSet, 2> sums;
+    std::array<uint32_t, 2> samples;
+};
+Halves halves_of_pixel(const Film& film, size_t pixel, UsedSets used)
+{
+    Halves h{sets_of_halves(film, pixel, used), {}, {}};
+    for (size_t k = 0; k < 2; ++k) h.sums[k] = sum_of(film, pixel, h.sets[k]), h.samples[k] = h.sums[k].n;
+    for (size_t k = 0; k < 2; ++k)
+        if (h.samples[k] == 0) h.sets[k] = h.sets[1 - k], h.sums[k] = h.sums[1 - k];
+    return h;
 }
 
 void add_means(const SampleSet& set, std::array<std::vector<float>, HalfPlanes::of_half>& planes)
@@ -40,14 +69,13 @@ void set_layer(const Film& film, uint32_t layer, HalfPlanes& planes)
     const size_t sets = film.deal.count();
     for (size_t i = 0; i < film.pixels.size(); ++i) {
         std::array<Color, 2> means{};
+        const Halves halves = halves_of_pixel(film, i, UsedSets::all);
         for (size_t h = 0; h < 2; ++h) {
             std::array<double, 3> sum{};
-            size_t used = h;
-            if (half_of(film, i, h, UsedSets::all).n == 0) used = 1 - h;
-            for (size_t set = used; set < sets; set += 2)
-                for (size_t c = 0; c < 3; ++c)
+            for (size_t set = 0; set < sets; ++set)
+                for (size_t c = 0; c < 3 && halves.sets[h][set]; ++c)
                     sum[c] += film.layer_sums[(i * sets + set) * film.layers.size() + layer][c];
-            const double n = std::max(half_of(film, i, used, UsedSets::all).n, 1u);
+            const double n = std::max(halves.sums[h].n, 1u);
             for (size_t c = 0; c < 3; ++c) planes.halves[h][c][i] = static_cast<float>(sum[c] / n);
             means[h] = {planes.halves[h][0][i], planes.halves[h][1][i], planes.halves[h][2][i]};
         }
@@ -77,17 +105,16 @@ DenoiseInput HalfPlanes::input(uint32_t width, uint32_t height) const
 HalfPlanes halves_of(const Film& film, UsedSets used)
 {
     HalfPlanes planes;
-    for (size_t h = 0; h < 2; ++h) {
-        uint64_t samples = 0;
-        for (auto& plane : planes.halves[h]) plane.reserve(film.pixels.size());
-        for (size_t i = 0; i < film.pixels.size(); ++i) {
-            SampleSet set = half_of(film, i, h, used);
-            samples += set.n;
-            if (set.n == 0) set = half_of(film, i, 1 - h, used);  // a half without a sample is as good as the other
-            add_means(set, planes.halves[h]);
-        }
-        planes.samples[h] = static_cast<float>(static_cast<double>(samples) / static_cast<double>(film.pixels.size()));
+    for (auto& half : planes.halves)
+        for (auto& plane : half) plane.reserve(film.pixels.size());
+    std::array<uint64_t, 2> samples{};
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        const Halves halves = halves_of_pixel(film, i, used);
+        for (size_t h = 0; h < 2; ++h) samples[h] += halves.samples[h], add_means(halves.sums[h], planes.halves[h]);
     }
+    for (size_t h = 0; h < 2; ++h)
+        planes.samples[h] =
+            static_cast<float>(static_cast<double>(samples[h]) / static_cast<double>(film.pixels.size()));
     planes.variance.reserve(film.pixels.size());
     for (size_t i = 0; i < film.pixels.size(); ++i)
         planes.variance.push_back(static_cast<float>(variance_of_mean(film.whole(i))));

@@ -157,6 +157,14 @@ void trace_one_by_one(const V& view, const Accelerator& accel, const Camera& cam
     w.last.clear();
 }
 
+// Before sample `first`, of those pixels of a tile that will have it.
+inline void begin_intervals(Film& film, const Tile& tile, uint32_t first)
+{
+    for_pixels(film, tile, [&](size_t i, size_t) {
+        if (film.wanted.empty() || film.wanted[i] == 0 || film.wanted[i] > first) film.begin_interval(i);
+    });
+}
+
 // Renders samples [begin, end) of every pixel of a tile into the film.
 template <class V, class Integrator, class Listener>
 void render_tile(const V& view, const Accelerator& accel, const Camera& camera, const KernelSettings& settings,
@@ -166,8 +174,13 @@ void render_tile(const V& view, const Accelerator& accel, const Camera& camera, 
     const StopRule stop = film.wanted.empty() ? StopRule::never : settings.stop;
     if (stop == StopRule::confidence) trace_pilots(view, accel, camera, settings, integrator, film, tile, w, counters);
     Blocks blocks{film.pixels, film.open};
+    const bool has_intervals = !film.sets.empty() && film.deal.has_intervals();
     for (uint32_t first = samples.begin; first < samples.end;) {
-        const uint32_t last = first + std::min(samples.end - first, samples_per_block - first % samples_per_block);
+        uint32_t last = first + std::min(samples.end - first, samples_per_block - first % samples_per_block);
+        if (has_intervals) {
+            last = std::min(last, SetDeal::next_begin(first));
+            if (SetDeal::is_begin(first)) begin_intervals(film, tile, first);
+        }
         w.block.resize(size_t{tile.width()} * tile.height());
         for_pixels(film, tile, [&](size_t i, size_t k) { w.block[k] = blocks.take(i, first); });
         listener.begin_block(first);

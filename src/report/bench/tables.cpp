@@ -80,12 +80,6 @@ void add_answers(const BenchRun& run, const std::string& rays, std::vector<Figur
     if (any) rows.push_back(std::move(row));
 }
 
-// How many characters a terminal shows.
-size_t shown_width(const std::string& text)
-{
-    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 Cell plain_number(double x) { return {count_text(x), true}; }
 
 }  // namespace
@@ -180,27 +174,6 @@ std::string verdict_of(const BenchAgainst& against)
     const auto count = [](size_t n) { return count_text(double(n)); };
     return "against " + against.earlier + ": of " + count(against.cells.size()) + " ratios " + count(against.close()) +
            " agree within 5 %; " + count(against.differing()) + " differ beyond both intervals";
-}
-
-std::string to_text(const Table& table)
-{
-    std::vector<std::vector<Cell>> rows{{}};
-    for (const std::string& name : table.head) rows[0].push_back({name, rows[0].size() > 0});
-    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-    std::vector<size_t> widths(table.head.size());
-    for (const auto& row : rows)
-        for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i].text));
-    std::string text;
-    for (const auto& row : rows) {
-        std::string line;
-        for (size_t i = 0; i < row.size(); ++i) {
-            const std::string padding(widths[i] - shown_width(row[i].text), ' ');
-            line += (i ? "  " : "") + (row[i].number ? padding + row[i].text : row[i].text + padding);
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += (text.empty() ? "" : "\n") + line;
-    }
-    return text;
 }
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-// The figures of a run as tables: of text for a terminal, and for the page.
+// The figures of a run as tables.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace lancer {
 
-// A row for each thing that was measured, a column for each method; with intervals, cells have three lines, the last of which is
-// the interval of the ratio.
+// A row for each thing that was measured, a column for each method; with intervals, cells have three lines, the last of
+// which is the interval of the ratio.
 Table figures_table(const BenchRun& run, bool intervals);
 
 // What was measured, and on what: pairs of a name and what is told.
@@ -20,8 +20,5 @@ Table run_table(const BenchRun& run);
 Table against_table(const BenchAgainst& against, bool all);
 // How many ratios agree.
 std::string verdict_of(const BenchAgainst& against);
-
-// Columns of equal width, those of numbers flush right.
-std::string to_text(const Table& table);
 
 }  // namespace lancer

@@ -77,7 +77,8 @@ double median_of_times(std::vector<double> times)
 TimeToError time_to(const std::vector<ErrorCurve>& curves, double target, double limit, bool may_extrapolate)
 {
     TimeToError time{target, Reach::not_measured, no_number, {no_number, no_number}};
-    if (curves.empty()) return time;
+    if (curves.empty() || std::any_of(curves.begin(), curves.end(), [](const auto& c) { return c.empty(); }))
+        return time;
     time.reach = Reach::below_noise;
     if (target <= limit) return time;
     std::vector<double> logs;
@@ -163,7 +164,7 @@ TimeToError time_to_error(const Study& study, const StudyScene& scene, const Stu
 MethodFigures figures_of(const Study& study, const StudyScene& scene, const StudyMethod& method)
 {
     const Runs runs = runs_of(study, scene.name, method.name);
-    MethodFigures figures{&method, runs.size(), 0, no_number, no_number, {}, {}, {}, {}, {}};
+    MethodFigures figures{&method, runs.size(), 0, no_number, no_number, {}, {}, {}, {}, {}, {}};
     figures.failed = failed_runs(study, scene.name, method.name);
     const auto curves = curves_of(runs, Along::time, &ErrorPoint::relmse);
     for (const ErrorCurve& curve : curves) {
@@ -177,6 +178,8 @@ MethodFigures figures_of(const Study& study, const StudyScene& scene, const Stud
     figures.slope_time = slope_of(runs, Along::time, slope_limit(noise));
     for (const double target : study_targets)
         figures.times.push_back(time_to(curves, target, noise_limit(noise), !method.biased()));
+    // Noise of the reference adds to FLIP: a time is rather told as too long. It follows no power law.
+    figures.flip_time = time_to(curves_of(runs, Along::time, &ErrorPoint::flip), flip_target, 0, false);
     return figures;
 }
 

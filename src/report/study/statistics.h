@@ -15,6 +15,8 @@ namespace lancer {
 
 // Target errors of the time to error, in relMSE.
 inline constexpr std::array study_targets{1e-1, 1e-2, 1e-3};
+// And of the time to a FLIP: differences that are seen when pictures alternate.
+inline constexpr double flip_target = 0.1;
 
 // At or below this relMSE at least half of the measured error is the reference's own noise.
 inline double noise_limit(double reference_noise_relmse) { return 2 * reference_noise_relmse; }
@@ -45,7 +47,7 @@ enum class Reach {
     not_measured  // no run
 };
 struct TimeToError {
-    double target = 0;  // relMSE
+    double target = 0;  // relMSE, or FLIP
     Reach reach = Reach::not_measured;
     double seconds = 0;  // of measured, extrapolated, at_once
     Interval interval;  // of measured and extrapolated; low 0: before the first measurement, high infinite: not reached
@@ -64,6 +66,7 @@ struct MethodFigures {
     std::vector<CurvePoint> time, samples;  // relMSE over seconds, over samples per pixel
     std::optional<Slope> slope_samples, slope_time;
     std::vector<TimeToError> times;  // one for each of study_targets
+    TimeToError flip_time;           // to flip_target
 };
 
 // Why there is no time that a method could be ranked by; empty of measured.

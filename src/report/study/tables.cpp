@@ -80,9 +80,11 @@ std::string time_text(const TimeToError& t)
 Table times_table(const SceneFigures& f)
 {
     Table table = targets_table("Seconds of rendering to an error, medians [95 %]", "s to relMSE ");
+    table.head.push_back("s to FLIP " + target_text(flip_target));
     for (const MethodFigures& m : f.all) {
         std::vector<Cell> cells{method_cell(*m.method)};
         for (const TimeToError& t : m.times) cells.push_back({time_text(t), true});
+        cells.push_back({time_text(m.flip_time), true});
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -268,6 +270,37 @@ Table overview_table(const Study& study)
         }
         table.rows.back().push_back(ratio_cell(overview.mean_time, of_scenes(overview.times)));
         table.rows.back().push_back(ratio_cell(overview.mean_flip, of_scenes(flips)));
+    }
+    return table;
+}
+
+Table overview_rows(const Study& study)
+{
+    const std::string over = ", " + study.baseline + " / method";
+    Table table{"", {"scene", "method", "time" + over, "at relMSE", "FLIP" + over, "at s", "verdict on the time"}, {}};
+    const auto add = [&](const std::string& scene, const StudyMethod& method, const Comparison& time,
+                         const std::string& error, const Comparison& flip, const std::string& seconds) {
+        table.rows.push_back({{scene},
+                              {method.name},
+                              {ratio_text(time), true},
+                              {error, true},
+                              {ratio_text(flip), true},
+                              {seconds, true},
+                              {rank_text(time)}});
+    };
+    for (const StudyMethod& m : study.methods) {
+        if (m.name == study.baseline) continue;
+        const Overview overview = overview_of(study, m);
+        for (size_t i = 0; i < study.scenes.size(); ++i) {
+            const FlipAtTime& flip = overview.flips[i];
+            const auto text = [](double x) { return std::isnan(x) ? "" : significant(x); };
+            if (const std::string why = why_left_out(study, study.scenes[i], m); !why.empty())
+                table.rows.push_back({{study.scenes[i].name}, {m.name}, {}, {}, {}, {}, {"left out"}});
+            else
+                add(study.scenes[i].name, m, overview.times[i], text(overview.errors[i]), flip.ratio,
+                    text(flip.seconds));
+        }
+        add("geometric mean", m, overview.mean_time, "", overview.mean_flip, "");
     }
     return table;
 }

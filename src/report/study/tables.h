@@ -22,7 +22,7 @@ struct SceneFigures {
     std::vector<MethodFigures> all;
 };
 
-Table times_table(const SceneFigures& f);       // seconds to each of study_targets
+Table times_table(const SceneFigures& f);       // seconds to each of study_targets, and to flip_target
 Table speed_up_table(const SceneFigures& f);    // over the baseline, at equal error
 Table efficiency_table(const SceneFigures& f);  // and the gain over the baseline, at equal time
 Table slopes_table(const SceneFigures& f);
@@ -37,5 +37,7 @@ Table levels_table(const SceneFigures& f);
 // Of every method on every scene, for the beginning of the page: the ratios of the times to an equal error and of FLIP
 // at an equal time, and their geometric means over the scenes where a method is ranked.
 Table overview_table(const Study& study);
+// The same with a row for each method on each scene, for a terminal.
+Table overview_rows(const Study& study);
 
 }  // namespace lancer
