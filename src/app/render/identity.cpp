@@ -1,11 +1,14 @@
 #include "app/render/identity.h"
 
 #include "app/console.h"
+#include "app/load_scene.h"
+#include "app/options/settings.h"
 #include "app/render/recipe.h"
 #include "core/hash.h"
 #include "scene/description/render_options.h"
 
 namespace lancer {
+
 RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const std::optional<SetDeal>& sets)
 {
     const RunStats::Context& c = stats.context;
@@ -41,6 +44,11 @@ std::string frame_identity(const RenderOptions& options, const RunStats& stats, 
     add((exposure.is_automatic ? "auto" : shortest(exposure.stops)) + " " +
         (output.tonemap ? std::string(name_of(*output.tonemap)) : ""));
     return to_hex(hash);
+}
+
+std::string hash_of_settings(const RenderSettings& settings, const SceneChoice& view)
+{
+    return settings_hash(settings, view.camera + view_options_text(view));
 }
 
 }  // namespace lancer

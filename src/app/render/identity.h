@@ -24,4 +24,8 @@ RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, 
 // header (lancer:identity), so that a film knows what is finished. output: of the scene and the command line.
 std::string frame_identity(const RenderOptions& options, const RunStats& stats, const OutputDescription& output);
 
+// Of all that decides the value of a pixel, but the scene. settings: resolved; view: whose camera, and how the command
+// line changes it, count.
+std::string hash_of_settings(const RenderSettings& settings, const SceneChoice& view);
+
 }  // namespace lancer

@@ -13,6 +13,9 @@ enum class Stop { samples, time, error };
 template <>
 inline constexpr auto enum_names<Stop> = std::to_array<std::string_view>({"samples", "time", "error"});
 
+// Number of samples if only time or error stops a render.
+inline constexpr uint32_t unlimited_spp = 1u << 28;
+
 class RenderLimits {
 public:
     struct Given {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "app/system_info.h"
 #include "report/stats_json.h"
@@ -35,5 +36,16 @@ private:
     const char* phase_;
     double wall_ = wall_seconds(), cpu_ = cpu_seconds();
 };
+
+// The result of f, which is a phase; f may take the clock, for further ones.
+template <class F>
+auto timed(RunStats& stats, const char* phase, F&& f)
+{
+    PhaseClock clock(stats, phase);
+    if constexpr (std::is_invocable_v<F, PhaseClock&>)
+        return f(clock);
+    else
+        return f();
+}
 
 }  // namespace lancer

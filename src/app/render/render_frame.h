@@ -1,4 +1,4 @@
-// One picture as lancer render makes it, alone or as a frame of a film. In app/commands/render.cpp.
+// One picture as lancer render makes it, alone or as a frame of a film.
 #pragma once
 
 #include "app/frame_cache.h"

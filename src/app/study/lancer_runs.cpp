@@ -134,10 +134,13 @@ std::optional<RunResult> run_lancer(StudyWork& work, const StudyPlan::Scene& sce
     run.failed = !run.problem.empty();
     if (run.failed) return result;
     const std::vector<ErrorRow> rows = read_error_rows(name + ".csv", read_input_text(name + ".csv"));
-    for (const ErrorRow& row : rows)
+    for (const ErrorRow& row : rows) {
         // Of the doublings only: there all pixels have all samples.
-        if (row.spp == std::floor(row.spp) && std::exp2(std::floor(std::log2(row.spp))) == row.spp)
-            run.points.push_back(point_of(row));
+        const bool has_doubled = row.spp == std::floor(row.spp) && std::exp2(std::floor(std::log2(row.spp))) == row.spp;
+        // Denoising the picture before may have taken longer than its samples and denoising this one.
+        const bool is_later = run.points.empty() || row.wall_s > run.points.back().wall_s;
+        if (has_doubled && is_later) run.points.push_back(point_of(row));
+    }
     result.biases = biases_against(reference.limits, ledger_of(read_exr_info(name + ".exr").metadata));
     if (!rows.empty()) result.picture = {name + ".exr", rows.back().spp, rows.back().wall_s};
     return result;
