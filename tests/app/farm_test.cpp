@@ -81,6 +81,9 @@ TEST_F(Farm, TheJobScriptDrawsFramesOfAnAnimation)
     expect_words(wrong.err, "did you mean 'path'?");
     EXPECT_EQ(wrong.out, "");
     EXPECT_EQ(run({"slurm", "film.toml", "--render=-s $SPP", "-o", "f.exr"}).code, 0);
+    const Said help = run({"slurm", "film.toml", "--render=-s 8 --help", "-o", "f.exr"});
+    EXPECT_EQ(help.code, 2);
+    EXPECT_EQ(help.out, "") << "no page of help in a script";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/console.h"
+#include "app/options/option_values.h"
 #include "app/options/options.h"
 
 namespace lancer {
@@ -86,7 +87,11 @@ void check_render_options(const SlurmOptions& o)
     for (const std::string& options : o.render) {
         if (options.find_first_of("\\'\"$`*?[;&|<>()") != std::string::npos) return;
         std::istringstream rest(options);
-        for (std::string word; rest >> word;) words.push_back(word);
+        for (std::string word; rest >> word;) {
+            // It would be printed into the script.
+            if (word == "-h" || word == "--help") fail_usage("--render: " + word + " renders nothing");
+            words.push_back(word);
+        }
     }
     words.push_back("--shard=1/" + std::to_string(o.shards));
     words.emplace_back("--output=part.lancer");
