@@ -317,5 +317,22 @@ TEST_F(Filmed, AMovieIsMadeByFfmpeg)
     for (const std::string& name : folder_.names()) EXPECT_EQ(name.find(".tmp."), std::string::npos) << name;
 }
 
+// Whole numbers of [render] stay whole between key frames.
+TEST_F(Filmed, EachFrameMayHaveNoiseOfItsOwn)
+{
+    write("still.toml", small_scene);
+    write("seeds.toml", std::string(small_scene) +
+                            "[render]\nseed = 0\n[animation]\nframes = [1, 3]\n[[animation.track]]\n"
+                            "key = \"render.seed\"\nframes = [1, 3]\nvalues = [11, 13]\n");
+    const Said said = run({"film", "seeds.toml", "--size", "24x16", "-s", "2", "-o", "f.#.exr"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    for (const int frame : {1, 2, 3}) {
+        const std::string seed = std::to_string(10 + frame);
+        ASSERT_EQ(run({"render", "still.toml", "--size", "24x16", "-s", "2", "--seed", seed, "-q", "-o", "s.exr"}).code,
+                  0);
+        EXPECT_TRUE(same_pixels(image("s.exr"), image(numbered(frame)))) << "frame " << frame;
+    }
+}
+
 }  // namespace
 }  // namespace lancer

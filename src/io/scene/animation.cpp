@@ -27,19 +27,24 @@ std::vector<double> numbers_of(const TomlValue& value)
 
 bool is_list(const TomlValue& value) { return std::holds_alternative<TomlValue::Array>(value.data); }
 
-// Numbers with the place and the form of another value.
-TomlValue like(const TomlValue& form, const std::vector<double>& numbers)
+bool is_whole(const TomlValue& value)
 {
-    TomlValue value{.line = form.line, .column = form.column, .data = {}, .source = form.source};
-    if (!is_list(form)) {
-        value.data = numbers[0];
+    const auto* list = std::get_if<TomlValue::Array>(&value.data);
+    return list ? std::all_of(list->begin(), list->end(), is_whole) : std::holds_alternative<int64_t>(value.data);
+}
+
+// Numbers with the place and the form of another value. rounds: to whole numbers.
+TomlValue like(const TomlValue& form, const std::vector<double>& numbers, bool rounds)
+{
+    const auto one = [&](double x) {
+        TomlValue value{.line = form.line, .column = form.column, .data = x, .source = form.source};
+        if (rounds) value.data = static_cast<int64_t>(std::llround(x));
         return value;
-    }
+    };
+    if (!is_list(form)) return one(numbers[0]);
     TomlValue::Array list;
-    for (const double x : numbers)
-        list.push_back({.line = form.line, .column = form.column, .data = x, .source = form.source});
-    value.data = std::move(list);
-    return value;
+    for (const double x : numbers) list.push_back(one(x));
+    return {.line = form.line, .column = form.column, .data = std::move(list), .source = form.source};
 }
 
 void read_whole(const TomlTable& table, AnimationDescription& d)
@@ -156,8 +161,11 @@ void Animation::read_track(const TomlTable& table, const TomlValue& root, TomlPr
     track.values = *values;
     track.is_direction = track.path.back() == "direction" && track.interpolation != Interpolation::step &&
                          numbers_of(values->front()).size() == 3;
+    // Samples, seed and the like are whole numbers.
+    track.rounds = track.path[0] == "render" && std::all_of(values->begin(), values->end(), is_whole);
     description_.moves_views_only = description_.moves_views_only && track.moves_view();
-    description_.blurs_all = description_.blurs_all && (track.moves_view() || track.moves_thing());
+    const bool is_of_scene = track.path[0] != "render" && track.path[0] != "output";
+    description_.blurs_all = description_.blurs_all && (track.moves_view() || track.moves_thing() || !is_of_scene);
     tracks_.push_back(std::move(track));
 }
 
@@ -212,7 +220,7 @@ std::vector<FrameValue> Animation::values_at(double time, std::optional<double> 
             // The zero vector has no direction; the reader of its table says so.
             if (is_finite(turned)) result = {turned.x, turned.y, turned.z};
         }
-        own.value = like(track.values[place.at], result);
+        own.value = like(track.values[place.at], result, track.rounds);
     }
     return all;
 }

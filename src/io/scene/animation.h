@@ -26,6 +26,7 @@ struct AnimationTrack {
     Interpolation interpolation = Interpolation::linear;
     std::optional<ViewKeys> views;  // of a whole camera; values are not used then
     bool is_direction = false;      // turns evenly
+    bool rounds = false;            // gives whole numbers
 
     // Whether it changes nothing of a scene but from where it is seen.
     bool moves_view() const;
