@@ -149,6 +149,8 @@ TEST(LaneOperations, RootsAndProductsAreRoundedOnce)
     for_pairs<Float8>(floats(), [](Float8 a, Float8 b) {
         const Float8 c = permute(a, UInt8{3, 7, 1, 5, 0, 2, 4, 6});
         expect_both("sqrt", native::sqrt(a), portable::sqrt(a), [&](size_t k) { return std::sqrt(a[k]); });
+        expect_both("sqrt", native::sqrt(lower(a)), portable::sqrt(lower(a)),
+                    [&](size_t k) { return std::sqrt(a[k]); });
         expect_both("fmadd", native::fmadd(a, b, c), portable::fmadd(a, b, c),
                     [&](size_t k) { return std::fma(a[k], b[k], c[k]); });
         expect_both("fnmadd", native::fnmadd(a, b, c), portable::fnmadd(a, b, c),
@@ -189,6 +191,8 @@ TEST(LaneOperations, ConversionsRoundAsOneNumberDoes)
         expect_both("to_double", native::to_double(four), portable::to_double(four),
                     [&](size_t k) { return double{four[k]}; });
         expect_both("nearest", native::nearest(a), portable::nearest(a),
+                    [&](size_t k) { return std::nearbyint(a[k]); });
+        expect_both("nearest", native::nearest(four), portable::nearest(four),
                     [&](size_t k) { return std::nearbyint(a[k]); });
         expect_both("truncate", native::truncate(a), portable::truncate(a), [&](size_t k) { return whole(a[k]); });
         expect_both("truncate", native::truncate(four), portable::truncate(four),

@@ -11,6 +11,7 @@ namespace lancer {
 inline double to_double(float x) { return x; }
 inline Float4 to_float(Double4 x) { return __builtin_convertvector(x, Float4); }
 inline float to_float(double x) { return static_cast<float>(x); }
+inline float to_float(int32_t x) { return static_cast<float>(x); }
 inline Float4 to_float(Int4 x) { return __builtin_convertvector(x, Float4); }
 inline Float8 to_float(Int8 x) { return __builtin_convertvector(x, Float8); }
 
@@ -45,14 +46,27 @@ inline UInt4 min(UInt4 a, UInt4 b) { return a < b ? a : b; }
 inline float nearest(float x) { return std::nearbyint(x); }
 // Converts integral floats in the range of int.
 inline uint32_t to_whole(float x) { return static_cast<uint32_t>(static_cast<int>(x)); }
+inline UInt4 to_whole(Float4 x) { return reinterpret_cast<UInt4>(truncate(x)); }
 inline UInt8 to_whole(Float8 x) { return reinterpret_cast<UInt8>(truncate(x)); }
-// Flips the sign where the lowest bit of `bit` is set.
-inline float negated(float x, uint32_t bit) { return std::bit_cast<float>(std::bit_cast<uint32_t>(x) ^ (bit << 31)); }
-inline Float8 negated(Float8 x, UInt8 bit)
+
+// The bits of a number, and the number of such bits.
+inline uint32_t bits_of(float x) { return std::bit_cast<uint32_t>(x); }
+inline UInt4 bits_of(Float4 x) { return reinterpret_cast<UInt4>(x); }
+inline UInt8 bits_of(Float8 x) { return reinterpret_cast<UInt8>(x); }
+inline float with_bits(uint32_t bits) { return std::bit_cast<float>(bits); }
+inline Float4 with_bits(UInt4 bits) { return reinterpret_cast<Float4>(bits); }
+inline Float8 with_bits(UInt8 bits) { return reinterpret_cast<Float8>(bits); }
+inline int32_t as_signed(uint32_t x) { return static_cast<int32_t>(x); }
+inline Int4 as_signed(UInt4 x) { return reinterpret_cast<Int4>(x); }
+inline Int8 as_signed(UInt8 x) { return reinterpret_cast<Int8>(x); }
+// Flips the sign where the lowest bit of `bit` is set. Bits: as bits_of(x).
+template <class T, class Bits>
+T negated(T x, Bits bit)
 {
-    return reinterpret_cast<Float8>(reinterpret_cast<UInt8>(x) ^ (bit << 31));
+    return with_bits(bits_of(x) ^ (bit << 31));
 }
 inline bool is_odd(uint32_t x) { return x & 1; }
+inline Mask4f is_odd(UInt4 x) { return reinterpret_cast<Mask4f>(-(x & 1)); }
 inline Mask8 is_odd(UInt8 x) { return reinterpret_cast<Mask8>(-(x & 1)); }
 
 }  // namespace lancer

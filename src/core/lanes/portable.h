@@ -21,6 +21,10 @@ Lanes each_lane(const F& f)
 }
 
 // Arithmetic.
+inline Float4 sqrt(Float4 x)
+{
+    return each_lane<Float4>([&](size_t i) { return std::sqrt(x[i]); });
+}
 inline Float8 sqrt(Float8 x)
 {
     return each_lane<Float8>([&](size_t i) { return std::sqrt(x[i]); });
@@ -57,6 +61,10 @@ inline Double4 abs(Double4 x) { return copysign(x, Double4{}); }
 
 // Conversions.
 inline Double4 to_double(Float4 x) { return __builtin_convertvector(x, Double4); }
+inline Float4 nearest(Float4 x)
+{
+    return each_lane<Float4>([&](size_t i) { return std::nearbyint(x[i]); });
+}
 inline Float8 nearest(Float8 x)
 {
     return each_lane<Float8>([&](size_t i) { return std::nearbyint(x[i]); });

@@ -9,6 +9,7 @@
 namespace lancer::x86 {
 
 // Arithmetic. The square root of a negative number is NaN.
+inline Float4 sqrt(Float4 x) { return _mm_sqrt_ps(x); }
 inline Float8 sqrt(Float8 x) { return _mm256_sqrt_ps(x); }
 inline Double4 sqrt(Double4 x) { return _mm256_sqrt_pd(x); }
 // b where a or b is NaN or both are zero.
@@ -43,6 +44,7 @@ inline Double4 copysign(Double4 x, Double4 sign)
 // Conversions.
 inline Double4 to_double(Float4 x) { return _mm256_cvtps_pd(x); }
 // Rounds to the nearest integer, ties to even; follows the rounding mode of the thread.
+inline Float4 nearest(Float4 x) { return _mm_round_ps(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC); }
 inline Float8 nearest(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_CUR_DIRECTION | _MM_FROUND_NO_EXC); }
 // Rounds towards zero; INT32_MIN where the result is out of range or NaN.
 inline Int4 truncate(Float4 x) { return reinterpret_cast<Int4>(_mm_cvttps_epi32(x)); }

@@ -13,7 +13,7 @@ namespace lancer {
 namespace {
 
 constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
-constexpr double nearest = 1e3;  // errors from the camera from which on they are but a small angle
+constexpr double least_distance = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_tile = 4, most_columns = 1024;
 constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
 constexpr uint32_t looked_at = 16;      // cells each way in which it is asked whether all are covered already
@@ -58,7 +58,7 @@ public:
         double least = INFINITY;
         for (size_t i = 0; i < 3; ++i) seen[i] = camera_.seen(corners[i]), least = std::min(least, seen[i].depth);
         const double blur = error / static_cast<double>(camera_.pixel_spread());
-        if (least > nearest * error) return add_rectangle(seen, blur / least);
+        if (least > least_distance * error) return add_rectangle(seen, blur / least);
         add_clipped({seen.begin(), seen.end()}, error);
     }
     // Adds everything inside a box if its projection is so small that testing the content would give no more detail, or
@@ -67,7 +67,7 @@ public:
     {
         const Vec3d way = box.center() - position_, half = (box.upper - box.lower) * 0.5;
         const double depth = dot(away_, way), deep = dot(abs(away_), half), least = depth - deep, most = depth + deep;
-        if (!(least > nearest * error)) return false;
+        if (!(least > least_distance * error)) return false;
         const double x = dot(across_, way), wide = dot(abs(across_), half);
         const double y = dot(down_, way), high = dot(abs(down_), half);
         const auto lowest = [&](double at) { return at / (at < 0 ? least : most); };
@@ -141,7 +141,7 @@ private:
         }
         if (polygon.empty()) return;
         for (const Camera::Seen& p : polygon) least = std::min(least, p.depth);
-        if (!(least > nearest * error)) return mark({0, 0, columns_, rows_});
+        if (!(least > least_distance * error)) return mark({0, 0, columns_, rows_});
         add_rectangle(polygon, blur / least);
     }
     struct Cells {
