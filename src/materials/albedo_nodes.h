@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/lanes/lanes.h"
+
 namespace lancer {
 
 inline constexpr uint32_t bits_below_node = 21;
@@ -83,6 +85,44 @@ inline NodeCell edged_cell(float edge, float cos)
 inline NodeCell cosine_cell(float edge, float cos)
 {
     return edge > 0 ? edged_cell(edge, cos) : cell_from(cos, least_cos, plain_cosines);
+}
+
+// Between which of so many even steps in [0, 1] a number lies. T: float or Float4.
+template <class T>
+struct EvenCell {
+    decltype(to_whole(T{})) index;
+    T part;
+};
+template <class T>
+EvenCell<T> even_cell(T x, uint32_t nodes)
+{
+    const T at = smaller(T{} + 1.0f, larger(T{}, x)) * static_cast<float>(nodes - 1);
+    const auto index = to_whole(smaller(at, T{} + static_cast<float>(nodes - 2)));
+    return {index, at - to_float(as_signed(index))};
+}
+
+// Two neighbouring values of a table, and two of its next row.
+template <class T>
+struct TableSquare {
+    T a, b, c, d;
+
+    // part: of the way to the second of two neighbours; row: of the way to the next row.
+    T at(T part, T row) const
+    {
+        const T low = a + part * (b - a), high = c + part * (d - c);
+        return low + row * (high - low);
+    }
+};
+// columns: how far rows are from each other.
+inline TableSquare<float> table_square(const float* at, size_t columns)
+{
+    return {at[0], at[1], at[columns], at[columns + 1]};
+}
+inline TableSquare<Float4> table_square(const std::array<const float*, 4>& at, size_t columns)
+{
+    const auto one = [&](size_t i) { return load2x2(at[i], at[i] + columns); };
+    const auto [a, b, c, d] = transpose4x4(std::array<Float4, 4>{one(0), one(1), one(2), one(3)});
+    return {a, b, c, d};
 }
 
 // Tables whose values vary with the root of the cosine have even steps of it, the first one near grazing.

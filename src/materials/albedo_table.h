@@ -78,9 +78,7 @@ public:
         float loss(float cos) const
         {
             const NodeCell c = cosine_cell(edge_, cos);
-            const auto at = [&](const float* l) { return l[0] + c.part * (l[1] - l[0]); };
-            const float low = at(losses_ + c.index), high = at(losses_ + cosines_of(edge_) + c.index);
-            return low + part_ * (high - low);
+            return table_square(losses_ + c.index, cosines_of(edge_)).at(c.part, part_);
         }
         // Four rows, each at its own cosine.
         static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
@@ -94,13 +92,9 @@ public:
             const Float4 part = to_float(rest) * (1.0f / (uint32_t{1} << bits_below_node));
             alignas(16) std::array<uint32_t, 4> first;
             store4_aligned(first.data(), index);
-            const auto ends = [&](size_t i) {
-                const float* low = four[i].losses_ + first[i];
-                return load2x2(low, low + plain_cosines);
-            };
-            const auto [a, b, c, d] = transpose4x4(std::array<Float4, 4>{ends(0), ends(1), ends(2), ends(3)});
-            const Float4 low = a + part * (b - a), high = c + part * (d - c);
-            return low + Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_} * (high - low);
+            const auto at = [&](size_t i) { return four[i].losses_ + first[i]; };
+            return table_square(std::array{at(0), at(1), at(2), at(3)}, plain_cosines)
+                .at(part, Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_});
         }
 
     private:

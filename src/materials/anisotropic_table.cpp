@@ -1,21 +1,17 @@
 #include "materials/anisotropic_table.h"
 
+#include "core/elementary.h"
+
 namespace lancer {
 namespace {
 
 constexpr uint32_t all_roughnesses = 12, all_anisotropies = 9;
 
-struct PlaceInRange {
-    uint32_t index;
-    float part;
-};
 // x: in [0, 1].
-PlaceInRange place_in(float x, uint32_t nodes)
+EvenCell<float> cell_in_range(float x, uint32_t nodes)
 {
     if (nodes == 1) return {0, 0};
-    const float at = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(nodes - 1);
-    const uint32_t index = std::min(static_cast<uint32_t>(at), nodes - 2);
-    return {index, at - static_cast<float>(index)};
+    return even_cell(x, nodes);
 }
 
 // Albedo over that of the smooth surface, subtracted from 1. Four normals at a time.
@@ -56,22 +52,20 @@ Vec3d direction(double cos, double turn)
 
 }  // namespace
 
+template <class T>
+AnisotropicTable::Slice::PlaceT<T> AnisotropicTable::Slice::place(T from, T x, T y)
+{
+    const EvenCell<T> c = even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, from))), cosines);
+    const EvenCell<T> a = even_cell(part_of_quarter(abs(x), abs(y)), azimuths);
+    return {c.index * azimuths + a.index, c.part, a.part};
+}
+
 AnisotropicTable::Slice::Place AnisotropicTable::Slice::place(float edge, float cos, float x, float y)
 {
     const EdgedCosine at = edged_cosine(edge, std::clamp(cos, 0.0f, 1.0f));
-    const auto [step, part] = place_in(std::sqrt(at.from), cosines);
-    const uint32_t c = at.piece * cosines + step;
-    const float azimuth = x == 0 && y == 0 ? 0 : std::atan2(std::abs(y), std::abs(x)) * (2 / pi);
-    const auto [a, side] = place_in(azimuth, azimuths);
-    return {c * azimuths + a, part, side};
-}
-
-float AnisotropicTable::Slice::at(const Place& p) const
-{
-    const float* low = &loss[p.first];
-    const float here = low[0] + p.side * (low[1] - low[0]),
-                there = low[azimuths] + p.side * (low[azimuths + 1] - low[azimuths]);
-    return here + p.part * (there - here);
+    Place p = place(at.from, x, y);
+    p.first += at.piece * cosines * azimuths;
+    return p;
 }
 
 std::vector<AnisotropicTable::Slice::Place> AnisotropicTable::even_light(float edge)
@@ -132,8 +126,8 @@ void AnisotropicTable::need_all()
 
 AnisotropicTable::At AnisotropicTable::at(float roughness, float anisotropy) const
 {
-    const auto [r, rough] = place_in(roughness, roughnesses_);
-    const auto [a, stretched] = place_in(anisotropy, anisotropies_);
+    const auto [r, rough] = cell_in_range(roughness, roughnesses_);
+    const auto [a, stretched] = cell_in_range(anisotropy, anisotropies_);
     const uint32_t next_r = std::min(r + 1, roughnesses_ - 1), next_a = std::min(a + 1, anisotropies_ - 1);
     At at;
     at.slices_ = {&slices_[r * anisotropies_ + a], &slices_[r * anisotropies_ + next_a],
@@ -142,17 +136,47 @@ AnisotropicTable::At AnisotropicTable::at(float roughness, float anisotropy) con
     return at;
 }
 
+template <class T, class F>
+T AnisotropicTable::At::interpolate(T rough, T stretched, const F& of)
+{
+    const auto mixed = [&](size_t i) {
+        const T low = of(i);
+        return low + (of(i + 1) - low) * stretched;
+    };
+    const T low = mixed(0);
+    return low + (mixed(2) - low) * rough;
+}
+
 float AnisotropicTable::At::loss(Vec3 w) const
 {
-    if (rough_ == 0 && stretched_ == 0) return slices_[0]->at(w.z, w.x, w.y);
-    const auto of = [&](size_t i) { return slices_[i]->at(w.z, w.x, w.y); };
-    return lancer::mix(lancer::mix(of(0), of(1), stretched_), lancer::mix(of(2), of(3), stretched_), rough_);
+    const auto of = [&](size_t i) { return slices_[i]->at(Slice::place(slices_[i]->edge, w.z, w.x, w.y)); };
+    return rough_ == 0 && stretched_ == 0 ? of(0) : interpolate(rough_, stretched_, of);
+}
+
+Float4 AnisotropicTable::At::losses(const std::array<At, 4>& four, const Vec3T<Float4>& w)
+{
+    Float4 rough{}, stretched{};
+    bool has_edge = false;
+    for (size_t i = 0; i < 4; ++i) {
+        rough[i] = four[i].rough_, stretched[i] = four[i].stretched_;
+        has_edge = has_edge || (four[i] && four[i].slices_[0]->edge > 0);
+    }
+    if (has_edge) {
+        const auto one = [&](size_t i) { return loss_of(four[i], Vec3{w.x[i], w.y[i], w.z[i]}); };
+        return Float4{one(0), one(1), one(2), one(3)};
+    }
+    static constexpr std::array<float, azimuths + 2> none{};
+    const Slice::PlaceT<Float4> p = Slice::place(w.z, w.x, w.y);
+    const auto of = [&](size_t slice) {
+        const auto at = [&](size_t i) { return four[i] ? &four[i].slices_[slice]->loss[p.first[i]] : none.data(); };
+        return table_square(std::array{at(0), at(1), at(2), at(3)}, azimuths).at(p.side, p.part);
+    };
+    return movemask((rough != 0.0f) | (stretched != 0.0f)) == 0 ? of(0) : interpolate(rough, stretched, of);
 }
 
 float AnisotropicTable::At::mean_missing() const
 {
-    const auto of = [&](size_t i) { return slices_[i]->mean; };
-    return lancer::mix(lancer::mix(of(0), of(1), stretched_), lancer::mix(of(2), of(3), stretched_), rough_);
+    return interpolate(rough_, stretched_, [&](size_t i) { return slices_[i]->mean; });
 }
 
 }  // namespace lancer

@@ -17,13 +17,17 @@ class AnisotropicTable {
     // a quarter turn, and their mean. With an edge (albedo_nodes.h) of the root of EdgedCosine::from in each piece.
     struct Slice {
         // Between which losses a direction lies: the first of four, and the weights of the others.
-        struct Place {
-            uint32_t first;
-            float part, side;
+        template <class T>
+        struct PlaceT {
+            decltype(to_whole(T{})) first;
+            T part, side;
         };
+        using Place = PlaceT<float>;
+        // T: float or Float4. from: the cosine, or EdgedCosine::from.
+        template <class T>
+        static PlaceT<T> place(T from, T x, T y);
         static Place place(float edge, float cos, float x, float y);
-        float at(const Place& p) const;
-        float at(float cos, float x, float y) const { return at(place(edge, cos, x, y)); }
+        float at(const Place& p) const { return table_square(&loss[p.first], azimuths).at(p.side, p.part); }
 
         std::vector<float> loss{};
         float mean = 0, edge = 0;
@@ -44,11 +48,17 @@ public:
         explicit operator bool() const { return slices_[0] != nullptr; }
         // As AlbedoTable::Row::loss(). w: unit, along the tangent frame, z > 0.
         float loss(Vec3 w) const;
+        // Four pairs, each at its own direction.
+        static Float4 losses(const std::array<At, 4>& four, const Vec3T<Float4>& w);
         // 1 - the hemispherical albedo.
         float mean_missing() const;
 
     private:
         friend AnisotropicTable;
+        // Of slices that of(i) tells.
+        template <class T, class F>
+        static T interpolate(T rough, T stretched, const F& of);
+
         std::array<const Slice*, 4> slices_{};  // low and high roughness, each of low and high anisotropy
         float rough_ = 0, stretched_ = 0;       // weights of the high ones
     };
@@ -66,5 +76,11 @@ private:
     uint32_t roughnesses_ = 1, anisotropies_ = 1;
     std::vector<Slice> slices_;  // those of one roughness one behind the other
 };
+
+inline float loss_of(const AnisotropicTable::At& at, Vec3 w) { return at ? at.loss(w) : 0; }
+inline Float4 loss_of(const std::array<AnisotropicTable::At, 4>& four, const Vec3T<Float4>& w)
+{
+    return AnisotropicTable::At::losses(four, w);
+}
 
 }  // namespace lancer

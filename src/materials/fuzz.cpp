@@ -1,5 +1,6 @@
 #include "materials/fuzz.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/color.h"
@@ -36,7 +37,7 @@ void FuzzTable::fill_row(uint32_t r)
 
 void FuzzTable::need(float roughness)
 {
-    const uint32_t first = row({roughness}).index;
+    const uint32_t first = cell(roughness).index;
     fill_row(first);
     fill_row(first + 1);
 }
@@ -44,6 +45,15 @@ void FuzzTable::need(float roughness)
 void FuzzTable::need_all()
 {
     for (uint32_t r = 0; r < rows; ++r) fill_row(r);
+}
+
+FuzzTable::Row FuzzTable::row(float roughness) const
+{
+    const EvenCell<float> c = cell(roughness);
+    Row row;
+    row.albedos_ = &albedo_[c.index * cosines], row.part_ = c.part;
+    row.scale_ = scale_[c.index] + c.part * (scale_[c.index + 1] - scale_[c.index]);
+    return row;
 }
 
 }  // namespace lancer

@@ -29,7 +29,7 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
         // Turned about the front's normal.
         const SinCos sc = sin_cos_2pi(in_unit(p.eval(rotation)));
         const float sin = p.front ? sc.sin : -sc.sin;
-        b.turn = {p.tangent.x * sc.cos - p.tangent.y * sin, p.tangent.y * sc.cos + p.tangent.x * sin};
+        b.turn_cos = p.tangent.x * sc.cos - p.tangent.y * sin, b.turn_sin = p.tangent.y * sc.cos + p.tangent.x * sin;
     }
     b.film = in_unit(p.eval(film));
     if (b.film > 0) b.film_thickness = std::max(0.0f, p.eval(film_thickness));

@@ -1,8 +1,6 @@
 #include "materials/principled_bsdf.h"
 
 #include "materials/principled.h"
-#include "materials/rough_diffuse.h"
-#include "materials/thin_film.h"
 
 namespace lancer {
 namespace {
@@ -28,12 +26,12 @@ void PrincipledBsdf::finish()
     specular = material->specular, specular_weight = material->specular_weight;
     finish_base();
     finish_coat();
-    if (fuzz > 0) fuzz_scale = fuzz * material->tables->fuzz->scale({fuzz_roughness});
+    finish_extras();
     const float inside = part_of_glass();
     const bool reflects = metallic > 0 || (body > 0 && !is_black(specular));
     has_smooth = (fuzz > 0 && !is_black(fuzz_color)) || (coat > 0 && coat_alpha > 0) || (body > 0 && !is_black(base)) ||
                  (reflects && facet_alpha > 0);
-    has_only_layers = !(inside > 0) && !(film > 0) && alpha.is_even() && !(material->diffuse_roughness > 0);
+    has_only_layers = !(inside > 0);
     if (!(inside > 0)) return;
     glass = material->tables->glass.with({.front = front, .eta = media_eta}, white, roughness);
     sends_through = glass.transmits(), has_smooth = has_smooth || !glass.only_delta();
@@ -81,71 +79,25 @@ void PrincipledBsdf::finish_coat()
     coat_darkening = coat * material->coat_darkening;
 }
 
+void PrincipledBsdf::finish_extras()
+{
+    const PrincipledTables& tables = *material->tables;
+    diffuse_roughness = material->diffuse_roughness;
+    kinds = {.tint = coat > 0 && material->coat_color != white,
+             .fuzz = fuzz > 0,
+             .film = film > 0,
+             .wide = !alpha.is_even(),
+             .rough_body = diffuse_roughness > 0};
+    if (kinds.tint) coat_color = material->coat_color;
+    if (kinds.wide) across = alpha.across;
+    if (kinds.film) film_ior = material->film_ior, film_roughness = roughness, film_table = tables.film.get();
+    if (kinds.fuzz) fuzz_row = tables.fuzz->row(fuzz_roughness), fuzz_scale = fuzz * fuzz_row.scale();
+}
+
 float PrincipledBsdf::index_beyond() const
 {
     if (!(part_of_glass() > 0)) return 1;
     return glass.thin ? 1 : static_cast<float>(glass.eta);
-}
-
-Color PrincipledBsdf::metal_reflectance(float cos) const
-{
-    if (!(film > 0)) return PrincipledLayers::metal_reflectance(cos);
-    const Color plain = bare_metal(cos), covered = ThinFilm{material->film_ior, film_thickness}.on_metal(cos, plain);
-    return mix(plain, covered, film) * specular_weight;
-}
-
-Color PrincipledBsdf::dielectric_reflectance(float cos) const
-{
-    const Color plain = PrincipledLayers::dielectric_reflectance(cos);
-    if (!(film > 0)) return plain;
-    return mix(plain, ThinFilm{material->film_ior, film_thickness}.on_dielectric(cos, dielectric_ior), film);
-}
-
-Color PrincipledBsdf::dielectric_albedo(float cos, float lost) const
-{
-    if (facet_alpha == 0) return dielectric_reflectance(cos);
-    const Color bare = PrincipledLayers::dielectric_albedo(cos, lost);
-    if (!(film > 0)) return bare;
-    return mix(bare, material->tables->film->albedo(cos, roughness, film_thickness), film);
-}
-
-float PrincipledBsdf::fuzz_albedo(float cos) const { return material->tables->fuzz->albedo(cos, {fuzz_roughness}); }
-float PrincipledBsdf::fuzz_value(Vec3 wo, Vec3 wi) const { return Fuzz{fuzz_roughness}.eval(wo, wi); }
-
-bool PrincipledBsdf::has_tinted_coat() const { return coat > 0 && material->coat_color != white; }
-Color PrincipledBsdf::tint_of_coat(float cos) const
-{
-    if (material->coat_color == white || !(cos > 0)) return white;
-    return each(material->coat_color, [&](float c) { return mix(1.0f, std::pow(c, 1 / cos), coat); });
-}
-
-float PrincipledBsdf::dielectric_loss(Vec3 w, Vec3d unit) const
-{
-    return wide_dielectric ? wide_dielectric.loss(to_float(to_tangent(unit))) : dielectric_row.loss(w.z);
-}
-float PrincipledBsdf::metal_loss(Vec3 w, Vec3d unit) const
-{
-    return wide_metal ? wide_metal.loss(to_float(to_tangent(unit))) : metal_row.loss(w.z);
-}
-
-FacetReflection PrincipledBsdf::facets(Vec3d o, Vec3d i) const
-{
-    if (alpha.is_even()) return PrincipledLayers::facets(o, i);
-    return eval_stretched(StretchedGgx{double{alpha.along}, double{alpha.across}}, to_tangent(o), to_tangent(i));
-}
-
-// Towards a film or a rough body, whose value is not even, what is let through counts as seen from wo alone, so that no
-// light is lost.
-Color PrincipledBsdf::diffuse(const Seen& s, Vec3 wi, Vec3d i) const
-{
-    const float rough = material->diffuse_roughness, both_ways = (1 - rough) * (1 - film);
-    Color through = s.through;
-    if (both_ways > 0) {
-        const float back = through_back(wi.z, dielectric_loss(wi, i));
-        through *= both_ways < 1 ? mix(1.0f, back, both_ways) : back;
-    }
-    if (!(rough > 0)) return diffuse_below(through, wi);
-    return RoughDiffuse(rough).eval(base, s.wo, wi) * through * (body * wi.z);
 }
 
 float PrincipledBsdf::glass_chance(float below) const
@@ -272,20 +224,10 @@ std::optional<BsdfSample> PrincipledBsdf::sample(const Seen& s, float u, Vec2 v)
 std::optional<Vec3> PrincipledBsdf::sample_base(const Seen& s, Vec2 v) const
 {
     if (alpha.is_even()) return sample_facets(Ggx{double{alpha.along}}, s.o, v);
-    const Vec3d o = to_tangent(s.o);
-    const Vec3d h = StretchedGgx{double{alpha.along}, double{alpha.across}}.sample_visible(o, v);
-    const Vec3d wi = mirrored(o, h);
-    const double c = double{turn.x}, n = double{turn.y};
-    const Vec3 back = to_float(Vec3d{c * wi.x - n * wi.y, n * wi.x + c * wi.y, wi.z});
-    if (!(back.z > 0)) return {};
-    return back;
-}
-
-Vec3d PrincipledBsdf::to_tangent(Vec3d w) const
-{
-    if (alpha.is_even()) return w;
-    const double c = double{turn.x}, n = double{turn.y};
-    return {c * w.x + n * w.y, c * w.y - n * w.x, w.z};
+    const SinCos phi = sin_cos_2pi(v.x);
+    const Vec3 wi = to_float(sample_wide(s.o, v.y, {phi.sin, phi.cos}));
+    if (!(wi.z > 0)) return {};
+    return wi;
 }
 
 Color PrincipledBsdf::reflectance() const
@@ -297,7 +239,7 @@ Color PrincipledBsdf::reflectance() const
     if (metallic > 0) below += base * (metallic * specular_weight);
     if (coat > 0) below = below * mix(white, material->coat_color, coat) * (1 - of_coat) + white * of_coat;
     if (!(fuzz > 0)) return below;
-    const float covered = fuzz * tables.fuzz->albedo(0.5f, {fuzz_roughness});
+    const float covered = fuzz * fuzz_row.albedo(0.5f);
     return mix(below, fuzz_color, covered);
 }
 

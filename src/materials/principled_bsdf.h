@@ -2,8 +2,6 @@
 // light from wo; eval() has the density of all of them together.
 #pragma once
 
-#include "materials/anisotropic.h"
-#include "materials/anisotropic_table.h"
 #include "materials/bsdf.h"
 #include "materials/film_losses.h"
 #include "materials/glass.h"
@@ -18,18 +16,14 @@ struct PrincipledBsdf : PrincipledLayers<float> {
     Color transmittance{};
     float roughness = 0, anisotropy = 0;  // of the base
     AlphaPair alpha{};                    // likewise
-    Vec2 turn{1, 0};                      // the tangent in local directions: cosine and sine
     float transmission = 0;
-    float fuzz_roughness = 0;
-    float film = 0, film_thickness = 0;
     float media_eta = 0;  // as in ShadingPoint
     bool front = true;
     // The following by finish().
-    bool has_smooth = false, sends_through = false;        // lobes that are not delta, and such behind the surface
-    bool has_only_layers = false;                          // PrincipledLayers has all that it is
-    AnisotropicTable::At wide_dielectric{}, wide_metal{};  // losses of anisotropic facets
-    GlassBsdf glass{};                                     // what is let through, but for its tint
-    FilmLosses::At film_losses{};                          // of that under the film
+    bool has_smooth = false, sends_through = false;  // lobes that are not delta, and such behind the surface
+    bool has_only_layers = false;                    // PrincipledLayers has all that it is
+    GlassBsdf glass{};                               // what is let through, but for its tint
+    FilmLosses::At film_losses{};                    // of that under the film
 
     // Sets what follows from all others.
     void finish();
@@ -48,24 +42,13 @@ struct PrincipledBsdf : PrincipledLayers<float> {
     std::optional<BsdfSample> sample(const Seen& lobes, float u, Vec2 v) const;
 
     // What PrincipledLayers asks of a point, and what it has otherwise.
-    float fuzz_albedo(float cos) const;
-    float fuzz_value(Vec3 wo, Vec3 wi) const;
-    // What the coat's colour leaves of the light that crosses it twice. cos: below the boundary.
-    Color tint_of_coat(float cos) const;
-    bool has_tinted_coat() const;
-    Color metal_reflectance(float cos) const;
-    Color dielectric_reflectance(float cos) const;
-    Color dielectric_albedo(float cos, float lost) const;
-    float dielectric_loss(Vec3 w, Vec3d unit) const;
-    float metal_loss(Vec3 w, Vec3d unit) const;
-    FacetReflection facets(Vec3d o, Vec3d i) const;
-    Color diffuse(const Seen& lobes, Vec3 wi, Vec3d i) const;
     float part_of_glass() const { return (1 - metallic) * transmission; }
     float glass_chance(float below) const;
 
 private:
     void finish_base();
     void finish_coat();
+    void finish_extras();
     BsdfValue eval_lobes(const Seen& lobes, Vec3 wi) const;
     FilmLosses::At losses_of_film() const;
     Color film_on_glass(double cos, bool through) const;
@@ -74,7 +57,6 @@ private:
     Color further_with_film(const Seen& lobes, Vec3 wi) const;
     void add_glass(const Seen& lobes, Vec3 wi, BsdfValue& f) const;
     std::optional<Vec3> sample_base(const Seen& lobes, Vec2 v) const;
-    Vec3d to_tangent(Vec3d w) const;
 };
 static_assert(Bsdf<PrincipledBsdf>);
 

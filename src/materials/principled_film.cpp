@@ -33,7 +33,7 @@ Color PrincipledBsdf::film_on_boundary(const Fresnel& bare, double cos) const
     const auto outside = static_cast<float>(is_denser ? cos : static_cast<double>(bare.cos_t));
     const auto n = static_cast<float>(is_denser ? g.eta : 1 / g.eta);
     const float r = bare.reflectance;
-    return mix(Color{r, r, r}, ThinFilm{material->film_ior, film_thickness}.on_dielectric(outside, n), film);
+    return mix(Color{r, r, r}, ThinFilm{film_ior, film_thickness}.on_dielectric(outside, n), film);
 }
 
 // They are those of the material's own index: at other media the lobes are as without a film.

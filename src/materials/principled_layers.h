@@ -1,62 +1,23 @@
 // What the layers of a principled material (materials/principled.h) do to light above its surface, for one point and
-// for several with the same bits: fuzz, a coat, the facets of metal and of a dielectric, a diffuse body. A film,
-// anisotropic facets, a rough body and what goes through the surface are left to PrincipledBsdf, whose members hide
-// those of PrincipledLayers.
+// for several with the same bits: fuzz, a coat, the facets of metal and of a dielectric under a film, a diffuse body.
+// What goes through the surface is left to PrincipledBsdf, whose members hide those of PrincipledLayers.
 #pragma once
 
-#include <type_traits>
-
-#include "materials/albedo_table.h"
+#include "materials/anisotropic.h"
 #include "materials/bsdf.h"
 #include "materials/microfacet.h"
+#include "materials/principled_numbers.h"
 
 namespace lancer {
 
 template <class T>
-using SpectrumOf = std::conditional_t<std::is_same_v<T, float>, Color, Vec3T<T>>;
-
-inline Color product(Color a, Color b) { return a * b; }
-inline Vec3T<Float4> product(const Vec3T<Float4>& a, const Vec3T<Float4>& b)
-{
-    return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-inline float largest(Color c) { return max_component(c); }
-inline Float4 largest(const Vec3T<Float4>& c) { return larger(c.x, larger(c.y, c.z)); }
-inline Float4 mix(Float4 a, Float4 b, Float4 t) { return a + (b - a) * t; }
-template <class Spectrum, class F>
-Spectrum each(const Spectrum& color, const F& f)
-{
-    const auto& [r, g, b] = color;
-    return {f(r), f(g), f(b)};
-}
-template <class Mask>
-bool any_lane(Mask m)
-{
-    return movemask(m) != 0;
-}
-
-// What is the same for all directions. T: float or a vector of them.
-template <class T>
-struct PrincipledNumbers {
-    SpectrumOf<T> base{}, fuzz_color{};
-    T metallic{}, coat{}, coat_alpha{}, fuzz{};
-    // The following by PrincipledBsdf::finish().
-    SpectrumOf<T> specular{}, edge{};  // edge: what the tint takes from Schlick's reflectance, at its most
-    SpectrumOf<T> further{};           // of the metal: the light of multiple scattering over that lost
-    T body{};                          // part with a diffuse body
-    T facet_alpha{}, specular_weight{}, dielectric_ior{};
-    T mean_through{}, mean_lost{};      // of the dielectric's reflection: 1 - its mean; of the metal's facets
-    T coat_ior{}, coat_even{}, blur{};  // for the coat's darkening: see there
-    T coat_darkening{}, fuzz_scale{};   // with the part that is covered; fuzz_scale: of Fuzz::eval()
-};
-
-template <class T>
-struct PrincipledLayers : PrincipledNumbers<T> {
+struct PrincipledLayers : PrincipledNumbers<T>, PrincipledExtras<T>, PrincipledRows<T> {
     using Number = T;
     using Double = decltype(to_double(T{}));
     using Spectrum = SpectrumOf<T>;
-    using Row = std::conditional_t<std::is_same_v<T, float>, AlbedoTable::Row, std::array<AlbedoTable::Row, 4>>;
     using N = PrincipledNumbers<T>;
+    using E = PrincipledExtras<T>;
+    using R = PrincipledRows<T>;
 
     // Data that depends on wo only.
     struct Seen {
@@ -86,38 +47,84 @@ struct PrincipledLayers : PrincipledNumbers<T> {
         const Spectrum tinted = N::base * (1.0f - w) + grey(w) - N::edge * (c * m2 * m2 * m2);
         return each(tinted, [](T x) { return larger(T{}, x); });
     }
-    Spectrum metal_reflectance(T cos) const { return bare_metal(cos) * N::specular_weight; }
+    Spectrum metal_reflectance(T cos) const
+    {
+        const Spectrum bare = bare_metal(cos);
+        return (kinds.film ? metal_under_film(cos, bare) : bare) * N::specular_weight;
+    }
     // Without the tint.
-    Spectrum dielectric_reflectance(T cos) const { return grey(fresnel(cos, N::dielectric_ior).reflectance); }
+    Spectrum dielectric_reflectance(T cos) const
+    {
+        const Spectrum bare = grey(fresnel(cos, N::dielectric_ior).reflectance);
+        return kinds.film ? dielectric_under_film(cos, bare) : bare;
+    }
     // The same, of all facets together, which lose a part.
-    Spectrum dielectric_albedo(T cos, T lost) const { return grey(facet_albedo(cos, lost)); }
+    Spectrum dielectric_albedo(T cos, T lost) const
+    {
+        const Spectrum bare = grey(facet_albedo(cos, lost));
+        return kinds.film ? albedo_under_film(cos, bare) : bare;
+    }
     T facet_albedo(T cos, T lost) const
     {
         const T smooth = fresnel(cos, N::dielectric_ior).reflectance;
         return whole_of_coat(smooth, N::dielectric_ior, N::facet_alpha) * (1.0f - lost);
     }
-    // unit: w in double.
-    T dielectric_loss(const Vec3T<T>& w, const Vec3T<Double>&) const { return loss_of(dielectric_row, w.z); }
-    T metal_loss(const Vec3T<T>& w, const Vec3T<Double>&) const { return loss_of(metal_row, w.z); }
+    T fuzz_albedo(T cos) const { return albedo_of(R::fuzz_row, cos); }
+    T fuzz_value(const Vec3T<T>& wo, const Vec3T<T>& wi) const { return FuzzT<T>{E::fuzz_roughness}.eval(wo, wi); }
+    // What the coat's colour leaves of the light that crosses it twice. cos: below the boundary.
+    Spectrum tint_of_coat(T cos) const
+    {
+        if (!kinds.tint) return grey(one());
+        const T length = 1.0f / cos;
+        return each(E::coat_color,
+                    [&](T c) { return select(cos > 0.0f, mix(one(), power(c, length), N::coat), one()); });
+    }
+    // unit: w in double. A point has a row of one of both tables.
+    T dielectric_loss(const Vec3T<T>& w, const Vec3T<Double>& unit) const
+    {
+        const T even = loss_of(dielectric_row, w.z);
+        return kinds.wide ? even + wide_loss(R::wide_dielectric, unit) : even;
+    }
+    T metal_loss(const Vec3T<T>& w, const Vec3T<Double>& unit) const
+    {
+        const T even = loss_of(metal_row, w.z);
+        return kinds.wide ? even + wide_loss(R::wide_metal, unit) : even;
+    }
     FacetReflectionT<Double> facets(const Vec3T<Double>& o, const Vec3T<Double>& i) const
     {
+        if (kinds.wide) return eval_wide(o, i);
         return eval_facets(GgxT<Double>{to_double(N::facet_alpha)}, o, i);
     }
     // Without what is above. Plastic's formula, which lets light travel both ways.
     Spectrum diffuse(const Seen& s, const Vec3T<T>& wi, const Vec3T<Double>& i) const
     {
-        return diffuse_below(s.through * through_back(wi.z, dielectric_loss(wi, i)), wi);
+        const T back = through_back(wi.z, dielectric_loss(wi, i));
+        if (kinds.film || kinds.rough_body) return diffuse_not_even(s, wi, back);
+        return diffuse_below(s.through * back, wi);
     }
     T through_back(T cos, T lost) const { return (1.0f - facet_albedo(cos, lost)) / N::mean_through; }
     Spectrum diffuse_below(const Spectrum& through, const Vec3T<T>& wi) const
     {
         return product(N::base, through) * (N::body * pdf_cosine_hemisphere(wi.z));
     }
+    // The same where some point has a film, anisotropic facets or a rough body. bare: without the film.
+    Spectrum metal_under_film(T cos, const Spectrum& bare) const;
+    Spectrum dielectric_under_film(T cos, const Spectrum& bare) const;
+    Spectrum albedo_under_film(T cos, const Spectrum& bare) const;
+    T wide_loss(const RowsOf<T, AnisotropicTable::At>& rows, const Vec3T<Double>& unit) const;
+    FacetReflectionT<Double> eval_wide(const Vec3T<Double>& o, const Vec3T<Double>& i) const;
+    // Towards a film or a rough body, whose value is not even, what is let through counts as seen from wo alone, so
+    // that no light is lost. back: what counts elsewhere.
+    Spectrum diffuse_not_even(const Seen& s, const Vec3T<T>& wi, T back) const;
+    // A direction to which anisotropic facets reflect; it may lie below the surface. v, phi: as of
+    // StretchedGgxT::sample_visible().
+    Vec3T<Double> sample_wide(const Vec3T<Double>& o, Double v, const SinCosT<Double>& phi) const;
     // What goes through the surface, and what its chance is in proportion to. below: factor of it.
     T part_of_glass() const { return T{}; }
     T glass_chance(T) const { return T{}; }
 
-    Row coat_row{}, dielectric_row{}, metal_row{};
+    RowsOf<T, AlbedoTable::Row> coat_row{}, dielectric_row{}, metal_row{};
+    PrincipledKinds kinds{};
 };
 
 // B: PrincipledBsdf, or PrincipledLayers of several points.

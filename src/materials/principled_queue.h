@@ -10,13 +10,11 @@ namespace lancer {
 
 class PrincipledQueue : public LaneQueue {
 public:
-    // The BSDF must outlive the queue's use.
     void add(Eight& of, uint32_t lane, const PrincipledBsdf& bsdf)
     {
         assert(bsdf.has_only_layers);
         const uint32_t k = add_to(of, lane);
-        // Of a group that is not full, no other point is asked.
-        if (k % 4 == 0) points_[k / 4].fuzz = points_[k / 4].coat = Float4{}, points_[k / 4].has_tint = false;
+        if (k % 4 == 0) points_[k / 4].begin();
         points_[k / 4].set(k % 4, bsdf);
     }
 
@@ -62,46 +60,36 @@ public:
 private:
     using Value = BsdfValueT<Vec3T<Float4>, Float4>;
 
-    // Four points. What neither layers nor tables of facets have is asked of them one by one.
     struct Four : PrincipledLayers<Float4> {
-        std::array<const PrincipledBsdf*, 4> of{};
-        bool has_tint = false;
-
+        // Of a group that is not full, no other point is asked.
+        void begin()
+        {
+            fuzz = coat = Float4{};
+            if (!kinds.any()) return;
+            static_cast<PrincipledExtras<Float4>&>(*this) = {};
+            static_cast<PrincipledRows<Float4>&>(*this) = {};
+            kinds = {};
+        }
         void set(size_t i, const PrincipledBsdf& bsdf)
         {
-            const PrincipledNumbers<float>& one = bsdf;
-            PrincipledNumbers<Float4>& four = *this;
+            set_numbers<PrincipledNumbers>(i, bsdf);
+            coat_row[i] = bsdf.coat_row, dielectric_row[i] = bsdf.dielectric_row, metal_row[i] = bsdf.metal_row;
+            if (!bsdf.kinds.any()) return;
+            kinds.add(bsdf.kinds);
+            set_numbers<PrincipledExtras>(i, bsdf);
+            fuzz_row[i] = bsdf.fuzz_row, film_table[i] = bsdf.film_table;
+            if (bsdf.kinds.wide) wide_dielectric[i] = bsdf.wide_dielectric, wide_metal[i] = bsdf.wide_metal;
+        }
+
+    private:
+        template <template <class> class Numbers>
+        void set_numbers(size_t i, const Numbers<float>& one)
+        {
+            Numbers<Float4>& four = *this;
             static_assert(sizeof four == 4 * sizeof one);
             const auto* from = reinterpret_cast<const float*>(&one);
             auto* to = reinterpret_cast<float*>(&four) + i;
             for (size_t n = 0; n < sizeof one / sizeof(float); ++n) to[4 * n] = from[n];
-            coat_row[i] = bsdf.coat_row, dielectric_row[i] = bsdf.dielectric_row, metal_row[i] = bsdf.metal_row;
-            of[i] = &bsdf;
-            has_tint = has_tint || bsdf.has_tinted_coat();
-        }
-        Float4 fuzz_albedo(Float4 cos) const
-        {
-            Float4 albedo{};
-            for_each_lane(movemask(fuzz > 0.0f), [&](uint32_t i) { albedo[i] = of[i]->fuzz_albedo(cos[i]); });
-            return albedo;
-        }
-        Float4 fuzz_value(const Vec3T<Float4>& wo, const Vec3T<Float4>& wi) const
-        {
-            Float4 f{};
-            for_each_lane(movemask((fuzz > 0.0f) & (wi.z > 0.0f)), [&](uint32_t i) {
-                f[i] = of[i]->fuzz_value({wo.x[i], wo.y[i], wo.z[i]}, {wi.x[i], wi.y[i], wi.z[i]});
-            });
-            return f;
-        }
-        Vec3T<Float4> tint_of_coat(Float4 cos) const
-        {
-            Vec3T<Float4> tint = grey(one());
-            if (!has_tint) return tint;
-            for_each_lane(movemask(coat > 0.0f), [&](uint32_t i) {
-                const Color c = of[i]->tint_of_coat(cos[i]);
-                tint.x[i] = c.r, tint.y[i] = c.g, tint.z[i] = c.b;
-            });
-            return tint;
         }
     };
 
@@ -120,12 +108,14 @@ private:
         const Mask4f by_diffuse = (at < s.diffuse_chance) | ~(coat + facets > 0.0f);
         const Mask4f by_coat = (behind < coat) | ~(facets > 0.0f);
         Vec3T<Float4> wi = wi_.four(k);
-        if (any_lane(~by_diffuse & ~is_delta)) {
+        const Mask4f by_facets = ~by_diffuse & ~is_delta, by_wide = by_facets & ~by_coat & (points.across > zero);
+        const SinCosT<Double4> phi{to_double(sin_.four(k)), to_double(cos_.four(k))};
+        const Double4 v = to_double(v_y_.four(k));
+        if (any_lane(by_facets & ~by_wide)) {
             const GgxT<Double4> ggx{to_double(select(by_coat, points.coat_alpha, points.facet_alpha))};
-            const Vec3T<Double4> h =
-                ggx.sample_visible(s.o, to_double(v_y_.four(k)), {to_double(sin_.four(k)), to_double(cos_.four(k))});
-            wi = select(by_diffuse, wi, to_float(mirrored(s.o, h)));
+            wi = select(by_facets, to_float(mirrored(s.o, ggx.sample_visible(s.o, v, phi))), wi);
         }
+        if (any_lane(by_wide)) wi = select(by_wide, to_float(points.sample_wide(s.o, v, phi)), wi);
         const Value f = eval_above(points, s, wi, unit_in_double(wi));
         const Mask4f is_found = (s.wo.z > 0.0f) & (is_delta | ((smooth > 0.0f) & (wi.z > 0.0f) & (f.pdf > 0.0f)));
         const Float4 pdf = select(is_delta, mirror.pdf, f.pdf);

@@ -4,45 +4,47 @@
 // reflections.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/color.h"
-#include "core/vec.h"
+#include "core/elementary.h"
+#include "materials/spectrum.h"
 
 namespace lancer {
 
-class RoughDiffuse {
+// T: float or Float4.
+template <class T>
+class RoughDiffuseT {
 public:
+    using Spectrum = SpectrumOf<T>;
+
     // roughness: in [0, 1]; 0 is Lambert's.
-    explicit RoughDiffuse(float roughness) : roughness_(roughness), even_(1 / (1 + (0.5f - 2 / (3 * pi)) * roughness))
+    explicit RoughDiffuseT(T roughness)
+        : roughness_(roughness), even_(1.0f / (1.0f + (0.5f - 2 / (3 * pi)) * roughness))
     {
     }
 
     // f of a surface of this albedo. Both directions unit, z > 0.
-    Color eval(Color albedo, Vec3 wo, Vec3 wi) const
+    Spectrum eval(const Spectrum& albedo, const Vec3T<T>& wo, const Vec3T<T>& wi) const
     {
-        const float s = wo.x * wi.x + wo.y * wi.y;  // sine times sine times the cosine of the azimuth between them
-        const float towards = s > 0 ? s / std::max(wo.z, wi.z) : s;
-        const float once = even_ * (1 + roughness_ * towards);
-        const float mean = even_ * (1 + (2.0f / 3 - 28 / (15 * pi)) * roughness_);
-        const float lost = (1 - this->albedo(wo.z)) * (1 - this->albedo(wi.z)) / std::max(1e-7f, 1 - mean);
-        const auto all = [&](float rho) {
-            return (rho * once + rho * rho * mean / (1 - rho * (1 - mean)) * lost) * (1 / pi);
-        };
-        return {all(albedo.r), all(albedo.g), all(albedo.b)};
+        const T s = wo.x * wi.x + wo.y * wi.y;  // sine times sine times the cosine of the azimuth between them
+        const T towards = select(s > 0.0f, s / larger(wo.z, wi.z), s);
+        const T once = even_ * (1.0f + roughness_ * towards);
+        const T mean = even_ * (1.0f + (2.0f / 3 - 28 / (15 * pi)) * roughness_);
+        const T lost = (1.0f - this->albedo(wo.z)) * (1.0f - this->albedo(wi.z)) / larger(T{} + 1e-7f, 1.0f - mean);
+        return each(albedo, [&](T rho) {
+            return (rho * once + rho * rho * mean / (1.0f - rho * (1.0f - mean)) * lost) * (1 / pi);
+        });
     }
     // Of the first part of a white surface, for light from a direction of this cosine in (0, 1].
-    float albedo(float cos) const
+    T albedo(T cos) const
     {
-        const float c = std::min(1.0f, cos), sin = std::sqrt((1 - c) * (1 + c));
-        const float angle = std::acos(c);
-        const float g = sin * (angle - sin * c) + 2.0f / 3 * (sin / c * (1 - sin * sin * sin) - sin);
-        return std::min(1.0f, even_ * (1 + roughness_ / pi * g));
+        const T one = T{} + 1.0f, c = smaller(one, cos), sin = sqrt((1.0f - c) * (1.0f + c));
+        const T angle = arc_cosine(c);
+        const T g = sin * (angle - sin * c) + 2.0f / 3 * (sin / c * (1.0f - sin * sin * sin) - sin);
+        return smaller(one, even_ * (1.0f + roughness_ / pi * g));
     }
 
 private:
-    float roughness_, even_;
+    T roughness_, even_;
 };
+using RoughDiffuse = RoughDiffuseT<float>;
 
 }  // namespace lancer

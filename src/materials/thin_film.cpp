@@ -1,8 +1,6 @@
 #include "materials/thin_film.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include "core/elementary.h"
 #include "core/warp.h"
 
 namespace lancer {
@@ -10,88 +8,110 @@ namespace {
 
 // The middle of each band as a wave number, 1 / nanometres, and its standard deviation: 600, 545 and 455 nanometres
 // with a width at half height of about 70, 70 and 50.
-constexpr Color middle{1.0f / 600, 1.0f / 545, 1.0f / 455};
-constexpr Color deviation{8.3e-5f, 1.0e-4f, 1.03e-4f};
+constexpr float middle[] = {1.0f / 600, 1.0f / 545, 1.0f / 455};
+constexpr float deviation[] = {8.3e-5f, 1.0e-4f, 1.03e-4f};
 constexpr int orders = 4;
 
+template <class T>
+T in_unit_range(T x)
+{
+    return smaller(T{} + 1.0f, larger(T{}, x));
+}
+
 // Amplitudes of reflection, of light polarised across the plane of incidence and along it.
+template <class T>
 struct Amplitudes {
-    float s, p;
+    T s, p;
 };
-Amplitudes amplitudes(float cos_before, float cos_after, float index)
+template <class T>
+Amplitudes<T> amplitudes(T cos_before, T cos_after, T index)
 {
     return {(cos_before - index * cos_after) / (cos_before + index * cos_after),
             (index * cos_before - cos_after) / (index * cos_before + cos_after)};
 }
 // Cosine beyond a boundary; 0 under total reflection.
-float cos_beyond(float cos, float index)
+template <class T>
+T cos_beyond(T cos, T index)
 {
-    return std::sqrt(std::max(0.0f, 1 - (1 - cos) * (1 + cos) / (index * index)));
+    return sqrt(larger(T{}, 1.0f - (1.0f - cos) * (1.0f + cos) / (index * index)));
 }
 
-// The cosine of the phase of each order of reflection in the middle of a band, and by how much its mean over the band
-// is less; what fades of the orders beyond counts as the first of them. path: difference of optical paths.
+// The phase in the middle of a band, and what of it counts. path: difference of optical paths.
+template <class T>
 struct Fringes {
-    float cosine[orders], fade[orders + 1];
+    T cosine;      // of the phase
+    T fade;        // by how much the mean over the band of the orders after those below is less than that in its middle
+    T of[orders];  // of the first orders: the cosine times what more of it than that is left
 
-    Fringes(float path, float wave_number, float width)
+    Fringes(T path, float wave_number, float width)
     {
-        const float turns = path * wave_number, sigma = 2 * pi * width * path;
-        for (int m = 1; m <= orders; ++m) {
-            const float t = turns * static_cast<float>(m);
-            cosine[m - 1] = sin_cos_2pi(t - std::floor(t)).cos;
-        }
-        for (int m = 1; m <= orders + 1; ++m) fade[m - 1] = std::exp(-0.5f * sigma * sigma * static_cast<float>(m * m));
+        const T turns = path * wave_number, sigma = 2 * pi * width * path;
+        T before = T{} + 1.0f;
+        of[0] = cosine = sin_cos_2pi(turns - nearest(turns)).cos;
+        for (int m = 1; m < orders; before = of[m - 1], ++m) of[m] = 2.0f * cosine * of[m - 1] - before;
+        // Order m fades to the power m^2, and between two squares there are the odd powers.
+        constexpr float log2_e = 1.44269504088896340736f;
+        T left[orders + 1], odd = power_of_two(-0.5f * log2_e * sigma * sigma);
+        const T square = odd * odd;
+        left[0] = odd;
+        for (int m = 1; m <= orders; ++m) odd *= square, left[m] = left[m - 1] * odd;
+        fade = left[orders];
+        for (int m = 0; m < orders; ++m) of[m] *= left[m] - fade;
     }
 };
 
-// The square of the sum of amplitudes, |a + (1 - a^2) b e / (1 + a b e)|^2 with the phase e, by its Fourier series.
-float of_polarisation(float a, float b, const Fringes& fringes)
+// The square of the sum of amplitudes, |a + (1 - a^2) b e / (1 + a b e)|^2 with the phase e. By its Fourier series: the
+// mean over all phases, and orders of fringes.
+template <class T>
+T of_polarisation(T a, T b, const Fringes<T>& fringes)
 {
-    const float q = a * b, passed = (1 - a * a) * (1 - b * b), denominator = 1 - q * q;
-    if (!(denominator > 1e-6f)) return 1;
-    const float constant = 1 - passed / denominator, factor = 2 * passed / denominator;
-    float faded = constant, sharp = constant, power = 1;
-    for (int m = 0; m < orders; ++m) {
-        power *= -q;
-        const float order = factor * power * fringes.cosine[m];
-        faded -= order * fringes.fade[m], sharp -= order;
-    }
-    const float all = 1 - passed / (1 + q * q + 2 * q * fringes.cosine[0]);
-    return std::clamp(faded + fringes.fade[orders] * (all - sharp), 0.0f, 1.0f);
+    const T q = a * b, q2 = q * q, passed = (1.0f - a * a) * (1.0f - b * b), part = passed / (1.0f - q2);
+    const T mean = 1.0f - part, all = 1.0f - passed / (1.0f + q2 + 2.0f * q * fringes.cosine);
+    T series = fringes.of[orders - 1];
+    for (int m = orders - 1; m-- > 0;) series = fringes.of[m] - q * series;
+    const T sum = in_unit_range(mean + fringes.fade * (all - mean) + 2.0f * part * q * series);
+    return select(q2 < 1 - 1e-6f, sum, T{} + 1.0f);
 }
 
 }  // namespace
 
 // below(cosine in the film, channel): the amplitudes of the boundary below the film.
+template <class T>
 template <class F>
-Color ThinFilm::reflectance(float cos, const F& below) const
+SpectrumOf<T> ThinFilmT<T>::reflectance(T cos, const F& below) const
 {
-    const float inside = cos_beyond(cos, ior);
-    if (!(inside > 0)) return {1, 1, 1};
-    const Amplitudes above = amplitudes(cos, inside, ior);
-    const float path = 2 * ior * thickness * inside;
-    const auto of = [&](float Color::*channel) {
-        const Amplitudes b = below(inside, channel);
-        const Fringes fringes(path, middle.*channel, deviation.*channel);
-        return 0.5f * (of_polarisation(above.s, b.s, fringes) + of_polarisation(above.p, b.p, fringes));
+    const T inside = cos_beyond(cos, ior);
+    const auto above = amplitudes(cos, inside, ior);
+    const T path = 2.0f * ior * thickness * inside;
+    const auto of = [&](size_t channel) {
+        const Amplitudes<T> b = below(inside, channel);
+        const Fringes<T> fringes(path, middle[channel], deviation[channel]);
+        const T mean = 0.5f * (of_polarisation(above.s, b.s, fringes) + of_polarisation(above.p, b.p, fringes));
+        return select(inside > 0.0f, mean, T{} + 1.0f);
     };
-    return {of(&Color::r), of(&Color::g), of(&Color::b)};
+    return {of(0), of(1), of(2)};
 }
 
-Color ThinFilm::on_dielectric(float cos, float base_ior) const
+template <class T>
+SpectrumOf<T> ThinFilmT<T>::on_dielectric(T cos, T base_ior) const
 {
-    const float c = std::clamp(cos, 0.0f, 1.0f), beyond = cos_beyond(c, base_ior);
-    if (!(beyond > 0)) return {1, 1, 1};
-    return reflectance(c, [&](float inside, float Color::*) { return amplitudes(inside, beyond, base_ior / ior); });
+    const T c = in_unit_range(cos), beyond = cos_beyond(c, base_ior);
+    const Spectrum r = reflectance(c, [&](T inside, size_t) { return amplitudes(inside, beyond, base_ior / ior); });
+    return each(r, [&](T x) { return select(beyond > 0.0f, x, T{} + 1.0f); });
 }
 
-Color ThinFilm::on_metal(float cos, Color base) const
+template <class T>
+SpectrumOf<T> ThinFilmT<T>::on_metal(T cos, const Spectrum& base) const
 {
-    return reflectance(std::clamp(cos, 0.0f, 1.0f), [&](float, float Color::*channel) {
-        const float r = std::sqrt(std::clamp(base.*channel, 0.0f, 1.0f));
-        return Amplitudes{-r, r};
+    const auto& [r, g, b] = base;
+    const T channels[] = {r, g, b};
+    return reflectance(in_unit_range(cos), [&](T, size_t channel) {
+        const T amplitude = sqrt(in_unit_range(channels[channel]));
+        return Amplitudes<T>{-amplitude, amplitude};
     });
 }
+
+template struct ThinFilmT<float>;
+template struct ThinFilmT<Float4>;
 
 }  // namespace lancer

@@ -8,22 +8,27 @@
 // absorption: 0 or half a turn.
 #pragma once
 
-#include "core/color.h"
+#include "materials/spectrum.h"
 
 namespace lancer {
 
-struct ThinFilm {
-    float ior;        // of the film, over that outside
-    float thickness;  // nanometres
+// T: float or Float4.
+template <class T>
+struct ThinFilmT {
+    using Spectrum = SpectrumOf<T>;
+
+    T ior;        // of the film, over that outside
+    T thickness;  // nanometres
 
     // Reflectance at an angle outside, in [0, 1], on a dielectric. base_ior: of that, over that outside.
-    Color on_dielectric(float cos, float base_ior) const;
+    Spectrum on_dielectric(T cos, T base_ior) const;
     // On a metal that reflects this part at this angle, the same of both polarisations.
-    Color on_metal(float cos, Color base) const;
+    Spectrum on_metal(T cos, const Spectrum& base) const;
 
 private:
     template <class F>
-    Color reflectance(float cos, const F& below) const;
+    Spectrum reflectance(T cos, const F& below) const;
 };
+using ThinFilm = ThinFilmT<float>;
 
 }  // namespace lancer

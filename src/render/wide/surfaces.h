@@ -210,10 +210,13 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
         non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
         if (!by_mirrors_) return;
     }
-    const AnyBsdf* const own = std::construct_at(&non_lambert.own[i].bsdf, bsdf);
-    non_lambert.bsdf[i] = own;
-    if constexpr (std::is_same_v<B, PrincipledBsdf>)
-        if (bsdf.has_only_layers) non_lambert_.principled->add(non_lambert.principled, i, *std::get_if<B>(own));
+    if constexpr (std::is_same_v<B, PrincipledBsdf>) {
+        if (bsdf.has_only_layers) {
+            non_lambert_.principled->add(non_lambert.principled, i, bsdf);
+            if (!by_mirrors_) return;
+        }
+    }
+    non_lambert.bsdf[i] = std::construct_at(&non_lambert.own[i].bsdf, bsdf);
 }
 
 // Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the

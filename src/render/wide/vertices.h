@@ -23,7 +23,7 @@ union OwnBsdf {
 // The lanes whose material is not Lambertian.
 struct NonLambert {
     uint32_t lanes;                                // lanes that are not Lambertian
-    std::array<const AnyBsdf*, float_lanes> bsdf;  // their BSDFs; of plastic only if it is the same everywhere
+    std::array<const AnyBsdf*, float_lanes> bsdf;  // their BSDFs; of queued ones only if they are the same everywhere
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local

@@ -222,6 +222,34 @@ SceneDescription pictured_materials()
     return d;
 }
 
+// Principled spheres side by side, each with something that few have: neighbouring points are of different kinds.
+static SceneDescription kinds_of_principled()
+{
+    SceneDescription d = all_lights();
+    using Change = void (*)(MaterialDescription&);
+    const Change kinds[] = {[](MaterialDescription&) {},
+                            [](MaterialDescription& m) {
+                                m.coat = 0.8f, m.coat_color = Color{0.9f, 0.5f, 0.2f};
+                            },
+                            [](MaterialDescription& m) { m.fuzz = 0.7f, m.coat = 0.5f, m.coat_roughness = 0.4f; },
+                            [](MaterialDescription& m) { m.film = 0.8f; },
+                            [](MaterialDescription& m) { m.film = 1, m.metallic = 1.0f, m.anisotropy = 0.5f; },
+                            [](MaterialDescription& m) { m.anisotropy = 0.8f, m.anisotropy_rotation = 0.1f; },
+                            [](MaterialDescription& m) { m.diffuse_roughness = 0.9f; },
+                            [](MaterialDescription& m) { m.film = 0.4f, m.roughness = 0, m.diffuse_roughness = 0.3f; },
+                            [](MaterialDescription& m) { m.transmission = 0.6f, m.fuzz = 0.2f; },
+                            [](MaterialDescription& m) { m.transmission = 1, m.film = 1, m.thin = true; }};
+    for (int i = 0; i < 40; ++i) {
+        MaterialDescription m = default_description(MaterialType::principled);
+        m.name = "kind" + std::to_string(i), m.roughness = 0.2f + 0.1f * static_cast<float>(i / 10);
+        m.metallic = 0.2f, m.specular = Color{0.9f, 0.8f, 1};
+        kinds[i % 10](m);
+        d.materials.push_back(m);
+        d.spheres.push_back(sphere_of({0.2 * (i % 10) - 0.9, 0.2 * (i / 10) - 0.6, 1.2}, 0.1, m.name));
+    }
+    return d;
+}
+
 SceneDescription balls_of_light()
 {
     SceneDescription d = all_materials();
@@ -330,6 +358,7 @@ std::vector<WideCase> wide_cases()
                                 {"lamps", many_lamps(20)},
                                 {"tree", many_lamps(50)},
                                 {"textures", looked_up_scene()},
+                                {"kinds of principled", kinds_of_principled()},
                                 {"textures, sky", looked_up_under_sky()},
                                 {"lights", all_lights()},
                                 {"many lights", many_lights()},
