@@ -19,22 +19,27 @@ inline constexpr uint32_t bits_below_node = 21;
 inline constexpr float least_cos = 0x1p-12f;
 inline constexpr uint32_t plain_cosines = 49, edged_cosines = 3 * plain_cosines;
 
-// Between a node and the next one.
-struct NodeCell {
-    uint32_t index;
-    float part;
+// Between a node and the next one. T: float or Float4.
+template <class T>
+struct NodeCellT {
+    decltype(to_whole(T{})) index;
+    T part;
 };
+using NodeCell = NodeCellT<float>;
 
 constexpr float node_from(float least, uint32_t i)
 {
     return std::bit_cast<float>(std::bit_cast<uint32_t>(least) + (i << bits_below_node));
 }
-inline NodeCell cell_from(float x, float least, uint32_t nodes)
+// As std::clamp().
+inline float clamped(float x, float least, float most) { return std::clamp(x, least, most); }
+inline Float4 clamped(Float4 x, float least, float most) { return max(min(x, Float4{} + most), Float4{} + least); }
+template <class T>
+NodeCellT<T> cell_from(T x, float least, uint32_t nodes)
 {
-    const uint32_t first = std::bit_cast<uint32_t>(least);
-    const uint32_t offset = std::bit_cast<uint32_t>(std::clamp(x, least, 1.0f)) - first;
-    const uint32_t index = std::min(offset >> bits_below_node, nodes - 2);
-    const auto rest = static_cast<float>(offset - (index << bits_below_node));
+    const auto offset = bits_of(clamped(x, least, 1)) - std::bit_cast<uint32_t>(least);
+    const auto index = min(offset >> bits_below_node, decltype(offset){} + (nodes - 2));
+    const T rest = to_float(as_signed(offset - (index << bits_below_node)));
     return {index, rest * (1.0f / (uint32_t{1} << bits_below_node))};
 }
 
@@ -87,16 +92,11 @@ inline NodeCell cosine_cell(float edge, float cos)
     return edge > 0 ? edged_cell(edge, cos) : cell_from(cos, least_cos, plain_cosines);
 }
 
-// Between which of so many even steps in [0, 1] a number lies. T: float or Float4.
+// Between which of so many even steps in [0, 1] a number lies.
 template <class T>
-struct EvenCell {
-    decltype(to_whole(T{})) index;
-    T part;
-};
-template <class T>
-EvenCell<T> even_cell(T x, uint32_t nodes)
+NodeCellT<T> even_cell(T x, uint32_t nodes)
 {
-    const T at = smaller(T{} + 1.0f, larger(T{}, x)) * static_cast<float>(nodes - 1);
+    const T at = clamped(x, 0, 1) * static_cast<float>(nodes - 1);
     const auto index = to_whole(smaller(at, T{} + static_cast<float>(nodes - 2)));
     return {index, at - to_float(as_signed(index))};
 }

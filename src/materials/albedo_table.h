@@ -16,6 +16,7 @@
 #include "core/lanes/lanes.h"
 #include "materials/albedo_nodes.h"
 #include "materials/fresnel.h"
+#include "materials/spectrum.h"
 
 namespace lancer {
 
@@ -67,7 +68,9 @@ public:
     // The same for every alpha: 28 times as long.
     void need_all();
 
-    class EvenLobe;
+    template <class T>
+    class EvenLobeT;
+    using EvenLobe = EvenLobeT<float>;
     // The row of one alpha; default-constructed: no loss. The table must outlive it.
     class Row {
     public:
@@ -85,16 +88,12 @@ public:
         {
             if (four[0].edge_ + four[1].edge_ + four[2].edge_ + four[3].edge_ > 0)
                 return Float4{four[0].loss(cos[0]), four[1].loss(cos[1]), four[2].loss(cos[2]), four[3].loss(cos[3])};
-            const Float4 x = max(min(cos, broadcast_to<Float4>(1)), broadcast_to<Float4>(least_cos));
-            const UInt4 offset = reinterpret_cast<UInt4>(x) - std::bit_cast<uint32_t>(least_cos);
-            const UInt4 index = min(offset >> bits_below_node, UInt4{} + (plain_cosines - 2));
-            const Int4 rest = reinterpret_cast<Int4>(offset - (index << bits_below_node));
-            const Float4 part = to_float(rest) * (1.0f / (uint32_t{1} << bits_below_node));
+            const NodeCellT<Float4> c = cell_from(cos, least_cos, plain_cosines);
             alignas(16) std::array<uint32_t, 4> first;
-            store4_aligned(first.data(), index);
+            store4_aligned(first.data(), c.index);
             const auto at = [&](size_t i) { return four[i].losses_ + first[i]; };
             return table_square(std::array{at(0), at(1), at(2), at(3)}, plain_cosines)
-                .at(part, Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_});
+                .at(c.part, Float4{four[0].part_, four[1].part_, four[2].part_, four[3].part_});
         }
 
     private:
@@ -144,23 +143,35 @@ inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
 }
 
 // The directions in which light that was lost comes back: by L(cos) cos / (pi M), with the mean M of L under even
-// light. Default-constructed: none. The table must outlive it.
-class AlbedoTable::EvenLobe {
+// light. Default-constructed: none. The table must outlive it. T: float, or Float4 for the lobes of four points.
+template <class T>
+class AlbedoTable::EvenLobeT {
 public:
-    EvenLobe() = default;
-    explicit operator bool() const { return static_cast<bool>(row_); }
-    float loss(float cos) const { return row_.loss(cos); }
-    float mean() const { return mean_; }  // M
+    explicit operator bool() const { return movemask(mean_ > 0.0f) != 0; }  // some lobe
+    T loss(T cos) const { return loss_of(row_, cos); }
+    T mean() const { return mean_; }  // M
     // The density of sample_cos() with an even azimuth, per solid angle. Between two nodes it has the mean of L there.
     // cos in [0, 1].
-    float pdf(float cos) const
+    T pdf(T cos) const
     {
-        const uint32_t i = cosine_cell(row_.edge_, cos).index;
-        const float low = lower_end(i), high = cosine_node(row_.edge_, i + 1);
-        const float mean_here = (up_to(i + 1) - up_to(i)) / ((high - low) * (high + low));
-        return mean_here * cos * (std::numbers::inv_pi_v<float> / up_to(cosines_of(row_.edge_) - 1));
+        if constexpr (std::is_same_v<T, float>) {
+            if (row_.edge_ > 0) {
+                const uint32_t i = cosine_cell(row_.edge_, cos).index;
+                const auto square = table_square(cumulative_ + i, cosines_of(row_.edge_));
+                return pdf_between(square, lower_end(i), cosine_node(row_.edge_, i + 1), cos);
+            }
+            const uint32_t i = cell_from(cos, least_cos, plain_cosines).index;
+            return pdf_between(table_square(cumulative_ + i, plain_cosines), i, cos);
+        } else {
+            if (row_[0].edge_ + row_[1].edge_ + row_[2].edge_ + row_[3].edge_ > 0)
+                return T{of(0).pdf(cos[0]), of(1).pdf(cos[1]), of(2).pdf(cos[2]), of(3).pdf(cos[3])};
+            const auto i = cell_from(cos, least_cos, plain_cosines).index;
+            const std::array at{cumulative_[0] + i[0], cumulative_[1] + i[1], cumulative_[2] + i[2],
+                                cumulative_[3] + i[3]};
+            return pdf_between(table_square(at, plain_cosines), i, cos);
+        }
     }
-    // u: in [0, 1).
+    // Of one lobe. u: in [0, 1).
     float sample_cos(float u) const
     {
         uint32_t first = 0, count = cosines_of(row_.edge_) - 1;
@@ -175,25 +186,61 @@ public:
         const float low = lower_end(first), high = cosine_node(row_.edge_, first + 1);
         return std::sqrt(low * low + part * ((high - low) * (high + low)));
     }
+    // Lobe i of four.
+    EvenLobe of(size_t i) const
+    {
+        EvenLobe lobe;
+        lobe.row_ = row_[i], lobe.cumulative_ = cumulative_[i];
+        lobe.part_ = part_[i], lobe.mean_ = mean_[i], lobe.whole_ = whole_[i];
+        return lobe;
+    }
+    void set(size_t i, const EvenLobe& lobe)
+    {
+        row_[i] = lobe.row_, cumulative_[i] = lobe.cumulative_;
+        part_[i] = lobe.part_, mean_[i] = lobe.mean_, whole_[i] = lobe.whole_;
+    }
 
 private:
     friend AlbedoTable;
+    template <class>
+    friend class AlbedoTable::EvenLobeT;
     float lower_end(uint32_t i) const { return i == 0 ? 0 : cosine_node(row_.edge_, i); }
     float up_to(uint32_t i) const
     {
         return cumulative_[i] + part_ * (cumulative_[cosines_of(row_.edge_) + i] - cumulative_[i]);
     }
+    // From node i on, without an edge.
+    template <class Index>
+    T pdf_between(const TableSquare<T>& integrals, Index i, T cos) const
+    {
+        const Index bits = (i << bits_below_node) + std::bit_cast<uint32_t>(least_cos);
+        return pdf_between(integrals, select(i == 0u, T{}, with_bits(bits)), with_bits(bits + (1u << bits_below_node)),
+                           cos);
+    }
+    T pdf_between(const TableSquare<T>& integrals, T low, T high, T cos) const
+    {
+        const T from = integrals.a + part_ * (integrals.c - integrals.a);
+        const T mean_here = (integrals.b + part_ * (integrals.d - integrals.b) - from) / ((high - low) * (high + low));
+        return mean_here * cos * (std::numbers::inv_pi_v<float> / whole_);
+    }
 
-    Row row_;
-    const float* cumulative_ = nullptr;  // of two alphas, one behind the other
-    float part_ = 0, mean_ = 0;
+    RowsOf<T, Row> row_{};
+    RowsOf<T, const float*> cumulative_ = none();  // of two alphas, one behind the other
+    T part_{}, mean_{}, whole_ = T{} + 1.0f;       // whole: the last integral
+    static constexpr RowsOf<T, const float*> none()
+    {
+        if constexpr (std::is_same_v<T, float>)
+            return Row::none.data();
+        else
+            return {Row::none.data(), Row::none.data(), Row::none.data(), Row::none.data()};
+    }
 };
 inline AlbedoTable::EvenLobe AlbedoTable::even_lobe(float alpha) const
 {
     const NodeCell a = cell_from(alpha, least_row, rows);
     EvenLobe lobe;
     lobe.row_ = row(alpha), lobe.cumulative_ = &cumulative_[a.index * size_t{cosines_of(edge_)}];
-    lobe.part_ = a.part, lobe.mean_ = mean_missing(alpha);
+    lobe.part_ = a.part, lobe.mean_ = mean_missing(alpha), lobe.whole_ = lobe.up_to(cosines_of(edge_) - 1);
     return lobe.mean_ > 0 ? lobe : EvenLobe{};
 }
 
@@ -203,10 +250,11 @@ inline float all_further_orders(float x, float missing) { return x * x * (1 - mi
 
 // The probability of sampling the even lobe, by what it sends of light from wo: the part `lost` by single scattering
 // times `further`, beside the rest times `first`. 0 where it sends none.
-inline float chance_of_even_lobe(float lost, float further, float first)
+template <class T>
+T chance_of_even_lobe(T lost, T further, T first)
 {
-    const float even = lost * further;
-    return even > 0 ? even / (even + (1 - lost) * first) : 0;
+    const T even = lost * further;
+    return select(even > 0.0f, even / (even + (1.0f - lost) * first), T{});
 }
 
 // 1 - the hemispherical albedo of a smooth dielectric. eta as above.

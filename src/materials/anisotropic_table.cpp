@@ -8,7 +8,7 @@ namespace {
 constexpr uint32_t all_roughnesses = 12, all_anisotropies = 9;
 
 // x: in [0, 1].
-EvenCell<float> cell_in_range(float x, uint32_t nodes)
+NodeCell cell_in_range(float x, uint32_t nodes)
 {
     if (nodes == 1) return {0, 0};
     return even_cell(x, nodes);
@@ -55,8 +55,8 @@ Vec3d direction(double cos, double turn)
 template <class T>
 AnisotropicTable::Slice::PlaceT<T> AnisotropicTable::Slice::place(T from, T x, T y)
 {
-    const EvenCell<T> c = even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, from))), cosines);
-    const EvenCell<T> a = even_cell(part_of_quarter(abs(x), abs(y)), azimuths);
+    const NodeCellT<T> c = even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, from))), cosines);
+    const NodeCellT<T> a = even_cell(part_of_quarter(abs(x), abs(y)), azimuths);
     return {c.index * azimuths + a.index, c.part, a.part};
 }
 

@@ -49,7 +49,7 @@ void FuzzTable::need_all()
 
 FuzzTable::Row FuzzTable::row(float roughness) const
 {
-    const EvenCell<float> c = cell(roughness);
+    const NodeCell c = cell(roughness);
     Row row;
     row.albedos_ = &albedo_[c.index * cosines], row.part_ = c.part;
     row.scale_ = scale_[c.index] + c.part * (scale_[c.index + 1] - scale_[c.index]);

@@ -49,13 +49,13 @@ public:
         // Of the scaled fuzz. cos: in [0, 1].
         float albedo(float cos) const
         {
-            const EvenCell<float> c = cell_of(cos);
+            const NodeCell c = cell_of(cos);
             return scaled(table_square(albedos_ + c.index, cosines).at(c.part, part_), scale_);
         }
         // Four rows, each at its own cosine.
         static Float4 albedo(const std::array<Row, 4>& four, Float4 cos)
         {
-            const EvenCell<Float4> c = cell_of(cos);
+            const NodeCellT<Float4> c = cell_of(cos);
             const auto at = [&](size_t i) { return four[i].albedos_ + c.index[i]; };
             const auto each = [&](float Row::*of) {
                 return Float4{four[0].*of, four[1].*of, four[2].*of, four[3].*of};
@@ -67,7 +67,7 @@ public:
     private:
         friend FuzzTable;
         template <class T>
-        static EvenCell<T> cell_of(T cos)
+        static NodeCellT<T> cell_of(T cos)
         {
             return even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, cos))), cosines);
         }
@@ -87,7 +87,7 @@ public:
 private:
     static constexpr uint32_t cosines = Row::cosines, rows = 25;
     void fill_row(uint32_t row);
-    static EvenCell<float> cell(float roughness)
+    static NodeCell cell(float roughness)
     {
         return even_cell((roughness - Fuzz::least_root) / (1 - Fuzz::least_root), rows);
     }

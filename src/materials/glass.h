@@ -1,17 +1,14 @@
 // Dielectric boundary: reflection and refraction by the exact Fresnel equations, with total internal reflection.
-// Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: GGX microfacets, Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; multiple scattering between facets is lost, or comes back by the lobes
-// of glass_losses.h. Thin: a sheet without an inside, see thin_sheet.h.
+// Smooth: Pharr, Jakob, Humphreys, 4th ed., section 9.5. Rough: see rough_glass.h; multiple scattering between facets
+// is lost, or comes back. Thin: a sheet without an inside, see thin_sheet.h.
 #pragma once
 
 #include <memory>
 
-#include "materials/fresnel.h"
-#include "materials/glass_losses.h"
 #include "materials/material_type.h"
-#include "materials/microfacet.h"
 #include "materials/parameter.h"
 #include "materials/phong.h"
+#include "materials/rough_glass.h"
 #include "materials/textures/texture.h"
 #include "materials/thin_sheet.h"
 
@@ -29,6 +26,7 @@ struct GlassBsdf {
 
     bool only_delta() const { return alpha == 0; }
     bool transmits() const { return alpha != 0; }
+    bool is_rough_boundary() const { return alpha != 0 && !thin; }
     Color reflectance() const
     {
         if (!thin) return tint;
@@ -59,11 +57,14 @@ struct GlassBsdf {
     std::optional<Vec3> sample_direction(Vec3 wo, Vec3d unit, float u, Vec2 v) const
     {
         if (multiple) {
-            const float p = probability_of_multiple(multiple.here.loss(wo.z));
-            if (u < p) return sample_multiple(u / p, v);
-            u = std::min((u - p) / (1 - p), 1 - 0x1p-24f);
+            const float p = chance_of_multiple(*this, multiple.here.loss(wo.z));
+            if (u < p) return sample_multiple(multiple, u / p, v);
+            u = left_of_choice(u, p);
         }
-        return thin ? sample_rough_sheet(unit, u, v) : sample_rough(unit, u, v);
+        if (thin) return sample_rough_sheet(unit, u, v);
+        const SinCos phi = sin_cos_2pi(v.x);
+        const auto [wi, found] = sample_facets_of_glass(*this, unit, u, double{v.y}, {phi.sin, phi.cos});
+        return found ? std::optional(wi) : std::nullopt;
     }
     // BsdfSample::eta of a direction.
     float index_towards(Vec3 wi) const { return wi.z < 0 && !thin ? static_cast<float>(eta) : 1; }
@@ -94,76 +95,13 @@ private:
                           .delta = true,
                           .eta = static_cast<float>(eta)};
     }
-    FresnelT<double> facet_fresnel(double cos) const
-    {
-        return fresnel_dielectric_double(cos, (1 - cos) * (1 + cos), eta);
-    }
     // Light of single scattering and of all further orders.
     BsdfValue eval_lobes(Vec3d wo, Vec3 wi) const
     {
-        BsdfValue f = thin ? eval_rough_sheet(wo, wi) : eval_rough(wo, wi);
-        if (!multiple) return f;
-        const auto cos_o = static_cast<float>(wo.z);
-        const float lost = multiple.here.loss(cos_o), p = probability_of_multiple(lost);
-        const auto cos_i = static_cast<float>(std::abs(unit_in_double(wi).z));
-        const bool through = wi.z < 0;
-        const float lobe = through ? multiple.transmitted * (lost * multiple.beyond.loss(cos_i))
-                                   : multiple.reflected * (lost * multiple.here.loss(cos_i));
-        f.f_cos += multiple.color * (lobe * cos_i * (1 / pi));
-        const float pdf = through ? multiple.part_through * multiple.beyond.pdf(cos_i)
-                                  : (1 - multiple.part_through) * multiple.here.pdf(cos_i);
-        f.pdf += p * (pdf - f.pdf);
+        if (!thin) return eval_rough_glass(*this, wo, wi);
+        BsdfValue f = eval_rough_sheet(wo, wi);
+        if (multiple) add_multiple(*this, to_float(wo.z), wi.z, static_cast<float>(std::abs(unit_in_double(wi).z)), f);
         return f;
-    }
-    float probability_of_multiple(float lost) const
-    {
-        return chance_of_even_lobe(lost, max_component(multiple.color), max_component(tint));
-    }
-    std::optional<Vec3> sample_multiple(float u, Vec2 v) const
-    {
-        const bool through = u < multiple.part_through;
-        Vec3 wi = direction_at((through ? multiple.beyond : multiple.here).sample_cos(v.x), v.y);
-        if (through) wi.z = -wi.z;
-        if (wi.z == 0) return {};
-        return wi;
-    }
-
-    BsdfValue value(double f_cos, double pdf) const
-    {
-        return {tint * static_cast<float>(f_cos), static_cast<float>(pdf)};
-    }
-
-    BsdfValue eval_rough(Vec3d wo, Vec3 w) const
-    {
-        const Ggx ggx{static_cast<double>(alpha)};
-        const Vec3d wi = unit_in_double(w);
-        if (w.z > 0) {
-            const FacetReflection facets = eval_facets(ggx, wo, wi);
-            const double reflected = facet_fresnel(facets.cos_h).reflectance;
-            return value(reflected * facets.f_cos, reflected * facets.pdf);
-        }
-        // Normal of the facet that refracts wo to wi: along wo + eta wi, on wo's side of the surface.
-        const double n = eta;
-        const Vec3d sum = wo + n * wi;
-        const double length2 = dot(sum, sum), scale = std::copysign(1 / std::sqrt(length2), sum.z);
-        const double cos_o = scale * dot(wo, sum), cos_i = scale * dot(wi, sum);
-        if (!(cos_o > 0 && cos_i < 0)) return {};
-        // Jacobian: solid angle of normals over that of wi. length2 is the squared sum in Walter et al.
-        const double jacobian = -cos_i * n * n / length2;
-        const double through =
-            (1 - facet_fresnel(std::min(1.0, cos_o)).reflectance) * ggx.density(sum) * cos_o * jacobian;
-        return value(4 * through * ggx.visibility(wo, wi) * -wi.z / (n * n), 2 * through / (wo.z + ggx.spread(wo)));
-    }
-    std::optional<Vec3> sample_rough(Vec3d wo, float u, Vec2 v) const
-    {
-        const Ggx ggx{static_cast<double>(alpha)};
-        const Vec3d h = ggx.sample_visible(wo, v);
-        const double cos_o = std::min(1.0, dot(wo, h)), n = eta;
-        const auto [reflectance, cos_t] = facet_fresnel(cos_o);
-        const bool through = !(u < static_cast<float>(reflectance));
-        const Vec3 wi = to_float(through ? refracted(wo, h, cos_o, cos_t, n) : mirrored(wo, h));
-        if (wi.z == 0 || (wi.z < 0) != through) return {};
-        return wi;
     }
 
     // Reflectance of one face of a sheet. w: unit, z > 0.

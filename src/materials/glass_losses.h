@@ -15,15 +15,23 @@
 
 namespace lancer {
 
-// The two lobes at one point.
-struct GlassLobes {
-    AlbedoTable::EvenLobe here, beyond;    // L on wo's side and on the other; none: nothing is made up for
-    Color color{};                         // of both lobes
-    float reflected = 0, transmitted = 0;  // their factors before L L' cos / pi, of radiance
-    float part_through = 0;                // T
+// The two lobes at one point. T: float, or Float4 for those of four points.
+template <class T>
+struct GlassLobesT {
+    AlbedoTable::EvenLobeT<T> here, beyond;  // L on wo's side and on the other; none: nothing is made up for
+    SpectrumOf<T> color{};                   // of both lobes
+    T reflected{}, transmitted{};            // their factors before L L' cos / pi, of radiance
+    T part_through{};                        // T
 
     explicit operator bool() const { return static_cast<bool>(here); }
+    // Those of one of four points.
+    GlassLobesT<float> of(size_t i) const
+    {
+        return {here.of(i),   beyond.of(i),   {color.x[i], color.y[i], color.z[i]},
+                reflected[i], transmitted[i], part_through[i]};
+    }
 };
+using GlassLobes = GlassLobesT<float>;
 
 // Of all points of a glass.
 class GlassLosses {

@@ -1,5 +1,5 @@
 // Points of one material, queued contiguously for the wide kernel: few of eight lanes are of that material, and doubles
-// are processed by four. PlasticQueue and PrincipledQueue evaluate and sample them.
+// are processed by four. PlasticQueue, PrincipledQueue and GlassQueue evaluate and sample them.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 namespace lancer {
 
 using BsdfValueLanes = BsdfValueT<Vec3x8, Float8>;
-// As in BsdfSample, for the lanes in `found`; eta is 1.
+// As in BsdfSample, for the lanes in `found`.
 struct BsdfSampleLanes {
     Vec3x8 wi, weight;
-    Float8 pdf;
+    Float8 pdf, eta;
     uint32_t found, delta;
 };
 
@@ -69,11 +69,11 @@ public:
     void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
     // After eval().
     BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
-    // After sample().
+    // After sample(), where nothing goes through the surface.
     BsdfSampleLanes sampled(const Eight& of) const
     {
         const uint32_t found = movemask(found_.of(of)) & of.lanes;
-        return {wi_.of(of), color_.of(of), pdf_.of(of), found, found & movemask(delta_.of(of))};
+        return {wi_.of(of), color_.of(of), pdf_.of(of), broadcast(1.0f), found, found & movemask(delta_.of(of))};
     }
 
 protected:

@@ -45,8 +45,8 @@ inline Vec3T<D> mirrored(const Vec3T<D>& w, const Vec3T<D>& h)
 
 // w refracted by a boundary of normal h, both unit. cos: dot(w, h); cos_t: the cosine beyond; eta: index beyond over
 // index on w's side.
-template <class D>
-inline Vec3T<D> refracted(const Vec3T<D>& w, const Vec3T<D>& h, D cos, D cos_t, double eta)
+template <class D, class Eta>
+inline Vec3T<D> refracted(const Vec3T<D>& w, const Vec3T<D>& h, D cos, D cos_t, Eta eta)
 {
     return h * (cos / eta - cos_t) - w / (D{} + eta);
 }

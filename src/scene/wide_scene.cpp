@@ -96,6 +96,8 @@ std::optional<WideScene> WideScene::of(const Scene& scene, Shading least)
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const auto* lambert = std::get_if<Lambert>(&scene.materials[i]);
         albedo.push_back({row(lambert ? lambert->albedo.value : Color{})});
+        if (const auto* glass = std::get_if<Glass>(&scene.materials[i]))
+            d.has_rough_glass = d.has_rough_glass || (!glass->thin && glass->roughness.value > 0);
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));

@@ -79,6 +79,7 @@ struct WideScene {
     std::vector<Fixed> fixed;                   // per material; not for Shading::plain
     bool has_colors = false;                    // some mesh has vertex colours
     bool has_principled = false;                // some material is principled
+    bool has_rough_glass = false;               // some material is rough glass
     std::vector<LightKind> light_kinds;         // parallel to Scene::lights
     RowTable<light_rows> lights;                // parallel to Scene::lights if there are triangle lights
     std::vector<SphereLightRow> sphere_lights;  // parallel to Scene::lights if there are sphere lights
@@ -94,6 +95,7 @@ template <Bsdf B>
 bool is_queued(const B& bsdf)
 {
     if constexpr (std::is_same_v<B, PrincipledBsdf>) return bsdf.has_only_layers;
+    if constexpr (std::is_same_v<B, GlassBsdf>) return bsdf.is_rough_boundary();
     return std::is_same_v<B, PlasticBsdf>;
 }
 // Flags of a BSDF: not Lambertian, processed together, only delta lobes, transmissive.

@@ -22,6 +22,7 @@ inline Double4 as_stored(Double4 x) { return to_double(to_float(x)); }
 inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
 inline float copysign(float x, float sign) { return std::copysign(x, sign); }
+inline double copysign(double x, double sign) { return std::copysign(x, sign); }
 inline float abs(float x) { return std::abs(x); }
 inline double abs(double x) { return std::abs(x); }
 
@@ -38,6 +39,7 @@ T smaller(T a, T b)
     return select(b < a, b, a);
 }
 
+inline uint32_t min(uint32_t a, uint32_t b) { return a < b ? a : b; }
 inline Int4 min(Int4 a, Int4 b) { return a < b ? a : b; }
 inline Int4 max(Int4 a, Int4 b) { return a > b ? a : b; }
 inline UInt4 min(UInt4 a, UInt4 b) { return a < b ? a : b; }

@@ -65,8 +65,10 @@ public:
           prefetches_(tables_exceed_caches(view.scene)),
           moves_(textured && view.scene.geometry.motion.moves())
     {
-        if constexpr (any)
+        if constexpr (any) {
             if (scene_.has_principled) non_lambert_.principled.emplace();
+            if (scene_.has_rough_glass) non_lambert_.glass.emplace();
+        }
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
         w.queue.radiance.assign(w.slots.size(), RadianceSum{});
@@ -182,12 +184,14 @@ private:
     {
         if ((lanes & non_lambert.plastic.lanes) != 0) f(queues.plastic, non_lambert.plastic);
         if ((lanes & non_lambert.principled.lanes) != 0) f(*queues.principled, non_lambert.principled);
+        if ((lanes & non_lambert.glass.lanes) != 0) f(*queues.glass, non_lambert.glass);
     }
     template <class F>
     void for_all_queues(const F& f)
     {
         f(non_lambert_.plastic);
         if (non_lambert_.principled) f(*non_lambert_.principled);
+        if (non_lambert_.glass) f(*non_lambert_.glass);
     }
     static void see_principled(NonLambert& non_lambert);
     template <class F>
@@ -296,6 +300,7 @@ private:
     struct NonLambertWorkspace {
         PlasticQueue plastic;
         std::optional<PrincipledQueue> principled;  // if the scene has such materials
+        std::optional<GlassQueue> glass;            // if it has rough glass
         std::array<LightQuery, at_once / float_lanes> query;
         std::array<ScatterState, at_once / float_lanes> scatter_state;
     };

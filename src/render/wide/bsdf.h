@@ -105,7 +105,7 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
         const uint32_t asked = lanes & of.lanes;
         const Mask8 is_asked = lanes_of(asked);
         s.wi = select(is_asked, sampled.wi, s.wi), s.weight = select(is_asked, sampled.weight, s.weight);
-        s.pdf = select(is_asked, sampled.pdf, s.pdf);
+        s.pdf = select(is_asked, sampled.pdf, s.pdf), s.eta = select(is_asked, sampled.eta, s.eta);
         s.lanes |= asked & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
     });
     for_each_lane(lanes & non_lambert.lanes & ~non_lambert.queued(), [&](uint32_t i) {

@@ -176,6 +176,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     non_lambert.lanes = non_lambert.only_delta = non_lambert.transmits = 0;
     non_lambert.plastic = non_lambert_.plastic.begin_eight();
     if (non_lambert_.principled) non_lambert.principled = non_lambert_.principled->begin_eight();
+    if (non_lambert_.glass) non_lambert.glass = non_lambert_.glass->begin_eight();
     if (lanes == 0) return;
     WideScene::LaneFlags flags;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -190,6 +191,8 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     for_each_lane(lanes & flags.lanes(WideScene::is_queued), [&](uint32_t i) {
         if (const auto* plastic = std::get_if<PlasticBsdf>(non_lambert.bsdf[i]))
             non_lambert_.plastic.add(non_lambert.plastic, i, *plastic);
+        else if (const auto* glass = std::get_if<GlassBsdf>(non_lambert.bsdf[i]))
+            non_lambert_.glass->add(non_lambert.glass, i, *glass);
         else
             non_lambert_.principled->add(non_lambert.principled, i, *std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]));
     });
@@ -206,15 +209,11 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
     non_lambert.lanes |= flags.lanes(WideScene::is_non_lambert);
     non_lambert.only_delta |= flags.lanes(WideScene::is_only_delta);
     non_lambert.transmits |= flags.lanes(WideScene::is_transmissive);
-    if constexpr (std::is_same_v<B, PlasticBsdf>) {
-        non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
+    if (is_queued(bsdf)) {
+        if constexpr (std::is_same_v<B, PlasticBsdf>) non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
+        if constexpr (std::is_same_v<B, PrincipledBsdf>) non_lambert_.principled->add(non_lambert.principled, i, bsdf);
+        if constexpr (std::is_same_v<B, GlassBsdf>) non_lambert_.glass->add(non_lambert.glass, i, bsdf);
         if (!by_mirrors_) return;
-    }
-    if constexpr (std::is_same_v<B, PrincipledBsdf>) {
-        if (bsdf.has_only_layers) {
-            non_lambert_.principled->add(non_lambert.principled, i, bsdf);
-            if (!by_mirrors_) return;
-        }
     }
     non_lambert.bsdf[i] = std::construct_at(&non_lambert.own[i].bsdf, bsdf);
 }

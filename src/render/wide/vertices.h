@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "geometry/hit_lanes.h"
+#include "materials/glass_queue.h"
 #include "materials/material.h"
 #include "materials/plastic_queue.h"
 #include "materials/principled_queue.h"
@@ -27,7 +28,7 @@ struct NonLambert {
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
-    LaneQueue::Eight plastic, principled;          // points in the queues
+    LaneQueue::Eight plastic, principled, glass;   // points in the queues
     std::array<OwnBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
     uint32_t seen;                                 // other principled lanes, seen from the front; their lobes:
     std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
@@ -37,7 +38,7 @@ struct NonLambert {
     Float8 mirrored_pdf, mirror_distance;
     Vec3x8 mirrored_normal;
 
-    uint32_t queued() const { return plastic.lanes | principled.lanes; }
+    uint32_t queued() const { return plastic.lanes | principled.lanes | glass.lanes; }
 };
 struct Empty {};
 // Which data the surfaces need.

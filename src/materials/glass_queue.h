@@ -1,0 +1,86 @@
+// Batched evaluation of rough glass with the bits of GlassBsdf.
+#pragma once
+
+#include <cassert>
+
+#include "materials/glass.h"
+#include "materials/lane_queue.h"
+
+namespace lancer {
+
+class GlassQueue : public LaneQueue {
+public:
+    void add(Eight& of, uint32_t lane, const GlassBsdf& bsdf)
+    {
+        assert(bsdf.is_rough_boundary());
+        const uint32_t k = add_to(of, lane);
+        points_[k / 4].set(k % 4, bsdf);
+    }
+
+    // After put_wo(), before all else.
+    void see()
+    {
+        for (size_t k = 0; k < count_; k += 4) wo_in_double_[k / 4] = unit_in_double(wo_.four(k));
+    }
+
+    void eval()
+    {
+        const Float4 zero{};
+        for (size_t k = 0; k < count_; k += 4) {
+            const Vec3T<Float4> wi = wi_.four(k);
+            const Value f = eval_rough_glass(points_[k / 4], wo_in_double_[k / 4], wi);
+            const Mask4f is_lit = (wo_.z.four(k) > zero) & (wi.z != zero);
+            color_.set_four(k, select(is_lit, f.f_cos, {}));
+            pdf_.set_four(k, select(is_lit, f.pdf, zero));
+        }
+    }
+
+    // u selects the lobe, v the direction.
+    void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8&)
+    {
+        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y);
+    }
+    void sample()
+    {
+        for (size_t k = 0; k < count_; k += 4) sample_four(k);
+    }
+    BsdfSampleLanes sampled(const Eight& of) const
+    {
+        BsdfSampleLanes s = LaneQueue::sampled(of);
+        s.eta = eta_.of(of);
+        return s;
+    }
+
+private:
+    using Value = BsdfValueT<Vec3T<Float4>, Float4>;
+
+    void sample_four(size_t k)
+    {
+        const RoughGlass4& glass = points_[k / 4];
+        const Vec3T<Double4>& wo = wo_in_double_[k / 4];
+        const Float4 cos_o = wo_.z.four(k), v_x = v_x_.four(k), v_y = v_y_.four(k), zero{};
+        Float4 u = u_.four(k), p{};
+        if (glass.multiple) p = chance_of_multiple(glass, glass.multiple.here.loss(cos_o));
+        const Mask4f by_multiple = u < p;
+        const SinCosT<Float4> phi = sin_cos_2pi(v_x);
+        const Float4 left = select(glass.multiple.here.mean() > zero, left_of_choice(u, p), u);
+        auto sent = sample_facets_of_glass(glass, wo, left, to_double(v_y), {to_double(phi.sin), to_double(phi.cos)});
+        Vec3T<Float4>& wi = sent.wi;
+        for_each_lane(movemask(by_multiple), [&](uint32_t i) {
+            const auto even = sample_multiple(glass.multiple.of(i), u[i] / p[i], {v_x[i], v_y[i]});
+            sent.found[i] = even ? -1 : 0;
+            if (even) wi.x[i] = even->x, wi.y[i] = even->y, wi.z[i] = even->z;
+        });
+        const Value f = eval_rough_glass(glass, wo, wi);
+        wi_.set_four(k, wi), color_.set_four(k, f.f_cos / f.pdf), pdf_.set_four(k, f.pdf);
+        eta_.set_four(k, select(wi.z < zero, to_float(glass.eta), zero + 1.0f));
+        found_.set_four(k, reinterpret_cast<Float4>((cos_o > zero) & sent.found & (f.pdf > zero)));
+        delta_.set_four(k, zero);
+    }
+
+    std::array<RoughGlass4, most / 4> points_{};
+    std::array<Vec3T<Double4>, most / 4> wo_in_double_{};
+    Numbers<Float8> v_x_{}, v_y_{}, eta_{};
+};
+
+}  // namespace lancer
