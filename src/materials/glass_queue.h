@@ -44,12 +44,7 @@ public:
     {
         for (size_t k = 0; k < count_; k += 4) sample_four(k);
     }
-    BsdfSampleLanes sampled(const Eight& of) const
-    {
-        BsdfSampleLanes s = LaneQueue::sampled(of);
-        s.eta = eta_.of(of);
-        return s;
-    }
+    BsdfSampleLanes sampled(const Eight& of) const { return LaneQueue::sampled(of, eta_.of(of)); }
 
 private:
     using Value = BsdfValueT<Vec3T<Float4>, Float4>;
@@ -58,23 +53,16 @@ private:
     {
         const RoughGlass4& glass = points_[k / 4];
         const Vec3T<Double4>& wo = wo_in_double_[k / 4];
-        const Float4 cos_o = wo_.z.four(k), v_x = v_x_.four(k), v_y = v_y_.four(k), zero{};
-        Float4 u = u_.four(k), p{};
-        if (glass.multiple) p = chance_of_multiple(glass, glass.multiple.here.loss(cos_o));
-        const Mask4f by_multiple = u < p;
+        const Float4 cos_o = wo_.z.four(k), v_x = v_x_.four(k), zero{};
+        const Mask4f is_seen = cos_o > zero;
         const SinCosT<Float4> phi = sin_cos_2pi(v_x);
-        const Float4 left = select(glass.multiple.here.mean() > zero, left_of_choice(u, p), u);
-        auto sent = sample_facets_of_glass(glass, wo, left, to_double(v_y), {to_double(phi.sin), to_double(phi.cos)});
-        Vec3T<Float4>& wi = sent.wi;
-        for_each_lane(movemask(by_multiple), [&](uint32_t i) {
-            const auto even = sample_multiple(glass.multiple.of(i), u[i] / p[i], {v_x[i], v_y[i]});
-            sent.found[i] = even ? -1 : 0;
-            if (even) wi.x[i] = even->x, wi.y[i] = even->y, wi.z[i] = even->z;
-        });
+        const auto sent = sample_rough_glass(glass, wo, cos_o, u_.four(k), v_x, v_y_.four(k),
+                                             {to_double(phi.sin), to_double(phi.cos)}, is_seen);
+        const Vec3T<Float4>& wi = sent.wi;
         const Value f = eval_rough_glass(glass, wo, wi);
         wi_.set_four(k, wi), color_.set_four(k, f.f_cos / f.pdf), pdf_.set_four(k, f.pdf);
         eta_.set_four(k, select(wi.z < zero, to_float(glass.eta), zero + 1.0f));
-        found_.set_four(k, reinterpret_cast<Float4>((cos_o > zero) & sent.found & (f.pdf > zero)));
+        found_.set_four(k, reinterpret_cast<Float4>(is_seen & sent.found & (f.pdf > zero)));
         delta_.set_four(k, zero);
     }
 

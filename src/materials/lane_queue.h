@@ -69,11 +69,11 @@ public:
     void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
     // After eval().
     BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
-    // After sample(), where nothing goes through the surface.
-    BsdfSampleLanes sampled(const Eight& of) const
+    // After sample(). eta: of glass.
+    BsdfSampleLanes sampled(const Eight& of, Float8 eta = broadcast(1.0f)) const
     {
         const uint32_t found = movemask(found_.of(of)) & of.lanes;
-        return {wi_.of(of), color_.of(of), pdf_.of(of), broadcast(1.0f), found, found & movemask(delta_.of(of))};
+        return {wi_.of(of), color_.of(of), pdf_.of(of), eta, found, found & movemask(delta_.of(of))};
     }
 
 protected:

@@ -21,20 +21,20 @@ Color edge_of(Color f0, Color tint)
 
 void PrincipledBsdf::finish()
 {
-    body = (1 - metallic) * (1 - transmission);
+    body = (1 - metallic) * (1 - transmission), clear = (1 - metallic) * transmission;
     facet_alpha = alpha.along;
     specular = material->specular, specular_weight = material->specular_weight;
     finish_base();
     finish_coat();
     finish_extras();
-    const float inside = part_of_glass();
     const bool reflects = metallic > 0 || (body > 0 && !is_black(specular));
     has_smooth = (fuzz > 0 && !is_black(fuzz_color)) || (coat > 0 && coat_alpha > 0) || (body > 0 && !is_black(base)) ||
                  (reflects && facet_alpha > 0);
-    has_only_layers = !(inside > 0);
-    if (!(inside > 0)) return;
+    is_queued = !(clear > 0);
+    if (is_queued) return;
     glass = material->tables->glass.with({.front = front, .eta = media_eta}, white, roughness);
     sends_through = glass.transmits(), has_smooth = has_smooth || !glass.only_delta();
+    is_queued = glass.is_rough_boundary() && !(film > 0);
     if (film > 0 && sends_through) film_losses = losses_of_film();
 }
 
@@ -87,7 +87,8 @@ void PrincipledBsdf::finish_extras()
              .fuzz = fuzz > 0,
              .film = film > 0,
              .wide = !alpha.is_even(),
-             .rough_body = diffuse_roughness > 0};
+             .rough_body = diffuse_roughness > 0,
+             .clear = clear > 0};
     if (kinds.tint) coat_color = material->coat_color;
     if (kinds.wide) across = alpha.across;
     if (kinds.film) film_ior = material->film_ior, film_roughness = roughness, film_table = tables.film.get();
@@ -96,13 +97,8 @@ void PrincipledBsdf::finish_extras()
 
 float PrincipledBsdf::index_beyond() const
 {
-    if (!(part_of_glass() > 0)) return 1;
+    if (!(clear > 0)) return 1;
     return glass.thin ? 1 : static_cast<float>(glass.eta);
-}
-
-float PrincipledBsdf::glass_chance(float below) const
-{
-    return below * part_of_glass() * std::max(max_component(specular), max_component(transmittance));
 }
 
 PrincipledBsdf::Seen PrincipledBsdf::seen_from(Vec3 wo) const
@@ -126,7 +122,7 @@ void PrincipledBsdf::add_glass(const Seen& s, Vec3 wi, BsdfValue& f) const
     const BsdfValue v = g.eval(s.wo, wi);
     if (!(v.pdf > 0)) return;
     const bool through = wi.z < 0;
-    const Color factor = s.under_coat * (through ? transmittance : specular) * part_of_glass();
+    const Color factor = s.under_coat * (through ? transmittance : specular) * clear;
     if (!(film > 0)) {
         f.f_cos += v.f_cos * factor;
     } else {
@@ -178,12 +174,12 @@ std::optional<BsdfSample> PrincipledBsdf::sample(const Seen& s, float u, Vec2 v)
     float ahead = 0, smooth_glass = 0;
     Vec3 beyond{};
     float index = 1;
-    const bool has_glass = part_of_glass() > 0;
+    const bool has_glass = clear > 0;
     const GlassBsdf& g = glass;
     if (has_glass && !g.only_delta()) {
         smooth_glass = s.glass_chance;
     } else if (has_glass && s.glass_chance > 0) {
-        const Color factor = s.under_coat * part_of_glass();
+        const Color factor = s.under_coat * clear;
         for (const float end : {0.0f, last_number}) {
             const auto lobe = g.sample(wo, end, v);
             if (!lobe || (end > 0 && lobe->wi.z > 0)) continue;
@@ -235,7 +231,7 @@ Color PrincipledBsdf::reflectance() const
     const PrincipledTables& tables = *material->tables;
     const float through = tables.mean_through, of_coat = coat * (1 - tables.coat_mean_through);
     const Color opaque = specular * (1 - through) + base * through;
-    Color below = opaque * body + transmittance * part_of_glass();
+    Color below = opaque * body + transmittance * clear;
     if (metallic > 0) below += base * (metallic * specular_weight);
     if (coat > 0) below = below * mix(white, material->coat_color, coat) * (1 - of_coat) + white * of_coat;
     if (!(fuzz > 0)) return below;

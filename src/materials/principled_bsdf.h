@@ -13,7 +13,6 @@ struct Principled;
 
 struct PrincipledBsdf : PrincipledLayers<float> {
     const Principled* material = nullptr;
-    Color transmittance{};
     float roughness = 0, anisotropy = 0;  // of the base
     AlphaPair alpha{};                    // likewise
     float transmission = 0;
@@ -21,7 +20,7 @@ struct PrincipledBsdf : PrincipledLayers<float> {
     bool front = true;
     // The following by finish().
     bool has_smooth = false, sends_through = false;  // lobes that are not delta, and such behind the surface
-    bool has_only_layers = false;                    // PrincipledLayers has all that it is
+    bool is_queued = false;                          // PrincipledQueue has all that it is
     GlassBsdf glass{};                               // what is let through, but for its tint
     FilmLosses::At film_losses{};                    // of that under the film
 
@@ -40,10 +39,6 @@ struct PrincipledBsdf : PrincipledLayers<float> {
     Seen seen_from(Vec3 wo) const;
     BsdfValue eval(const Seen& lobes, Vec3 wi) const;
     std::optional<BsdfSample> sample(const Seen& lobes, float u, Vec2 v) const;
-
-    // What PrincipledLayers asks of a point, and what it has otherwise.
-    float part_of_glass() const { return (1 - metallic) * transmission; }
-    float glass_chance(float below) const;
 
 private:
     void finish_base();

@@ -1,6 +1,6 @@
 // What the layers of a principled material (materials/principled.h) do to light above its surface, for one point and
 // for several with the same bits: fuzz, a coat, the facets of metal and of a dielectric under a film, a diffuse body.
-// What goes through the surface is left to PrincipledBsdf, whose members hide those of PrincipledLayers.
+// What goes through the surface is left to PrincipledBsdf and PrincipledQueue.
 #pragma once
 
 #include "materials/anisotropic.h"
@@ -119,9 +119,12 @@ struct PrincipledLayers : PrincipledNumbers<T>, PrincipledExtras<T>, PrincipledR
     // A direction to which anisotropic facets reflect; it may lie below the surface. v, phi: as of
     // StretchedGgxT::sample_visible().
     Vec3T<Double> sample_wide(const Vec3T<Double>& o, Double v, const SinCosT<Double>& phi) const;
-    // What goes through the surface, and what its chance is in proportion to. below: factor of it.
-    T part_of_glass() const { return T{}; }
-    T glass_chance(T) const { return T{}; }
+    // What the chance of what is clear is in proportion to. below: factor of it.
+    T glass_chance(T below) const
+    {
+        if (!kinds.clear) return T{};
+        return below * E::clear * larger(largest(N::specular), largest(E::transmittance));
+    }
 
     RowsOf<T, AlbedoTable::Row> coat_row{}, dielectric_row{}, metal_row{};
     PrincipledKinds kinds{};
@@ -153,7 +156,7 @@ void see_layers(const B& b, typename B::Seen& s)
     const T returned = mix(fresnel.reflectance, b.coat_even, b.blur);
     const auto darkened = [&](T color) {
         const T body = color * b.mean_through + (1.0f - b.mean_through);
-        const T albedo_below = b.metallic * color + b.body * body + b.part_of_glass();
+        const T albedo_below = b.metallic * color + b.body * body + b.clear;
         const T once = (1.0f - returned) / (1.0f - smaller(B::one(), albedo_below) * returned);
         return select(darkens, mix(B::one(), once, b.coat_darkening), B::one());
     };

@@ -24,25 +24,51 @@ struct PrincipledNumbers {
     T coat_darkening{}, fuzz_scale{};   // with the part that is covered; fuzz_scale: of Fuzz::eval()
 };
 
-// What few points have: a coat with a colour, fuzz, a film, anisotropic facets, a rough body. These are the values of
-// all others.
+// What few points have, each with the values of all others: a coat with a colour, fuzz, a film, anisotropic facets, a
+// rough body, something clear.
 template <class T>
-struct PrincipledExtras {
+struct PrincipledTint {
     SpectrumOf<T> coat_color = each(SpectrumOf<T>{}, [](T x) { return x + 1.0f; });
+};
+template <class T>
+struct PrincipledFuzz {
     T fuzz_roughness{};
+};
+template <class T>
+struct PrincipledFilm {
     T film{}, film_thickness{}, film_ior = T{} + 1.0f, film_roughness{};  // film_roughness: of the base
+};
+template <class T>
+struct PrincipledWide {
     T across{};                           // alpha across the tangent, along it facet_alpha; 0: the same
     T turn_cos = T{} + 1.0f, turn_sin{};  // the tangent in local directions
+};
+template <class T>
+struct PrincipledRoughBody {
     T diffuse_roughness{};
+};
+template <class T>
+struct PrincipledClear {
+    T clear{};  // part of what goes through
+    SpectrumOf<T> transmittance{};
+};
+template <class T>
+struct PrincipledExtras : PrincipledTint<T>,
+                          PrincipledFuzz<T>,
+                          PrincipledFilm<T>,
+                          PrincipledWide<T>,
+                          PrincipledRoughBody<T>,
+                          PrincipledClear<T> {
 };
 // Which of them there are, at any of the points.
 struct PrincipledKinds {
-    bool tint = false, fuzz = false, film = false, wide = false, rough_body = false;
+    bool tint = false, fuzz = false, film = false, wide = false, rough_body = false, clear = false;
 
-    bool any() const { return tint || fuzz || film || wide || rough_body; }
+    bool any() const { return tint || fuzz || film || wide || rough_body || clear; }
     void add(const PrincipledKinds& o)
     {
         tint |= o.tint, fuzz |= o.fuzz, film |= o.film, wide |= o.wide, rough_body |= o.rough_body;
+        clear |= o.clear;
     }
 };
 // The tables of those. A table that a point has not is missing.

@@ -138,4 +138,23 @@ T left_of_choice(T u, T p)
     return smaller((u - p) / (1.0f - p), T{} + (1 - 0x1p-24f));
 }
 
+// A direction of either, of lanes in the mask. cos_o: that of wo as stored; v_x, v_y: of GgxT::sample_visible().
+inline SentByGlass<Float4, Mask4f> sample_rough_glass(const RoughGlass4& g, const Vec3T<Double4>& wo, Float4 cos_o,
+                                                      Float4 u, Float4 v_x, Float4 v_y, const SinCosT<Double4>& phi,
+                                                      Mask4f mask)
+{
+    Float4 p{}, single = u;
+    if (g.multiple) {
+        p = chance_of_multiple(g, g.multiple.here.loss(cos_o));
+        single = select(g.multiple.here.mean() > 0.0f, left_of_choice(u, p), u);
+    }
+    auto sent = sample_facets_of_glass(g, wo, single, to_double(v_y), phi);
+    for_each_lane(movemask(mask & (u < p)), [&](uint32_t i) {
+        const auto wi = sample_multiple(g.multiple.of(i), u[i] / p[i], {v_x[i], v_y[i]});
+        sent.found[i] = wi ? -1 : 0;
+        if (wi) sent.wi.x[i] = wi->x, sent.wi.y[i] = wi->y, sent.wi.z[i] = wi->z;
+    });
+    return sent;
+}
+
 }  // namespace lancer

@@ -69,7 +69,7 @@ T of_polarisation(T a, T b, const Fringes<T>& fringes)
     const T mean = 1.0f - part, all = 1.0f - passed / (1.0f + q2 + 2.0f * q * fringes.cosine);
     T series = fringes.of[orders - 1];
     for (int m = orders - 1; m-- > 0;) series = fringes.of[m] - q * series;
-    const T sum = in_unit_range(mean + fringes.fade * (all - mean) + 2.0f * part * q * series);
+    const T sum = mean + fringes.fade * (all - mean) + 2.0f * part * q * series;
     return select(q2 < 1 - 1e-6f, sum, T{} + 1.0f);
 }
 
@@ -86,8 +86,8 @@ SpectrumOf<T> ThinFilmT<T>::reflectance(T cos, const F& below) const
     const auto of = [&](size_t channel) {
         const Amplitudes<T> b = below(inside, channel);
         const Fringes<T> fringes(path, middle[channel], deviation[channel]);
-        const T mean = 0.5f * (of_polarisation(above.s, b.s, fringes) + of_polarisation(above.p, b.p, fringes));
-        return select(inside > 0.0f, mean, T{} + 1.0f);
+        const T sum = of_polarisation(above.s, b.s, fringes) + of_polarisation(above.p, b.p, fringes);
+        return select(inside > 0.0f, in_unit_range(0.5f * sum), T{} + 1.0f);
     };
     return {of(0), of(1), of(2)};
 }

@@ -94,7 +94,7 @@ struct WideScene {
 template <Bsdf B>
 bool is_queued(const B& bsdf)
 {
-    if constexpr (std::is_same_v<B, PrincipledBsdf>) return bsdf.has_only_layers;
+    if constexpr (std::is_same_v<B, PrincipledBsdf>) return bsdf.is_queued;
     if constexpr (std::is_same_v<B, GlassBsdf>) return bsdf.is_rough_boundary();
     return std::is_same_v<B, PlasticBsdf>;
 }

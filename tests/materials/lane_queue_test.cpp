@@ -52,7 +52,7 @@ struct PrincipledCase {
         std::vector<Bsdf> bsdfs;
         for (const auto& s : materials)
             for (const bool front : {true, false})
-                if (const Bsdf b = s.material.at({.front = front}); b.has_only_layers) bsdfs.push_back(b);
+                if (const Bsdf b = s.material.at({.front = front}); b.is_queued) bsdfs.push_back(b);
         return bsdfs;
     }
 };
