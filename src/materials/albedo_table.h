@@ -84,7 +84,7 @@ public:
             return table_square(losses_ + c.index, cosines_of(edge_)).at(c.part, part_);
         }
         // Four rows, each at its own cosine.
-        static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
+        [[gnu::always_inline]] static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
         {
             if (four[0].edge_ + four[1].edge_ + four[2].edge_ + four[3].edge_ > 0)
                 return Float4{four[0].loss(cos[0]), four[1].loss(cos[1]), four[2].loss(cos[2]), four[3].loss(cos[3])};
@@ -137,7 +137,7 @@ private:
 
 // Facet losses of each lane.
 inline float loss_of(const AlbedoTable::Row& row, float cos) { return row.loss(cos); }
-inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
+[[gnu::always_inline]] inline Float4 loss_of(const std::array<AlbedoTable::Row, 4>& rows, Float4 cos)
 {
     return AlbedoTable::Row::losses(rows, cos);
 }

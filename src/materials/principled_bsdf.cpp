@@ -89,6 +89,7 @@ void PrincipledBsdf::finish_extras()
              .wide = !alpha.is_even(),
              .rough_body = diffuse_roughness > 0,
              .clear = clear > 0};
+    kinds.any = kinds.tint || kinds.fuzz || kinds.film || kinds.wide || kinds.rough_body || kinds.clear;
     if (kinds.tint) coat_color = material->coat_color;
     if (kinds.wide) across = alpha.across;
     if (kinds.film) film_ior = material->film_ior, film_roughness = roughness, film_table = tables.film.get();

@@ -47,7 +47,7 @@ struct PrincipledLayers : PrincipledNumbers<T>, PrincipledExtras<T>, PrincipledR
         const Spectrum tinted = N::base * (1.0f - w) + grey(w) - N::edge * (c * m2 * m2 * m2);
         return each(tinted, [](T x) { return larger(T{}, x); });
     }
-    Spectrum metal_reflectance(T cos) const
+    [[gnu::always_inline]] Spectrum metal_reflectance(T cos) const
     {
         const Spectrum bare = bare_metal(cos);
         return (kinds.film ? metal_under_film(cos, bare) : bare) * N::specular_weight;

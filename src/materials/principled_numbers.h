@@ -63,12 +63,12 @@ struct PrincipledExtras : PrincipledTint<T>,
 // Which of them there are, at any of the points.
 struct PrincipledKinds {
     bool tint = false, fuzz = false, film = false, wide = false, rough_body = false, clear = false;
+    bool any = false;  // of those
 
-    bool any() const { return tint || fuzz || film || wide || rough_body || clear; }
     void add(const PrincipledKinds& o)
     {
-        tint |= o.tint, fuzz |= o.fuzz, film |= o.film, wide |= o.wide, rough_body |= o.rough_body;
-        clear |= o.clear;
+        tint |= o.tint, fuzz |= o.fuzz, film |= o.film, wide |= o.wide;
+        rough_body |= o.rough_body, clear |= o.clear, any |= o.any;
     }
 };
 // The tables of those. A table that a point has not is missing.

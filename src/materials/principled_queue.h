@@ -73,7 +73,7 @@ private:
         void begin()
         {
             fuzz = coat = Float4{};
-            if (!kinds.any()) return;
+            if (!kinds.any) return;
             if (kinds.clear) glass = {};
             static_cast<PrincipledExtras<Float4>&>(*this) = {};
             static_cast<PrincipledRows<Float4>&>(*this) = {};
@@ -83,7 +83,7 @@ private:
         {
             set_numbers<PrincipledNumbers>(i, bsdf);
             coat_row[i] = bsdf.coat_row, dielectric_row[i] = bsdf.dielectric_row, metal_row[i] = bsdf.metal_row;
-            if (!bsdf.kinds.any()) return;
+            if (!bsdf.kinds.any) return;
             kinds.add(bsdf.kinds);
             if (bsdf.kinds.tint) set_numbers<PrincipledTint>(i, bsdf);
             if (bsdf.kinds.fuzz) set_numbers<PrincipledFuzz>(i, bsdf), fuzz_row[i] = bsdf.fuzz_row;

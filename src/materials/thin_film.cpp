@@ -81,12 +81,13 @@ template <class F>
 SpectrumOf<T> ThinFilmT<T>::reflectance(T cos, const F& below) const
 {
     const T inside = cos_beyond(cos, ior);
-    const auto above = amplitudes(cos, inside, ior);
+    const auto [s, p] = amplitudes(cos, inside, ior);
+    const T above_s = s, above_p = p;
     const T path = 2.0f * ior * thickness * inside;
     const auto of = [&](size_t channel) {
         const Amplitudes<T> b = below(inside, channel);
         const Fringes<T> fringes(path, middle[channel], deviation[channel]);
-        const T sum = of_polarisation(above.s, b.s, fringes) + of_polarisation(above.p, b.p, fringes);
+        const T sum = of_polarisation(above_s, b.s, fringes) + of_polarisation(above_p, b.p, fringes);
         return select(inside > 0.0f, in_unit_range(0.5f * sum), T{} + 1.0f);
     };
     return {of(0), of(1), of(2)};
