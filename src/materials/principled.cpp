@@ -25,16 +25,25 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
     b.roughness = roughness_under_coat(in_unit(p.eval(roughness)), coated, coat_alpha > 0 ? std::sqrt(coat_alpha) : 0);
     b.anisotropy = anisotropy.value > 0 ? in_unit(p.eval(anisotropy)) : 0;
     b.alpha = alphas_of(b.roughness, b.anisotropy);
-    if (!b.alpha.is_even()) {
-        // Turned about the front's normal.
-        const SinCos sc = sin_cos_2pi(in_unit(p.eval(rotation)));
-        const float sin = p.front ? sc.sin : -sc.sin;
-        b.turn_cos = p.tangent.x * sc.cos - p.tangent.y * sin, b.turn_sin = p.tangent.y * sc.cos + p.tangent.x * sin;
-    }
+    if (!b.alpha.is_even()) b.turn(p.tangent, p.eval(rotation));
     b.film = in_unit(p.eval(film));
     if (b.film > 0) b.film_thickness = std::max(0.0f, p.eval(film_thickness));
     if (b.transmission > 0) b.transmittance = p.part(transmittance);
     b.finish();
+    return b;
+}
+
+void PrincipledBsdf::turn(Vec2 tangent, float part)
+{
+    const SinCos sc = sin_cos_2pi(in_unit(part));
+    const float sin = front ? sc.sin : -sc.sin;
+    turn_cos = tangent.x * sc.cos - tangent.y * sin, turn_sin = tangent.y * sc.cos + tangent.x * sin;
+}
+
+PrincipledBsdf PrincipledBsdf::turned(Vec2 tangent) const
+{
+    PrincipledBsdf b = *this;
+    b.turn(tangent, material->rotation.value);
     return b;
 }
 

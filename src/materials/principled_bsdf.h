@@ -26,6 +26,10 @@ struct PrincipledBsdf : PrincipledLayers<float> {
 
     // Sets what follows from all others.
     void finish();
+    // Turns the tangent of the point by a part of a turn, about the front's normal.
+    void turn(Vec2 tangent, float part);
+    // The same with the tangent of another point, where nothing else varies.
+    PrincipledBsdf turned(Vec2 tangent) const;
     bool only_delta() const { return !has_smooth; }
     bool transmits() const { return sends_through; }
     // Index beyond the surface over index before it, of what goes through; 1 if nothing is turned.

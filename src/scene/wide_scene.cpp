@@ -66,12 +66,23 @@ std::vector<T> rows_of(const std::vector<WideScene::LightKind>& light_kinds, Wid
     return rows;
 }
 
+// Whether points of a material differ by their tangents alone.
+bool only_turns(const Scene& scene, size_t material)
+{
+    const auto* principled = std::get_if<Principled>(&scene.materials[material]);
+    if (!principled || !scene.traits[material].has_tangent || principled->transmission.value > 0) return false;
+    bool has_texture = false;
+    for_each_textured_parameter(*principled, [&](const auto& p) { has_texture |= p.texture != no_texture; });
+    return !has_texture;
+}
+
 WideScene::Fixed fixed_of(const Scene& scene, size_t material)
 {
+    const bool turns = only_turns(scene, material);
     const MaterialTraits& traits = scene.traits[material];
     const bool is_mix = !scene.mix_of.empty() && scene.mix_of[material] != Scene::none;
-    if (traits.reads_uv || traits.tilts() || is_mix) return {};
-    WideScene::Fixed fixed{.is = true};
+    if ((traits.reads_uv && !turns) || traits.tilts() || is_mix) return {};
+    WideScene::Fixed fixed{.is = !turns, .turns = turns};
     for (const bool front : {false, true}) {
         fixed.bsdf[front] =
             std::visit([&](const auto& m) { return AnyBsdf(m.at({.front = front})); }, scene.materials[material]);

@@ -66,7 +66,8 @@ struct WideScene {
 
     // The BSDFs of a material that are the same everywhere, for the back and the front side.
     struct Fixed {
-        bool is = false;  // false: the BSDF depends on the point
+        bool is = false;     // false: the BSDF depends on the point
+        bool turns = false;  // of the point by the tangent alone: PrincipledBsdf::turned()
         std::array<AnyBsdf, 2> bsdf{};
         std::array<uint32_t, 2> flags{};  // bsdf_flags() of each
     };

@@ -116,8 +116,11 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
         v.width[i] = cone.width + cone.spread * s.t;
         if constexpr (any) set_lane(v.non_lambert.p, i, s.p), set_lane(v.non_lambert.p_error, i, s.p_error);
         const WideScene::Fixed& fixed = scene_.fixed[v.material[i]];
-        if (fixed.is && (hits[i].kind != Kind::triangle || !scene_.has_colors))
+        const bool is_coloured = scene_.has_colors && hits[i].kind == Kind::triangle;
+        if (fixed.is && !is_coloured)
             std::visit(take, fixed.bsdf[s.front]);
+        else if (any && fixed.turns && !is_coloured)
+            take(std::get<PrincipledBsdf>(fixed.bsdf[s.front]).turned(s.tangent));
         else
             view_.with_bsdf(s, number, take);
     });
