@@ -115,7 +115,8 @@ TEST_F(ErrorLog, IsOfTheDenoisedPicture)
         ASSERT_EQ(render({"-o", "until.exr", "-s", std::to_string(spp), "--denoise"}).code, 0);
         const auto& row = denoised[static_cast<size_t>(std::countr_zero(spp))];
         const Said compared = run({"compare", "until.exr", "reference.exr", "--json"});
-        EXPECT_NEAR(nlohmann::json::parse(compared.out)["metrics"]["relmse"].get<double>(), std::stod(row.at("relmse")), 1e-12)
+        EXPECT_NEAR(nlohmann::json::parse(compared.out)["metrics"]["relmse"].get<double>(), std::stod(row.at("relmse")),
+                    1e-12)
             << spp;
         EXPECT_EQ(row.at("estimated_error"), noisy[static_cast<size_t>(std::countr_zero(spp))].at("estimated_error"));
     }

@@ -12,7 +12,7 @@
 namespace lancer {
 namespace {
 
-constexpr double reach = 2.5;    // pixels around a ray's own that its sample may come from, and one to spare
+constexpr double reach = 2.5;           // pixels around a ray's own that its sample may come from, and one to spare
 constexpr double least_distance = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_tile = 4, most_columns = 1024;
 constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
