@@ -12,9 +12,9 @@
 #include "report/bench/bench_page.h"
 #include "report/bench/interval.h"
 #include "report/bench/tables.h"
-#include "report/page/text_table.h"
 #include "report/metrics/statistics.h"
 #include "report/page/html.h"
+#include "report/page/text_table.h"
 #include "support/random.h"
 #include "support/xml_check.h"
 

@@ -56,7 +56,6 @@ private:
     void estimate_error();
     void log_error();
     std::optional<double> error_to_judge();
-    void end_at(Stop stop);
     void write_snapshot(Progress& progress);
 
     PictureRecipe& recipe_;
