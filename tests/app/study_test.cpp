@@ -71,6 +71,7 @@ TEST_F(StudyCommand, DenoisesWhereAMethodAsksForIt)
     EXPECT_EQ(s.methods[1].biases, std::vector<std::string>{"denoised"});
     const auto last = [&](size_t run) { return s.runs[run].points.back(); };
     EXPECT_NE(last(0).rmse, last(1).rmse);
+    for (const size_t run : {0, 1}) EXPECT_EQ(last(run).spp, 16u);
     EXPECT_EQ(last(0).rays_shadow, last(1).rays_shadow);
     EXPECT_NE(read_bytes(file("out/index.html")).find("s to FLIP 0.1"), std::string::npos);
 }

@@ -137,9 +137,10 @@ std::optional<RunResult> run_lancer(StudyWork& work, const StudyPlan::Scene& sce
     for (const ErrorRow& row : rows) {
         // Of the doublings only: there all pixels have all samples.
         const bool has_doubled = row.spp == std::floor(row.spp) && std::exp2(std::floor(std::log2(row.spp))) == row.spp;
-        // Denoising the picture before may have taken longer than its samples and denoising this one.
-        const bool is_later = run.points.empty() || row.wall_s > run.points.back().wall_s;
-        if (has_doubled && is_later) run.points.push_back(point_of(row));
+        if (!has_doubled) continue;
+        // Where denoising an earlier picture took so long that this one is there no later, nobody wants that one.
+        while (!run.points.empty() && run.points.back().wall_s >= row.wall_s) run.points.pop_back();
+        run.points.push_back(point_of(row));
     }
     result.biases = biases_against(reference.limits, ledger_of(read_exr_info(name + ".exr").metadata));
     if (!rows.empty()) result.picture = {name + ".exr", rows.back().spp, rows.back().wall_s};
