@@ -8,6 +8,12 @@
 #include "scene/description/render_options.h"
 
 namespace lancer {
+namespace {
+
+// Whose camera, and how the command line changes it.
+std::string view_text(const SceneChoice& view) { return view.camera + view_options_text(view); }
+
+}  // namespace
 
 RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, const std::optional<SetDeal>& sets)
 {
@@ -18,7 +24,7 @@ RenderIdentity identity_of(const RenderOptions& options, const RunStats& stats, 
     RenderIdentity all{{"lancer", c.version + ", " + c.compiler + ", " + c.instructions},
                        {"embree", c.embree},
                        {"scene", to_hex(stats.scene.content_hash)},
-                       {"view", scene.camera + view_options_text(scene)},
+                       {"view", view_text(scene)},
                        {"crop", format_text("%u,%u,%u,%u", crop.x0, crop.y0, crop.x1, crop.y1)}};
     for (const RenderOption& option : render_options())
         if (option.name != "spp" || settings.stop) all.emplace_back(option.name, value_text(settings, option));
@@ -48,7 +54,7 @@ std::string frame_identity(const RenderOptions& options, const RunStats& stats, 
 
 std::string hash_of_settings(const RenderSettings& settings, const SceneChoice& view)
 {
-    return settings_hash(settings, view.camera + view_options_text(view));
+    return settings_hash(settings, view_text(view));
 }
 
 }  // namespace lancer

@@ -278,29 +278,28 @@ Table overview_rows(const Study& study)
 {
     const std::string over = ", " + study.baseline + " / method";
     Table table{"", {"scene", "method", "time" + over, "at relMSE", "FLIP" + over, "at s", "verdict on the time"}, {}};
-    const auto add = [&](const std::string& scene, const StudyMethod& method, const Comparison& time,
-                         const std::string& error, const Comparison& flip, const std::string& seconds) {
-        table.rows.push_back({{scene},
-                              {method.name},
-                              {ratio_text(time), true},
-                              {error, true},
-                              {ratio_text(flip), true},
-                              {seconds, true},
-                              {rank_text(time)}});
-    };
     for (const StudyMethod& m : study.methods) {
         if (m.name == study.baseline) continue;
         const Overview overview = overview_of(study, m);
+        const auto add = [&](const std::string& scene, const Comparison& time, double error, const Comparison& flip,
+                             double seconds) {
+            table.rows.push_back({{scene},
+                                  {m.name},
+                                  {ratio_text(time), true},
+                                  number(error),
+                                  {ratio_text(flip), true},
+                                  number(seconds),
+                                  {rank_text(time)}});
+        };
         for (size_t i = 0; i < study.scenes.size(); ++i) {
-            const FlipAtTime& flip = overview.flips[i];
-            const auto text = [](double x) { return std::isnan(x) ? "" : significant(x); };
-            if (const std::string why = why_left_out(study, study.scenes[i], m); !why.empty())
-                table.rows.push_back({{study.scenes[i].name}, {m.name}, {}, {}, {}, {}, {"left out"}});
+            const StudyScene& scene = study.scenes[i];
+            if (why_left_out(study, scene, m).empty())
+                add(scene.name, overview.times[i], overview.errors[i], overview.flips[i].ratio,
+                    overview.flips[i].seconds);
             else
-                add(study.scenes[i].name, m, overview.times[i], text(overview.errors[i]), flip.ratio,
-                    text(flip.seconds));
+                table.rows.push_back({{scene.name}, {m.name}, {}, {}, {}, {}, {"left out"}});
         }
-        add("geometric mean", m, overview.mean_time, "", overview.mean_flip, "");
+        add("geometric mean", overview.mean_time, no_number, overview.mean_flip, no_number);
     }
     return table;
 }
