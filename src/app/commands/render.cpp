@@ -18,7 +18,6 @@
 #include "core/names.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
-#include "render/denoise/film_halves.h"
 #include "render/estimators/auto_exposure.h"
 
 namespace lancer {
@@ -125,14 +124,15 @@ void Run::render(const Renderer& renderer)
             timed(stats, "find outliers", [&] { return find_error_sources(renderer, camera, film, options.outliers); });
     // Before the first tile there is nothing worth replacing an old picture with. That of a shard is for merge.
     if (!has_samples(stats) || !options.shard.is_whole()) return;
-    Denoised denoised;
-    if (options.denoise && !stats.partial) {
-        denoised = timed(stats, "denoise", [&] { return denoise_film(film); });
+    const bool is_denoised = options.denoise && !stats.partial;
+    if (is_denoised) {
+        timed(stats, "denoise", [&] { passes.denoised(); });
         stats.denoised = true;
         // Where that error has stopped the render it is told already.
         if (stats.stopped_by != name_of(Stop::error)) passes.tell_error_of_denoised();
     }
-    timed(stats, "write", [&] { write(content_of(film, denoised, picture_)); });
+    const Denoised none;
+    timed(stats, "write", [&] { write(content_of(film, is_denoised ? passes.denoised() : none, picture_)); });
 }
 
 // The picture is worth more than its place: where it cannot be written, others are tried.

@@ -195,10 +195,16 @@ void Passes::log_error()
     if (!options_.denoise || samples_per_pixel(stats_, pixels_) < 2)
         return log_.add(to_image(film_), stats_, limits_.cpu_seconds());
     const double wall = wall_seconds(), cpu = cpu_seconds();
-    const Denoised denoised = denoise_film(film_);
+    const std::vector<Color>& pixels = denoised().pixels;
     RunStats stats = stats_;
     stats.render_s += wall_seconds() - wall;
-    log_.add(to_image(film_, denoised.pixels), stats, limits_.cpu_seconds() + (cpu_seconds() - cpu));
+    log_.add(to_image(film_, pixels), stats, limits_.cpu_seconds() + (cpu_seconds() - cpu));
+}
+
+const Denoised& Passes::denoised()
+{
+    if (denoised_samples_ != stats_.samples) denoised_ = denoise_film(film_), denoised_samples_ = stats_.samples;
+    return denoised_;
 }
 
 // The error that --error is about; nothing while it is not known.

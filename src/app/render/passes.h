@@ -14,6 +14,7 @@
 #include "app/render/live_view.h"
 #include "app/render/recipe.h"
 #include "app/signals.h"
+#include "render/denoise/denoise.h"
 #include "render/renderer.h"
 #include "report/metrics/error_estimate.h"
 #include "scene/camera.h"
@@ -42,6 +43,8 @@ public:
 
     const Film& film() const { return film_; }
     uint64_t pixels() const { return pixels_; }  // of the picture, or of the shard
+    // The picture with the present samples; computed once, as the last row of a log is of the picture that is written.
+    const Denoised& denoised();
     // Of the picture without the samples that are held out, which tell it; nothing if none are.
     void tell_error_of_denoised();
 
@@ -71,8 +74,10 @@ private:
     LiveView live_view_;
     Checkpoints checkpoints_;
     HalfBuffers halves_;
-    SampleRange range_;       // of the pass
-    std::vector<Tile> left_;  // of the pass
+    Denoised denoised_;
+    uint64_t denoised_samples_ = 0;  // of the picture that it is of
+    SampleRange range_;              // of the pass
+    std::vector<Tile> left_;         // of the pass
     bool can_go_on_ = false;
 };
 
