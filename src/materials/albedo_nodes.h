@@ -127,6 +127,11 @@ inline TableSquare<Float4> table_square(const std::array<const float*, 4>& at, s
 
 // Tables whose values vary with the root of the cosine have even steps of it, the first one near grazing.
 inline double root_node(uint32_t i, uint32_t count) { return std::max(2e-3, static_cast<double>(i) / (count - 1)); }
+template <class T>
+NodeCellT<T> root_cell(T cos, uint32_t count)
+{
+    return even_cell(sqrt(larger(T{}, cos)), count);
+}
 
 // Where fixed quadratures over visible normals have their heights, in (0, 1), and how much each counts: denser towards
 // both ends, as the few strongly tilted normals lose most.

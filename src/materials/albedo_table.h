@@ -83,10 +83,14 @@ public:
             const NodeCell c = cosine_cell(edge_, cos);
             return table_square(losses_ + c.index, cosines_of(edge_)).at(c.part, part_);
         }
+        static bool have_edge(const std::array<Row, 4>& four)
+        {
+            return four[0].edge_ + four[1].edge_ + four[2].edge_ + four[3].edge_ > 0;
+        }
         // Four rows, each at its own cosine.
         [[gnu::always_inline]] static Float4 losses(const std::array<Row, 4>& four, Float4 cos)
         {
-            if (four[0].edge_ + four[1].edge_ + four[2].edge_ + four[3].edge_ > 0)
+            if (have_edge(four))
                 return Float4{four[0].loss(cos[0]), four[1].loss(cos[1]), four[2].loss(cos[2]), four[3].loss(cos[3])};
             const NodeCellT<Float4> c = cell_from(cos, least_cos, plain_cosines);
             alignas(16) std::array<uint32_t, 4> first;
@@ -163,7 +167,7 @@ public:
             const uint32_t i = cell_from(cos, least_cos, plain_cosines).index;
             return pdf_between(table_square(cumulative_ + i, plain_cosines), i, cos);
         } else {
-            if (row_[0].edge_ + row_[1].edge_ + row_[2].edge_ + row_[3].edge_ > 0)
+            if (Row::have_edge(row_))
                 return T{of(0).pdf(cos[0]), of(1).pdf(cos[1]), of(2).pdf(cos[2]), of(3).pdf(cos[3])};
             const auto i = cell_from(cos, least_cos, plain_cosines).index;
             const std::array at{cumulative_[0] + i[0], cumulative_[1] + i[1], cumulative_[2] + i[2],

@@ -55,7 +55,7 @@ Vec3d direction(double cos, double turn)
 template <class T>
 AnisotropicTable::Slice::PlaceT<T> AnisotropicTable::Slice::place(T from, T x, T y)
 {
-    const NodeCellT<T> c = even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, from))), cosines);
+    const NodeCellT<T> c = root_cell(from, cosines);
     const NodeCellT<T> a = even_cell(part_of_quarter(abs(x), abs(y)), azimuths);
     return {c.index * azimuths + a.index, c.part, a.part};
 }

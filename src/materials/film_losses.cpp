@@ -179,10 +179,9 @@ Color FilmLosses::At::interpolate(const F& f) const
 Color FilmLosses::At::loss(uint32_t side, float cos) const
 {
     const EdgedCosine at = edged_cosine(edge_, std::clamp(cos, 0.0f, 1.0f));
-    const float place = std::sqrt(at.from) * (cosines - 1);
-    const uint32_t below = std::min(static_cast<uint32_t>(place), cosines - 2), c = at.piece * cosines + below;
-    const float part = place - static_cast<float>(below);
-    return interpolate([&](const Node& n) { return lancer::mix(n.loss[side][c], n.loss[side][c + 1], part); });
+    const NodeCell root = root_cell(at.from, cosines);
+    const uint32_t c = at.piece * cosines + root.index;
+    return interpolate([&](const Node& n) { return lancer::mix(n.loss[side][c], n.loss[side][c + 1], root.part); });
 }
 Color FilmLosses::At::mean(uint32_t side) const
 {

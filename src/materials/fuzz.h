@@ -49,13 +49,13 @@ public:
         // Of the scaled fuzz. cos: in [0, 1].
         float albedo(float cos) const
         {
-            const NodeCell c = cell_of(cos);
+            const NodeCell c = root_cell(cos, cosines);
             return scaled(table_square(albedos_ + c.index, cosines).at(c.part, part_), scale_);
         }
         // Four rows, each at its own cosine.
         static Float4 albedo(const std::array<Row, 4>& four, Float4 cos)
         {
-            const NodeCellT<Float4> c = cell_of(cos);
+            const NodeCellT<Float4> c = root_cell(cos, cosines);
             const auto at = [&](size_t i) { return four[i].albedos_ + c.index[i]; };
             const auto each = [&](float Row::*of) {
                 return Float4{four[0].*of, four[1].*of, four[2].*of, four[3].*of};
@@ -66,11 +66,6 @@ public:
 
     private:
         friend FuzzTable;
-        template <class T>
-        static NodeCellT<T> cell_of(T cos)
-        {
-            return even_cell(sqrt(smaller(T{} + 1.0f, larger(T{}, cos))), cosines);
-        }
         template <class T>
         static T scaled(T albedo, T scale)
         {
