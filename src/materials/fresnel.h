@@ -61,21 +61,33 @@ inline Fresnel only_refracting(Fresnel f) { return {f.cos_t > 0 ? 0.0f : 1.0f, f
 
 // Reflectance of a metal with complex index eta + i k relative to the outside, for unpolarised light. eta, k >= 0;
 // cos_i in [0, 1].
-inline double fresnel_conductor(double cos_i, double eta, double k)
+template <class D>
+inline D fresnel_conductor(D cos_i, std::type_identity_t<D> eta, std::type_identity_t<D> k)
 {
-    const double cos2 = cos_i * cos_i, sin2 = (1 - cos_i) * (1 + cos_i);
+    const D one = D{} + 1.0, cos2 = cos_i * cos_i, sin2 = (1.0 - cos_i) * (1.0 + cos_i);
     // (a + i b)^2 = (eta + i k)^2 - sin^2, and r_s = (cos - a - i b) / (cos + a + i b).
-    const double real = sin2 < 0.5 ? (eta - k) * (eta + k) - sin2 : cos2 + (eta - 1) * (eta + 1) - k * k;
-    const double imaginary = 2 * eta * k;
-    const double sum = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
+    const D real = select(sin2 < 0.5, (eta - k) * (eta + k) - sin2, cos2 + (eta - 1.0) * (eta + 1.0) - k * k);
+    const D imaginary = 2.0 * eta * k;
+    const D sum = sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
     // The form of a^2 = (sum + real) / 2 that does not cancel.
-    const double a2 = real >= 0 ? 0.5 * (sum + real) : 0.5 * imaginary * imaginary / (sum - real);
-    const double a = std::sqrt(a2);
-    const double across = 2 * a * cos_i, s = sum + cos2;
-    const double along = across * sin2, p = cos2 * sum + sin2 * sin2;
-    if (!(s + across > 0) || !(p + along > 0)) return 1;  // limit at grazing incidence
-    const double rs = (s - across) / (s + across), rp = (p - along) / (p + along);
-    return std::clamp(0.5 * rs * (1 + rp), 0.0, 1.0);
+    const D a2 = select(real >= 0.0, 0.5 * (sum + real), 0.5 * imaginary * imaginary / (sum - real));
+    const D a = sqrt(a2);
+    const D across = 2.0 * a * cos_i, s = sum + cos2;
+    const D along = across * sin2, p = cos2 * sum + sin2 * sin2;
+    const D rs = (s - across) / (s + across), rp = (p - along) / (p + along);
+    // At grazing incidence the limit.
+    const auto has_quotients = (s + across > 0.0) & (p + along > 0.0);
+    return select(has_quotients, smaller(one, larger(D{}, 0.5 * rs * (1.0 + rp))), one);
+}
+// The same per channel, rounded. Spectrum: Color, or colours of several points.
+template <class Spectrum, class D>
+inline Spectrum conductor_reflectance(const Spectrum& eta, const Spectrum& k, D cos)
+{
+    const auto& [er, eg, eb] = eta;
+    const auto& [kr, kg, kb] = k;
+    return {to_float(fresnel_conductor(cos, to_double(er), to_double(kr))),
+            to_float(fresnel_conductor(cos, to_double(eg), to_double(kg))),
+            to_float(fresnel_conductor(cos, to_double(eb), to_double(kb)))};
 }
 
 // The weight of white in Schlick's approximation. m: 1 - cos.
@@ -86,11 +98,12 @@ inline T schlick_weight(T m)
     return m2 * m2 * m;
 }
 // Schlick's approximation, from the reflectance at normal incidence to 1 at grazing.
-inline Color fresnel_schlick(Color f0, double cos_i)
+template <class Spectrum, class D>
+inline Spectrum fresnel_schlick(const Spectrum& f0, D cos_i)
 {
-    const auto m = static_cast<float>(1 - std::clamp(cos_i, 0.0, 1.0));
-    const float w = schlick_weight(m);
-    return f0 * (1 - w) + Color{w, w, w};
+    const auto m = to_float(1.0 - smaller(D{} + 1.0, larger(D{}, cos_i)));
+    const auto w = schlick_weight(m);
+    return f0 * (1.0f - w) + Spectrum{w, w, w};
 }
 // Its cosine-weighted mean over the hemisphere.
 inline Color mean_schlick(Color f0) { return f0 * (20.0f / 21) + Color{1, 1, 1} * (1.0f / 21); }

@@ -1,5 +1,6 @@
 // Points of one material, queued contiguously for the wide kernel: few of eight lanes are of that material, and doubles
-// are processed by four. PlasticQueue, PrincipledQueue and GlassQueue evaluate and sample them.
+// are processed by four. PlasticQueue, PrincipledQueue, GlassQueue and MetalQueue evaluate and sample
+// them.
 #pragma once
 
 #include <array>

@@ -109,6 +109,8 @@ std::optional<WideScene> WideScene::of(const Scene& scene, Shading least)
         albedo.push_back({row(lambert ? lambert->albedo.value : Color{})});
         if (const auto* glass = std::get_if<Glass>(&scene.materials[i]))
             d.has_rough_glass = d.has_rough_glass || (!glass->thin && glass->roughness.value > 0);
+        if (const auto* metal = std::get_if<Metal>(&scene.materials[i]))
+            d.has_rough_metal = d.has_rough_metal || metal->roughness.value > 0;
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));

@@ -81,6 +81,7 @@ struct WideScene {
     bool has_colors = false;                    // some mesh has vertex colours
     bool has_principled = false;                // some material is principled
     bool has_rough_glass = false;               // some material is rough glass
+    bool has_rough_metal = false;               // some material is rough metal
     std::vector<LightKind> light_kinds;         // parallel to Scene::lights
     RowTable<light_rows> lights;                // parallel to Scene::lights if there are triangle lights
     std::vector<SphereLightRow> sphere_lights;  // parallel to Scene::lights if there are sphere lights
@@ -97,6 +98,7 @@ bool is_queued(const B& bsdf)
 {
     if constexpr (std::is_same_v<B, PrincipledBsdf>) return bsdf.is_queued;
     if constexpr (std::is_same_v<B, GlassBsdf>) return bsdf.is_rough_boundary();
+    if constexpr (std::is_same_v<B, MetalBsdf>) return !bsdf.only_delta();
     return std::is_same_v<B, PlasticBsdf>;
 }
 // Flags of a BSDF: not Lambertian, processed together, only delta lobes, transmissive.

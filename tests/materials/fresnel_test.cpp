@@ -134,8 +134,8 @@ TEST(FresnelConductor, IsANumberEvenForNothing)
 TEST(Schlick, FromNormalToGrazingAndItsMean)
 {
     const Color f0{0.04f, 0.5f, 1};
-    EXPECT_EQ(fresnel_schlick(f0, 1), f0);
-    EXPECT_EQ(fresnel_schlick(f0, 0), (Color{1, 1, 1}));
+    EXPECT_EQ(fresnel_schlick(f0, 1.0), f0);
+    EXPECT_EQ(fresnel_schlick(f0, 0.0), (Color{1, 1, 1}));
     EXPECT_NEAR(fresnel_schlick(f0, 0.5).r, 0.04 + 0.96 / 32, 1e-7);
     Color mean{};
     constexpr int n = 1000;

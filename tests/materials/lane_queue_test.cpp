@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/glass_queue.h"
+#include "materials/metal_queue.h"
 #include "materials/plastic_queue.h"
 #include "materials/principled_queue.h"
 #include "materials/samples.h"
@@ -77,6 +78,21 @@ struct GlassCase {
     }
 };
 
+struct MetalCase {
+    static constexpr bool mirrors = false;
+    using Queue = MetalQueue;
+    using Bsdf = MetalBsdf;
+
+    static std::vector<Bsdf> all()
+    {
+        static const auto materials = samples<Metal>();
+        std::vector<Bsdf> bsdfs;
+        for (const auto& s : materials)
+            if (const Bsdf b = s.material.at({}); !b.only_delta()) bsdfs.push_back(b);
+        return bsdfs;
+    }
+};
+
 constexpr size_t eights = LaneQueue::most / float_lanes;
 
 // As many eights of lanes as a list may have to do with, some of them of the material, each of any kind.
@@ -130,7 +146,7 @@ struct Places {
 template <class Case>
 struct LaneQueueTest : testing::Test {
 };
-using Cases = testing::Types<PlasticCase, PrincipledCase, GlassCase>;
+using Cases = testing::Types<PlasticCase, PrincipledCase, GlassCase, MetalCase>;
 TYPED_TEST_SUITE(LaneQueueTest, Cases);
 
 TYPED_TEST(LaneQueueTest, EvaluatesAsEachAlone)

@@ -68,6 +68,7 @@ public:
         if constexpr (any) {
             if (scene_.has_principled) non_lambert_.principled.emplace();
             if (scene_.has_rough_glass) non_lambert_.glass.emplace();
+            if (scene_.has_rough_metal) non_lambert_.metal.emplace();
         }
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -185,6 +186,7 @@ private:
         if ((lanes & non_lambert.plastic.lanes) != 0) f(queues.plastic, non_lambert.plastic);
         if ((lanes & non_lambert.principled.lanes) != 0) f(*queues.principled, non_lambert.principled);
         if ((lanes & non_lambert.glass.lanes) != 0) f(*queues.glass, non_lambert.glass);
+        if ((lanes & non_lambert.metal.lanes) != 0) f(*queues.metal, non_lambert.metal);
     }
     template <class F>
     void for_all_queues(const F& f)
@@ -192,6 +194,7 @@ private:
         f(non_lambert_.plastic);
         if (non_lambert_.principled) f(*non_lambert_.principled);
         if (non_lambert_.glass) f(*non_lambert_.glass);
+        if (non_lambert_.metal) f(*non_lambert_.metal);
     }
     static void see_principled(NonLambert& non_lambert);
     template <class F>
@@ -301,6 +304,7 @@ private:
         PlasticQueue plastic;
         std::optional<PrincipledQueue> principled;  // if the scene has such materials
         std::optional<GlassQueue> glass;            // if it has rough glass
+        std::optional<MetalQueue> metal;            // if it has rough metal
         std::array<LightQuery, at_once / float_lanes> query;
         std::array<ScatterState, at_once / float_lanes> scatter_state;
     };

@@ -180,6 +180,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     non_lambert.plastic = non_lambert_.plastic.begin_eight();
     if (non_lambert_.principled) non_lambert.principled = non_lambert_.principled->begin_eight();
     if (non_lambert_.glass) non_lambert.glass = non_lambert_.glass->begin_eight();
+    if (non_lambert_.metal) non_lambert.metal = non_lambert_.metal->begin_eight();
     if (lanes == 0) return;
     WideScene::LaneFlags flags;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -196,6 +197,8 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
             non_lambert_.plastic.add(non_lambert.plastic, i, *plastic);
         else if (const auto* glass = std::get_if<GlassBsdf>(non_lambert.bsdf[i]))
             non_lambert_.glass->add(non_lambert.glass, i, *glass);
+        else if (const auto* metal = std::get_if<MetalBsdf>(non_lambert.bsdf[i]))
+            non_lambert_.metal->add(non_lambert.metal, i, *metal);
         else
             non_lambert_.principled->add(non_lambert.principled, i, *std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]));
     });
@@ -216,6 +219,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
         if constexpr (std::is_same_v<B, PlasticBsdf>) non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
         if constexpr (std::is_same_v<B, PrincipledBsdf>) non_lambert_.principled->add(non_lambert.principled, i, bsdf);
         if constexpr (std::is_same_v<B, GlassBsdf>) non_lambert_.glass->add(non_lambert.glass, i, bsdf);
+        if constexpr (std::is_same_v<B, MetalBsdf>) non_lambert_.metal->add(non_lambert.metal, i, bsdf);
         if (!by_mirrors_) return;
     }
     non_lambert.bsdf[i] = std::construct_at(&non_lambert.own[i].bsdf, bsdf);

@@ -8,6 +8,7 @@
 #include "geometry/hit_lanes.h"
 #include "materials/glass_queue.h"
 #include "materials/material.h"
+#include "materials/metal_queue.h"
 #include "materials/plastic_queue.h"
 #include "materials/principled_queue.h"
 #include "render/wide/states.h"
@@ -28,9 +29,9 @@ struct NonLambert {
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
-    LaneQueue::Eight plastic, principled, glass;   // points in the queues
-    std::array<OwnBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
-    uint32_t seen;                                 // other principled lanes, seen from the front; their lobes:
+    LaneQueue::Eight plastic, principled, glass, metal;  // points in the queues
+    std::array<OwnBsdf, float_lanes> own;                // storage of BSDFs that depend on the point
+    uint32_t seen;                                       // other principled lanes, seen from the front; their lobes:
     std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
     // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
     // normal that it keeps.
@@ -38,7 +39,7 @@ struct NonLambert {
     Float8 mirrored_pdf, mirror_distance;
     Vec3x8 mirrored_normal;
 
-    uint32_t queued() const { return plastic.lanes | principled.lanes | glass.lanes; }
+    uint32_t queued() const { return plastic.lanes | principled.lanes | glass.lanes | metal.lanes; }
 };
 struct Empty {};
 // Which data the surfaces need.
