@@ -25,7 +25,7 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
     b.roughness = roughness_under_coat(in_unit(p.eval(roughness)), coated, coat_alpha > 0 ? std::sqrt(coat_alpha) : 0);
     b.anisotropy = anisotropy.value > 0 ? in_unit(p.eval(anisotropy)) : 0;
     b.alpha = alphas_of(b.roughness, b.anisotropy);
-    if (!b.alpha.is_even()) b.turn(p.tangent, p.eval(rotation));
+    if (!b.alpha.is_even()) b.turn(b.turn_of(p.tangent, p.eval(rotation)));
     b.film = in_unit(p.eval(film));
     if (b.film > 0) b.film_thickness = std::max(0.0f, p.eval(film_thickness));
     if (b.transmission > 0) b.transmittance = p.part(transmittance);
@@ -33,18 +33,16 @@ PrincipledBsdf Principled::at(const ShadingPoint& p) const
     return b;
 }
 
-void PrincipledBsdf::turn(Vec2 tangent, float part)
+Vec2 PrincipledBsdf::turn_of(Vec2 tangent, float part) const
 {
     const SinCos sc = sin_cos_2pi(in_unit(part));
     const float sin = front ? sc.sin : -sc.sin;
-    turn_cos = tangent.x * sc.cos - tangent.y * sin, turn_sin = tangent.y * sc.cos + tangent.x * sin;
+    return {tangent.x * sc.cos - tangent.y * sin, tangent.y * sc.cos + tangent.x * sin};
 }
-
-PrincipledBsdf PrincipledBsdf::turned(Vec2 tangent) const
+Vec2 PrincipledBsdf::turn_of(Vec2 tangent) const
 {
-    PrincipledBsdf b = *this;
-    b.turn(tangent, material->rotation.value);
-    return b;
+    const float part = material->rotation.value;
+    return part == 0 ? tangent : turn_of(tangent, part);
 }
 
 // Of its parts, each as the type of material that is like it.

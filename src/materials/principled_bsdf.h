@@ -26,10 +26,11 @@ struct PrincipledBsdf : PrincipledLayers<float> {
 
     // Sets what follows from all others.
     void finish();
-    // Turns the tangent of the point by a part of a turn, about the front's normal.
-    void turn(Vec2 tangent, float part);
-    // The same with the tangent of another point, where nothing else varies.
-    PrincipledBsdf turned(Vec2 tangent) const;
+    // The tangent of the point turned by a part of a turn, about the front's normal: its cosine and sine.
+    Vec2 turn_of(Vec2 tangent, float part) const;
+    // At another point, where nothing but the tangent varies.
+    Vec2 turn_of(Vec2 tangent) const;
+    void turn(Vec2 cos_sin) { turn_cos = cos_sin.x, turn_sin = cos_sin.y; }
     bool only_delta() const { return !has_smooth; }
     bool transmits() const { return sends_through; }
     // Index beyond the surface over index before it, of what goes through; 1 if nothing is turned.

@@ -12,12 +12,20 @@ namespace lancer {
 
 class PrincipledQueue : public LaneQueue {
 public:
-    void add(Eight& of, uint32_t lane, const PrincipledBsdf& bsdf)
+    // Inlined, as the call would cost as much as a part of what is copied.
+    [[gnu::always_inline]] void add(Eight& of, uint32_t lane, const PrincipledBsdf& bsdf)
     {
         assert(bsdf.is_queued);
         const uint32_t k = add_to(of, lane);
         if (k % 4 == 0) points_[k / 4].begin();
         points_[k / 4].set(k % 4, bsdf);
+    }
+    // With another turn than its own.
+    void add(Eight& of, uint32_t lane, const PrincipledBsdf& bsdf, Vec2 turn)
+    {
+        add(of, lane, bsdf);
+        const uint32_t k = count_ - 1;
+        points_[k / 4].turn_cos[k % 4] = turn.x, points_[k / 4].turn_sin[k % 4] = turn.y;
     }
 
     // After put_wo(), before all else.

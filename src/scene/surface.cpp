@@ -77,9 +77,10 @@ std::optional<TangentFrame> stored_frame(const Scene& scene, const Hit& hit, flo
     const CornerNormals& normals = scene.shading[hit.geometry].normals;
     const auto* const corners = normals.find(mesh, hit.primitive);
     std::array<Vec3, 3> along, normal;
+    if (!corners) normal.fill(flat_normal(mesh, hit.primitive));
     for (size_t k = 0; k < 3; ++k) {
         along[k] = tangents.values[(*named)[k]].along;
-        normal[k] = corners ? normals.value(mesh, (*corners)[k]) : flat_normal(mesh, hit.primitive);
+        if (corners) normal[k] = normals.value(mesh, (*corners)[k]);
     }
     float sign = tangents.values[(*named)[0]].sign;
     if (hit.instance != Hit::no_instance) {

@@ -114,7 +114,7 @@ std::optional<WideScene> WideScene::of(const Scene& scene, Shading least)
         d.shines.push_back(!scene.emission[i].is_dark());
         if (d.shading == Shading::plain) continue;
         d.fixed.push_back(fixed_of(scene, i));
-        d.triangle_flags.push_back(is_drawn | (scene.traits[i].needs_tangents() ? 0 : is_straight) |
+        d.triangle_flags.push_back(is_drawn | (scene.traits[i].tilts() ? 0 : is_straight) |
                                    (d.fixed[i].is ? is_fixed : 0) | (scene.traits[i].mirrors ? is_mirroring : 0));
     }
     d.albedo = RowTable<1>(std::move(albedo));

@@ -30,7 +30,7 @@ struct WideScene {
     };
     // Flags of triangles.
     static constexpr uint32_t is_drawn = 1, is_straight = 1u << 8,
-                              is_fixed = 1u << 16,  // straight: no normal map, no tangent; fixed: see Fixed::is
+                              is_fixed = 1u << 16,  // straight: no bump or normal map; fixed: see Fixed::is
         is_mirroring = 1u << 24;                    // MaterialTraits::mirrors
     // Flags of BSDFs.
     static constexpr uint32_t is_non_lambert = 1, is_queued = 1u << 8, is_only_delta = 1u << 16,
@@ -67,7 +67,7 @@ struct WideScene {
     // The BSDFs of a material that are the same everywhere, for the back and the front side.
     struct Fixed {
         bool is = false;     // false: the BSDF depends on the point
-        bool turns = false;  // of the point by the tangent alone: PrincipledBsdf::turned()
+        bool turns = false;  // of the point by the tangent alone: PrincipledBsdf::turn_of()
         std::array<AnyBsdf, 2> bsdf{};
         std::array<uint32_t, 2> flags{};  // bsdf_flags() of each
     };

@@ -177,6 +177,17 @@ private:
     void lookup_bsdf(uint32_t lanes, uint32_t front, Vertices& v);
     template <class B>
     void lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v);
+    static void add_flags(uint32_t i, uint32_t of_bsdf, NonLambert& non_lambert);
+    void lookup_turned(uint32_t i, Vec2 tangent, bool front, Vertices& v);
+    // Whether the mesh colours the point.
+    bool is_coloured(const Hit& hit) const
+    {
+        return scene_.has_colors && hit.kind == Kind::triangle && !view_.scene.shading[hit.geometry].colors.empty();
+    }
+    bool only_turns(const Hit& hit, uint32_t material) const
+    {
+        return scene_.fixed[material].turns && !is_coloured(hit);
+    }
     template <class At>
     void lookup_bsdf(uint32_t lanes, Vertices& v, const At& at);
     // Calls f(queue, points) for each queue with some of the lanes. queues: non_lambert_.

@@ -53,7 +53,7 @@ inline void WideBatch<shading>::classify_surfaces(std::span<const Hit> hits, Ver
     found.mirroring = triangle_flags.lanes(WideScene::is_mirroring);
     if (scene_.has_colors)
         for_each_lane(found.fixed, [&](uint32_t i) {
-            if (!view_.scene.shading[hits[i].geometry].colors.empty()) found.fixed &= ~(1u << i);
+            if (is_coloured(hits[i])) found.fixed &= ~(1u << i);
         });
     if (!prefetches_) return;
     prefetch_normals(view_.scene, hits, found.drawn);
@@ -102,7 +102,17 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     if constexpr (any) lookup_bsdf(found.fixed, found.front, v);
     lookup_bsdf(found.straight & ~found.fixed, v, [&](uint32_t i, const auto& number, const auto& take) {
         const bool front = (found.front >> i & 1) != 0;
-        const ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], found.interactions.area[i]);
+        Vec2 tangent{1, 0};
+        if constexpr (any) {
+            if (view_.scene.traits[v.material[i]].has_tangent) {
+                const float time = now_.rays()[v.first + i].time;
+                const Vec3 ns = lane(found.interactions.ns, i);
+                tangent = local_tangent(tangent_frame_at(view_.scene, hits[i], time, ns), lane(v.ns, i));
+            }
+            if (only_turns(hits[i], v.material[i])) return lookup_turned(i, tangent, front, v);
+        }
+        ShadingPoint p = shading_point_at(view_.scene, hits[i], front, v.width[i], found.interactions.area[i]);
+        p.tangent = tangent;
         view_.with_bsdf(v.material[i], p, number, take);
     });
     lookup_bsdf(v.hit & ~found.straight, v, [&](uint32_t i, const auto& number, const auto& take) {
@@ -115,12 +125,11 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
         set_lane(v.origin, i, s.origin);
         v.width[i] = cone.width + cone.spread * s.t;
         if constexpr (any) set_lane(v.non_lambert.p, i, s.p), set_lane(v.non_lambert.p_error, i, s.p_error);
+        if constexpr (any)
+            if (only_turns(hits[i], v.material[i])) return lookup_turned(i, s.tangent, s.front, v);
         const WideScene::Fixed& fixed = scene_.fixed[v.material[i]];
-        const bool is_coloured = scene_.has_colors && hits[i].kind == Kind::triangle;
-        if (fixed.is && !is_coloured)
+        if (fixed.is && !is_coloured(hits[i]))
             std::visit(take, fixed.bsdf[s.front]);
-        else if (any && fixed.turns && !is_coloured)
-            take(std::get<PrincipledBsdf>(fixed.bsdf[s.front]).turned(s.tangent));
         else
             view_.with_bsdf(s, number, take);
     });
@@ -204,17 +213,24 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     });
 }
 
+// of_bsdf: bsdf_flags().
+template <Shading shading>
+inline void WideBatch<shading>::add_flags(uint32_t i, uint32_t of_bsdf, NonLambert& non_lambert)
+{
+    WideScene::LaneFlags flags;
+    flags.add(i, of_bsdf);
+    non_lambert.lanes |= flags.lanes(WideScene::is_non_lambert);
+    non_lambert.only_delta |= flags.lanes(WideScene::is_only_delta);
+    non_lambert.transmits |= flags.lanes(WideScene::is_transmissive);
+}
+
 // Stores a BSDF that is not Lambertian.
 template <Shading shading>
 template <class B>
 inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices& v)
 {
     NonLambert& non_lambert = v.non_lambert;
-    WideScene::LaneFlags flags;
-    flags.add(i, bsdf_flags(bsdf));
-    non_lambert.lanes |= flags.lanes(WideScene::is_non_lambert);
-    non_lambert.only_delta |= flags.lanes(WideScene::is_only_delta);
-    non_lambert.transmits |= flags.lanes(WideScene::is_transmissive);
+    add_flags(i, bsdf_flags(bsdf), non_lambert);
     if (is_queued(bsdf)) {
         if constexpr (std::is_same_v<B, PlasticBsdf>) non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
         if constexpr (std::is_same_v<B, PrincipledBsdf>) non_lambert_.principled->add(non_lambert.principled, i, bsdf);
@@ -223,6 +239,23 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
         if (!by_mirrors_) return;
     }
     non_lambert.bsdf[i] = std::construct_at(&non_lambert.own[i].bsdf, bsdf);
+}
+
+// Stores the BSDF of a point whose material only_turns().
+template <Shading shading>
+inline void WideBatch<shading>::lookup_turned(uint32_t i, Vec2 tangent, bool front, Vertices& v)
+{
+    NonLambert& non_lambert = v.non_lambert;
+    const WideScene::Fixed& fixed = scene_.fixed[v.material[i]];
+    const auto& bsdf = *std::get_if<PrincipledBsdf>(&fixed.bsdf[front]);
+    const Vec2 turn = bsdf.turn_of(tangent);
+    if (!bsdf.is_queued || by_mirrors_) {
+        PrincipledBsdf turned = bsdf;
+        turned.turn(turn);
+        return lookup_bsdf(i, turned, v);
+    }
+    add_flags(i, fixed.flags[front], non_lambert);
+    non_lambert_.principled->add(non_lambert.principled, i, bsdf, turn);
 }
 
 // Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the
