@@ -247,6 +247,15 @@ static SceneDescription kinds_of_principled()
         d.materials.push_back(m);
         d.spheres.push_back(sphere_of({0.2 * (i % 10) - 0.9, 0.2 * (i / 10) - 0.6, 1.2}, 0.1, m.name));
     }
+    // Only the tangent differs from point to point.
+    for (const float rotation : {0.0f, 0.3f}) {
+        MaterialDescription brushed = default_description(MaterialType::principled);
+        brushed.name = "brushed" + std::to_string(d.meshes.size()), brushed.metallic = 1.0f, brushed.roughness = 0.5f;
+        brushed.anisotropy = 0.9f, brushed.anisotropy_rotation = rotation;
+        const double x = rotation > 0 ? 0.2 : -1.2;
+        d.meshes.push_back(make_mesh(
+            make_mapped_quad({x, 0.1, 1}, {x + 1, 0.1, 1.2}, {x + 1, 0.5, 0.9}, {x, 0.5, 1.1}, {1, 1}, brushed)));
+    }
     return d;
 }
 
