@@ -11,6 +11,7 @@
 #include "render/counters.h"
 #include "render/kernel_settings.h"
 #include "render/path_trails.h"
+#include "render/wide/queues.h"
 #include "render/wide/states.h"
 #include "scene/camera.h"
 
@@ -25,6 +26,7 @@ struct Workspace {
     std::vector<uint8_t> occluded;
     std::vector<SampleId> slots;
     WideWorkspace wide;
+    MaterialQueues queues;          // of the wide kernel
     std::vector<Pixel> block;       // one per pixel of the tile
     std::vector<double> aov_block;  // the sums for AOVs of each, if there are any
     // Of each slot what it adds to the sums for AOVs and to the features, in scenes where that may come late.

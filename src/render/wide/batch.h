@@ -52,6 +52,7 @@ public:
           now_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).now),
           next_(std::get<PathsUnderWay<Lanes>>(w.wide.paths).next),
           shadows_(w.wide.shadows),
+          queues_(w.queues),
           counters_(counters),
           samples_(path_.direct.nee && !view.scene.lights.pick.empty() && (any || !view.leaves_sky_to_cosine())),
           samples_on_matt_(samples_ && !view.leaves_sky_to_cosine()),
@@ -66,9 +67,10 @@ public:
           moves_(textured && view.scene.geometry.motion.moves())
     {
         if constexpr (any) {
-            if (scene_.has_principled) non_lambert_.principled.emplace();
-            if (scene_.has_rough_glass) non_lambert_.glass.emplace();
-            if (scene_.has_rough_metal) non_lambert_.metal.emplace();
+            queues_.template need<PlasticQueue>(true);
+            queues_.template need<PrincipledQueue>(scene_.has_principled);
+            queues_.template need<GlassQueue>(scene_.has_rough_glass);
+            queues_.template need<MetalQueue>(scene_.has_rough_metal);
         }
         const size_t most = w.slots.size() * view.plan.split;
         now_.reserve(most), next_.reserve(most), shadows_.reserve(most);
@@ -190,23 +192,6 @@ private:
     }
     template <class At>
     void lookup_bsdf(uint32_t lanes, Vertices& v, const At& at);
-    // Calls f(queue, points) for each queue with some of the lanes. queues: non_lambert_.
-    template <class Queues, class F>
-    static void for_queues(Queues& queues, const NonLambert& non_lambert, uint32_t lanes, const F& f)
-    {
-        if ((lanes & non_lambert.plastic.lanes) != 0) f(queues.plastic, non_lambert.plastic);
-        if ((lanes & non_lambert.principled.lanes) != 0) f(*queues.principled, non_lambert.principled);
-        if ((lanes & non_lambert.glass.lanes) != 0) f(*queues.glass, non_lambert.glass);
-        if ((lanes & non_lambert.metal.lanes) != 0) f(*queues.metal, non_lambert.metal);
-    }
-    template <class F>
-    void for_all_queues(const F& f)
-    {
-        f(non_lambert_.plastic);
-        if (non_lambert_.principled) f(*non_lambert_.principled);
-        if (non_lambert_.glass) f(*non_lambert_.glass);
-        if (non_lambert_.metal) f(*non_lambert_.metal);
-    }
     static void see_principled(NonLambert& non_lambert);
     template <class F>
     static auto with_bsdf(const NonLambert& non_lambert, uint32_t lane, const F& f);
@@ -293,6 +278,7 @@ private:
     Workspace& w_;
     PackedStates<Lanes>&now_, &next_;
     PackedStates<ShadowLanes>& shadows_;
+    MaterialQueues& queues_;
     Counters& counters_;
     // Whether light sampling is done, for all and for Lambertian surfaces.
     bool samples_, samples_on_matt_;
@@ -312,10 +298,6 @@ private:
     std::array<Vertices, at_once / float_lanes> vertices_;
     // Additional working memory for materials that are not Lambertian.
     struct NonLambertWorkspace {
-        PlasticQueue plastic;
-        std::optional<PrincipledQueue> principled;  // if the scene has such materials
-        std::optional<GlassQueue> glass;            // if it has rough glass
-        std::optional<MetalQueue> metal;            // if it has rough metal
         std::array<LightQuery, at_once / float_lanes> query;
         std::array<ScatterState, at_once / float_lanes> scatter_state;
     };
@@ -384,7 +366,7 @@ inline void WideBatch<shading>::report_camera_hits(const Listener& listener, siz
 template <Shading shading>
 inline void WideBatch<shading>::shade(size_t first, size_t n)
 {
-    if constexpr (any) for_all_queues([](auto& queue) { queue.clear(); });
+    if constexpr (any) queues_.for_all([](auto& queue) { queue.clear(); });
     size_t met = 0;
     for (size_t i = 0; i < n; i += float_lanes)
         if (find_vertices(first + i, std::min<size_t>(float_lanes, n - i), vertices_[met])) ++met;
@@ -393,7 +375,7 @@ inline void WideBatch<shading>::shade(size_t first, size_t n)
         for (Vertices& v : vertices) find_surfaces(v);
         for (Vertices& v : vertices) lookup_materials(v);
     }
-    if constexpr (any) for_all_queues([](auto& queue) { queue.see(); });
+    if constexpr (any) queues_.for_all([](auto& queue) { queue.see(); });
     if (arrivals_)
         for (const Vertices& v : vertices)
             for_each_lane(v.hit,

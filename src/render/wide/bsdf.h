@@ -86,8 +86,8 @@ inline void WideBatch<shading>::choose_part(const Vertices& v, ScatterState& g, 
         g.u = address.get2(v.path.sample);
     }
     g.cosine = square_to_cosine_hemisphere(g.u.x, g.u.y);
-    for_queues(non_lambert_, v.non_lambert, lanes,
-               [&](auto& queue, const LaneQueue::Eight& of) { queue.put_numbers(of, g.lobe, g.u, g.cosine); });
+    queues_.for_some(v.non_lambert.queued, lanes,
+                     [&](auto& queue, const LaneQueue::Eight& of) { queue.put_numbers(of, g.lobe, g.u, g.cosine); });
 }
 
 // Samples the BSDF of each lane: Lambertian lanes and those of the queues together, others one by one.
@@ -100,7 +100,7 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
     BsdfSamples s{.wi = g.cosine, .weight = v.albedo, .pdf = pdf_cosine_hemisphere(g.cosine.z), .eta = broadcast(1.0f)};
     s.lanes = lanes & ~non_lambert.lanes & movemask((v.cos_o > zero) & ~is_black(v.albedo) & (s.wi.z > zero));
     if ((lanes & non_lambert.lanes) == 0) return s;
-    for_queues(non_lambert_, non_lambert, lanes, [&](const auto& queue, const LaneQueue::Eight& of) {
+    queues_.for_some(non_lambert.queued, lanes, [&](const auto& queue, const LaneQueue::Eight& of) {
         const BsdfSampleLanes sampled = queue.sampled(of);
         const uint32_t asked = lanes & of.lanes;
         const Mask8 is_asked = lanes_of(asked);
@@ -108,7 +108,7 @@ inline typename WideBatch<shading>::BsdfSamples WideBatch<shading>::sample_any(c
         s.pdf = select(is_asked, sampled.pdf, s.pdf), s.eta = select(is_asked, sampled.eta, s.eta);
         s.lanes |= asked & sampled.found & ~movemask(is_black(sampled.weight)), s.delta |= sampled.delta;
     });
-    for_each_lane(lanes & non_lambert.lanes & ~non_lambert.queued(), [&](uint32_t i) {
+    for_each_lane(lanes & non_lambert.lanes & ~non_lambert.queued.lanes(), [&](uint32_t i) {
         const auto sampled = with_bsdf(non_lambert, i, [&](const auto& bsdf, const auto& from) {
             return bsdf.sample(from, g.lobe[i], Vec2{g.u.x[i], g.u.y[i]});
         });
@@ -166,7 +166,7 @@ inline void WideBatch<shading>::send_part(std::span<Vertices> vertices, uint32_t
     const auto lanes = [&](const ScatterState& g) { return part == 0 ? g.sends : g.splits; };
     for (size_t i = 0; i < vertices.size(); ++i)
         if (ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) choose_part(vertices[i], g, lanes(g));
-    for_all_queues([](auto& queue) { queue.sample(); });
+    queues_.for_all([](auto& queue) { queue.sample(); });
     for (size_t i = 0; i < vertices.size(); ++i)
         if (const ScatterState& g = non_lambert_.scatter_state[i]; lanes(g) != 0) finish_part(vertices[i], g, lanes(g));
 }

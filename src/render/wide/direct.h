@@ -149,8 +149,8 @@ inline void WideBatch<shading>::query_light(Vertices& v, LightQuery& query)
         const uint32_t non_lambert = query.active & v.non_lambert.lanes & movemask(query.light.found);
         if (non_lambert == 0) return;
         query.wi = FrameT<Float8>(v.ns).to_local(query.light.wi);
-        for_queues(non_lambert_, v.non_lambert, non_lambert,
-                   [&](auto& queue, const LaneQueue::Eight& of) { queue.put_wi(of, query.wi); });
+        queues_.for_some(v.non_lambert.queued, non_lambert,
+                         [&](auto& queue, const LaneQueue::Eight& of) { queue.put_wi(of, query.wi); });
     }
 }
 
@@ -161,13 +161,13 @@ inline void WideBatch<shading>::eval_non_lambert(const Vertices& v, const LightQ
 {
     const Float8 zero{};
     const Mask8 disagree = ~sides_agree(v.n, query.light.wi, query.wi.z);
-    for_queues(non_lambert_, v.non_lambert, lanes, [&](const auto& queue, const LaneQueue::Eight& of) {
+    queues_.for_some(v.non_lambert.queued, lanes, [&](const auto& queue, const LaneQueue::Eight& of) {
         const BsdfValueLanes f = queue.value(of);
         const Mask8 is_asked = lanes_of(lanes & of.lanes);
         f_cos = select(is_asked, select(disagree, {zero, zero, zero}, f.f_cos), f_cos);
         pdf = select(is_asked, select(disagree, zero, f.pdf), pdf);
     });
-    for_each_lane(lanes & ~v.non_lambert.queued(), [&](uint32_t i) {
+    for_each_lane(lanes & ~v.non_lambert.queued.lanes(), [&](uint32_t i) {
         BsdfValue f{};
         if ((movemask(disagree) >> i & 1) == 0)
             f = with_bsdf(v.non_lambert, i,
@@ -182,7 +182,7 @@ inline void WideBatch<shading>::sample_direct(std::span<Vertices> vertices)
 {
     if constexpr (any) {
         for (size_t i = 0; i < vertices.size(); ++i) query_light(vertices[i], non_lambert_.query[i]);
-        for_all_queues([](auto& queue) { queue.eval(); });
+        queues_.for_all([](auto& queue) { queue.eval(); });
         for (size_t i = 0; i < vertices.size(); ++i) send_shadows(vertices[i], non_lambert_.query[i]);
         // The mirror is a vertex as well.
         if (by_mirrors_ && path_.parts.indirect && depth_ + 1 != path_.max_depth)

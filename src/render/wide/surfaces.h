@@ -136,8 +136,8 @@ inline void WideBatch<shading>::lookup_materials(Vertices& v)
     v.cos_o = dot(found.wo, v.ns);
     if constexpr (any) {
         v.non_lambert.wo = FrameT<Float8>(v.ns).to_local(found.wo);
-        for_queues(non_lambert_, v.non_lambert, v.non_lambert.lanes,
-                   [&](auto& queue, const LaneQueue::Eight& of) { queue.put_wo(of, v.non_lambert.wo); });
+        queues_.for_some(v.non_lambert.queued, v.non_lambert.lanes,
+                         [&](auto& queue, const LaneQueue::Eight& of) { queue.put_wo(of, v.non_lambert.wo); });
         see_principled(v.non_lambert);
     }
 }
@@ -147,7 +147,7 @@ template <Shading shading>
 inline void WideBatch<shading>::see_principled(NonLambert& non_lambert)
 {
     non_lambert.seen = 0;
-    const uint32_t seen = non_lambert.lanes & ~non_lambert.queued() & movemask(non_lambert.wo.z > Float8{});
+    const uint32_t seen = non_lambert.lanes & ~non_lambert.queued.lanes() & movemask(non_lambert.wo.z > Float8{});
     for_each_lane(seen, [&](uint32_t i) {
         const auto* bsdf = std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]);
         if (!bsdf) return;
@@ -186,10 +186,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
 {
     NonLambert& non_lambert = v.non_lambert;
     non_lambert.lanes = non_lambert.only_delta = non_lambert.transmits = 0;
-    non_lambert.plastic = non_lambert_.plastic.begin_eight();
-    if (non_lambert_.principled) non_lambert.principled = non_lambert_.principled->begin_eight();
-    if (non_lambert_.glass) non_lambert.glass = non_lambert_.glass->begin_eight();
-    if (non_lambert_.metal) non_lambert.metal = non_lambert_.metal->begin_eight();
+    queues_.begin_eight(non_lambert.queued);
     if (lanes == 0) return;
     WideScene::LaneFlags flags;
     for (uint32_t i = 0; i < float_lanes; ++i) {
@@ -201,16 +198,8 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t lanes, uint32_t front, Vert
     non_lambert.lanes = lanes & flags.lanes(WideScene::is_non_lambert);
     non_lambert.only_delta = lanes & flags.lanes(WideScene::is_only_delta);
     non_lambert.transmits = lanes & flags.lanes(WideScene::is_transmissive);
-    for_each_lane(lanes & flags.lanes(WideScene::is_queued), [&](uint32_t i) {
-        if (const auto* plastic = std::get_if<PlasticBsdf>(non_lambert.bsdf[i]))
-            non_lambert_.plastic.add(non_lambert.plastic, i, *plastic);
-        else if (const auto* glass = std::get_if<GlassBsdf>(non_lambert.bsdf[i]))
-            non_lambert_.glass->add(non_lambert.glass, i, *glass);
-        else if (const auto* metal = std::get_if<MetalBsdf>(non_lambert.bsdf[i]))
-            non_lambert_.metal->add(non_lambert.metal, i, *metal);
-        else
-            non_lambert_.principled->add(non_lambert.principled, i, *std::get_if<PrincipledBsdf>(non_lambert.bsdf[i]));
-    });
+    for_each_lane(lanes & flags.lanes(WideScene::is_queued),
+                  [&](uint32_t i) { queues_.add(non_lambert.queued, i, *non_lambert.bsdf[i]); });
 }
 
 // of_bsdf: bsdf_flags().
@@ -232,10 +221,7 @@ inline void WideBatch<shading>::lookup_bsdf(uint32_t i, const B& bsdf, Vertices&
     NonLambert& non_lambert = v.non_lambert;
     add_flags(i, bsdf_flags(bsdf), non_lambert);
     if (is_queued(bsdf)) {
-        if constexpr (std::is_same_v<B, PlasticBsdf>) non_lambert_.plastic.add(non_lambert.plastic, i, bsdf);
-        if constexpr (std::is_same_v<B, PrincipledBsdf>) non_lambert_.principled->add(non_lambert.principled, i, bsdf);
-        if constexpr (std::is_same_v<B, GlassBsdf>) non_lambert_.glass->add(non_lambert.glass, i, bsdf);
-        if constexpr (std::is_same_v<B, MetalBsdf>) non_lambert_.metal->add(non_lambert.metal, i, bsdf);
+        queues_.add(non_lambert.queued, i, bsdf);
         if (!by_mirrors_) return;
     }
     non_lambert.bsdf[i] = std::construct_at(&non_lambert.own[i].bsdf, bsdf);
@@ -255,7 +241,7 @@ inline void WideBatch<shading>::lookup_turned(uint32_t i, Vec2 tangent, bool fro
         return lookup_bsdf(i, turned, v);
     }
     add_flags(i, fixed.flags[front], non_lambert);
-    non_lambert_.principled->add(non_lambert.principled, i, bsdf, turn);
+    queues_.add_turned(non_lambert.queued, i, bsdf, turn);
 }
 
 // Evaluates materials lane by lane: at(i, number, take) passes the BSDF of lane i to take(bsdf); number() selects the

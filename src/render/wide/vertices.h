@@ -6,11 +6,8 @@
 #include <type_traits>
 
 #include "geometry/hit_lanes.h"
-#include "materials/glass_queue.h"
 #include "materials/material.h"
-#include "materials/metal_queue.h"
-#include "materials/plastic_queue.h"
-#include "materials/principled_queue.h"
+#include "render/wide/queues.h"
 #include "render/wide/states.h"
 #include "scene/lights/wide.h"
 #include "scene/triangle_interaction.h"
@@ -29,17 +26,15 @@ struct NonLambert {
     uint32_t only_delta, transmits;                // lanes whose BSDF says so
     Vec3x8 p, p_error;                             // as in Surface
     Vec3x8 wo;                                     // local
-    LaneQueue::Eight plastic, principled, glass, metal;  // points in the queues
-    std::array<OwnBsdf, float_lanes> own;                // storage of BSDFs that depend on the point
-    uint32_t seen;                                       // other principled lanes, seen from the front; their lobes:
+    MaterialQueues::Eights queued;                 // points in the queues
+    std::array<OwnBsdf, float_lanes> own;          // storage of BSDFs that depend on the point
+    uint32_t seen;                                 // other principled lanes, seen from the front; their lobes:
     std::array<std::optional<PrincipledBsdf::Seen>, float_lanes> lobes;
     // Only set if there are mirrors: lanes that follow_mirror() concerns, the PathState::pdf, mirror_distance and
     // normal that it keeps.
     uint32_t mirrored;
     Float8 mirrored_pdf, mirror_distance;
     Vec3x8 mirrored_normal;
-
-    uint32_t queued() const { return plastic.lanes | principled.lanes | glass.lanes | metal.lanes; }
 };
 struct Empty {};
 // Which data the surfaces need.
