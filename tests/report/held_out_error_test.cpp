@@ -39,6 +39,30 @@ TEST(HeldOutError, IsTheSquaredErrorWithoutTheNoiseOfTheSets)
     EXPECT_NEAR(told(0, 1)->rel_mse, 0, 0.01);
 }
 
+// A lamp in the left half. Beside it the denoised picture has light of it that is not there, which is much for what is
+// dark there.
+TEST(HeldOutError, IsRelativeToWhatIsDarkBesideALamp)
+{
+    constexpr uint32_t width = 96, height = 64, edge = 48;
+    Film film(width, height, {0, 0, width, height});
+    film.keep_sets({.replicates = 4});
+    std::vector<Color> denoised(film.pixels.size());
+    double truth = 0;
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const size_t i = film.index(x, y);
+            const double light = x < edge ? 20 : 0.5, off = x == edge ? 0.4 : 0;
+            film.pixels[i] += {{light, light, light}, light * light, 1};
+            for (size_t k = 2; k < 4; ++k) film.sets[4 * i + k].n = 1, film.sets[4 * i + k].sum = {light, light, light};
+            const auto shown = static_cast<float>(light + off);
+            denoised[i] = {shown, shown, shown};
+            truth += off * off / (light * light + 0.01) / (width * height);
+        }
+    const auto error = held_out_error(film, denoised);
+    ASSERT_TRUE(error);
+    EXPECT_NEAR(error->rel_mse, truth, 0.01 * truth);
+}
+
 TEST(HeldOutError, IsNotKnownWithoutSamples)
 {
     Film film(4, 4, {0, 0, 4, 4});

@@ -35,6 +35,33 @@ TEST(Statistics, GeometricMeanTreatsARatioAndItsInverseAlike)
     EXPECT_NEAR(geometric_mean(others), 10, 1e-13);
 }
 
+TEST(Statistics, ReachOfAMeanIsThatOfStudentsTable)
+{
+    // Abramowitz and Stegun, table 26.10.
+    EXPECT_NEAR(student_reach(2), 4.303, 0.05);
+    EXPECT_NEAR(student_reach(4), 2.776, 0.002);
+    EXPECT_NEAR(student_reach(10), 2.228, 0.001);
+    EXPECT_NEAR(student_reach(120), 1.980, 0.001);
+}
+
+// Means of 24 values of an exponential distribution: the intervals of a normal one hold 91 % of them.
+TEST(Statistics, IntervalOfAMeanIsWiderWhereFewValuesDecide)
+{
+    Random random(1);
+    constexpr int sets = 20000;
+    const std::vector<double> weights(24, 2), equal(24, 6);
+    int held = 0;
+    for (int set = 0; set < sets; ++set) {
+        std::vector<double> values;
+        for (const double w : weights) values.push_back(-w * std::log1p(-random.uniform(0, 1)));
+        held += mean_interval(values, weights).contains(1);
+    }
+    EXPECT_GE(held, 0.919 * sets);
+    EXPECT_LE(held, 0.95 * sets);
+    EXPECT_EQ(mean_interval(equal, weights).low, 3);
+    EXPECT_EQ(mean_interval(equal, weights).high, 3);
+}
+
 TEST(Statistics, IntervalOfTheMedianIsAPointForEqualValues)
 {
     const std::vector<double> values(7, 2.5);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "report/metrics/metrics.h"
 
@@ -11,17 +12,27 @@ namespace {
 
 constexpr uint32_t block = 16;  // side of the blocks of pixels whose errors count as independent
 
-// The noisy picture, averaged over 5x5 pixels: denominators of the denoised picture itself would be small where it
-// errs.
-std::array<double, 3> mean_around(const Film& film, uint32_t x, uint32_t y)
+// Whether two pixels are alike: within a factor of 2 where they are not black.
+bool alike(Color a, Color b)
+{
+    const double black = std::sqrt(relmse_epsilon), u = double{luminance(a)} + black, v = double{luminance(b)} + black;
+    return u <= 2 * v && v <= 2 * u;
+}
+
+// The noisy picture, averaged over those of 5x5 pixels that are like the middle one in the denoised picture: that
+// picture itself would be small where it errs, and the mean of all pixels large beside a lamp.
+std::array<double, 3> mean_around(const Film& film, const std::vector<Color>& denoised, uint32_t x, uint32_t y)
 {
     constexpr uint32_t reach = 2;
     const Tile& crop = film.crop;
+    const Color middle = denoised[film.index(x, y)];
     std::array<double, 3> sum{};
     double n = 0;
     for (uint32_t v = std::max(y, crop.y0 + reach) - reach; v < std::min(y + reach + 1, crop.y1); ++v)
         for (uint32_t u = std::max(x, crop.x0 + reach) - reach; u < std::min(x + reach + 1, crop.x1); ++u) {
-            const auto mean = channels(film.whole(film.index(u, v)).mean());
+            const size_t i = film.index(u, v);
+            if (!alike(denoised[i], middle)) continue;
+            const auto mean = channels(film.whole(i).mean());
             for (size_t c = 0; c < 3; ++c) sum[c] += mean[c];
             ++n;
         }
@@ -30,10 +41,10 @@ std::array<double, 3> mean_around(const Film& film, uint32_t x, uint32_t y)
 }
 
 // Mean over the channels of a pixel.
-double error_at(const Film& film, uint32_t x, uint32_t y, const Color& denoised, const SampleSet& one,
+double error_at(const Film& film, const std::vector<Color>& denoised, uint32_t x, uint32_t y, const SampleSet& one,
                 const SampleSet& two)
 {
-    const auto value = channels(denoised), around = mean_around(film, x, y);
+    const auto value = channels(denoised[film.index(x, y)]), around = mean_around(film, denoised, x, y);
     double error = 0;
     for (size_t c = 0; c < 3; ++c)
         error += (value[c] - one.sum[c] / one.n) * (value[c] - two.sum[c] / two.n) /
@@ -45,28 +56,23 @@ double error_at(const Film& film, uint32_t x, uint32_t y, const Color& denoised,
 
 std::optional<HeldOutError> held_out_error(const Film& film, const std::vector<Color>& denoised)
 {
-    struct Sum {
-        double error = 0, pixels = 0;
-    };
     const uint32_t columns = (film.crop.width() + block - 1) / block;
-    std::vector<Sum> blocks(size_t{columns} * ((film.crop.height() + block - 1) / block));
-    Sum all;
+    const size_t count = size_t{columns} * ((film.crop.height() + block - 1) / block);
+    std::vector<double> errors(count), pixels(count);
     for (uint32_t y = film.crop.y0; y < film.crop.y1; ++y)
         for (uint32_t x = film.crop.x0; x < film.crop.x1; ++x) {
             const size_t i = film.index(x, y);
             const SampleSet &one = film.sets[4 * i + 2], &two = film.sets[4 * i + 3];
             if (one.n == 0 || two.n == 0) continue;
-            const double error = error_at(film, x, y, denoised[i], one, two);
-            Sum& b = blocks[size_t{(y - film.crop.y0) / block} * columns + (x - film.crop.x0) / block];
-            b.error += error, ++b.pixels;
-            all.error += error, ++all.pixels;
+            const double error = error_at(film, denoised, x, y, one, two);
+            const size_t b = size_t{(y - film.crop.y0) / block} * columns + (x - film.crop.x0) / block;
+            errors[b] += error, ++pixels[b];
         }
-    if (all.pixels == 0) return {};
-    const double mean = all.error / all.pixels, n = static_cast<double>(blocks.size());
-    double squares = 0;
-    for (const Sum& b : blocks) squares += std::pow(b.error - mean * b.pixels, 2);
-    const double reach = n > 1 ? 1.96 * std::sqrt(squares * n / (n - 1)) / all.pixels : std::abs(mean);
-    return HeldOutError{mean, {mean - reach, mean + reach}};
+    const double all = std::accumulate(pixels.begin(), pixels.end(), 0.0);
+    if (all == 0) return {};
+    const double mean = std::accumulate(errors.begin(), errors.end(), 0.0) / all;
+    if (count == 1) return HeldOutError{mean, {mean - std::abs(mean), mean + std::abs(mean)}};
+    return HeldOutError{mean, mean_interval(errors, pixels)};
 }
 
 }  // namespace lancer

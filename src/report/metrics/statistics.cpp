@@ -74,6 +74,32 @@ double geometric_mean(std::span<const double> values)
     return std::exp(sum / static_cast<double>(values.size()));
 }
 
+double student_reach(double degrees)
+{
+    constexpr double z = 1.959963984540054;  // of the normal distribution
+    const double z2 = z * z, v = 1 / degrees;
+    const double g1 = (z2 + 1) / 4, g2 = ((5 * z2 + 16) * z2 + 3) / 96,
+                 g3 = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384,
+                 g4 = ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
+    return z * (1 + v * (g1 + v * (g2 + v * (g3 + v * g4))));
+}
+
+Interval mean_interval(std::span<const double> values, std::span<const double> weights)
+{
+    double sum = 0, weight = 0, squares = 0, fourths = 0;
+    for (size_t i = 0; i < values.size(); ++i) sum += values[i], weight += weights[i];
+    const double mean = sum / weight, n = static_cast<double>(values.size());
+    for (size_t i = 0; i < values.size(); ++i) {
+        const double off = values[i] - mean * weights[i], square = off * off;
+        squares += square, fourths += square * square;
+    }
+    if (squares == 0) return {mean, mean};
+    const double kurtosis = n * fourths / (squares * squares);
+    const double degrees = kurtosis > 1 ? std::clamp(2 * n / (kurtosis - 1), 1.0, n - 1) : n - 1;
+    const double reach = student_reach(degrees) * std::sqrt(squares * n / (n - 1)) / weight;
+    return {mean - reach, mean + reach};
+}
+
 Interval median_interval(std::span<const double> values, uint64_t seed)
 {
     std::vector<double> sample(values.size());
