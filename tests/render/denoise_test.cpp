@@ -162,6 +162,29 @@ TEST(Denoise, HasTheSameBitsOnAnyNumberOfThreads)
 }
 
 // Colours are scaled by a power of two; nothing depends on their unit.
+// A picture of many rows, with lamps, outliers and noise that varies, so that fits in between are wanted everywhere.
+TEST(Denoise, HasTheSameBitsInBands)
+{
+    Picture picture(40, 500);
+    Random random(5);
+    for (size_t i = 0; i < picture.size(); ++i) {
+        const size_t y = i / picture.width, x = i % picture.width;
+        const bool is_lamp = y % 37 < 3 && x % 13 < 4;
+        for (size_t h = 0; h < 2; ++h)
+            for (size_t c = 0; c < 10; ++c) {
+                const double mean = c >= 3 ? 0.5 : is_lamp ? 30 : 0.1 + 0.01 * static_cast<double>(y % 61);
+                const double noise = c >= 3 ? 0.05 : random.below(40) == 0 ? 4 : 0.2;
+                picture.planes[h][c][i] = static_cast<float>(mean + noise * random.uniform(0, 1));
+            }
+        picture.variance[i] = static_cast<float>(random.uniform(0.01, 0.1));
+    }
+    const Denoised whole = denoise_picture(picture.input(), {}, 500), bands = denoise_picture(picture.input(), {}, 64);
+    for (size_t i = 0; i < picture.size(); ++i) {
+        ASSERT_EQ(whole.pixels[i], bands.pixels[i]) << "row " << i / picture.width;
+        ASSERT_EQ(whole.error[i], bands.error[i]) << "row " << i / picture.width;
+    }
+}
+
 TEST(Denoise, DoesNotDependOnTheUnitOfRadiance)
 {
     const Picture picture = random_picture(40, 30, 4);

@@ -59,9 +59,49 @@ Plane without_negative_light(const Plane& filtered, const Plane& noisy)
 
 float& channel(Color& color, size_t c) { return c == 0 ? color.r : c == 1 ? color.g : color.b; }
 
-// Blends one channel and adds its error to the map.
+// Rows of a picture, half-open: `inner` of them are wanted, and what lies around decides about them as well.
+struct Band {
+    uint32_t y0, y1, inner_y0, inner_y1;
+};
+
+// How many rows away a pixel may be and still decide: 9 by outliers, 10 by variances, 12 by weights, 4 * 9 by fits and
+// those in between, 11 by the choice of a bandwidth, 9 by the blend.
+constexpr uint32_t reach = 87;
+
+std::vector<Band> bands_of(const DenoiseInput& input, uint32_t rows_at_once)
+{
+    constexpr uint32_t pixels_at_once = 1u << 23, period = row_period;
+    const auto rounded_up = [](uint32_t rows) { return (rows + period - 1) / period * period; };
+    const uint32_t rows = rounded_up(std::max(1u, rows_at_once > 0 ? rows_at_once : pixels_at_once / input.width));
+    std::vector<Band> bands;
+    for (uint32_t y = 0; y < input.height; y += rows) {
+        const uint32_t above = std::min(y, rounded_up(reach)), end = std::min(input.height, y + rows);
+        bands.push_back({y - above, std::min(input.height, end + reach), y, end});
+    }
+    return bands;
+}
+
+// The rows of a band.
+DenoiseInput rows_of(DenoiseInput input, const Band& band)
+{
+    const auto cut = [&](std::span<const float>& plane) {
+        if (!plane.empty())
+            plane = plane.subspan(size_t{band.y0} * input.width, size_t{band.y1 - band.y0} * input.width);
+    };
+    for (DenoiseHalf& half : input.halves) {
+        for (auto& plane : half.color) cut(plane);
+        for (auto& plane : half.albedo) cut(plane);
+        for (auto& plane : half.normal) cut(plane);
+        cut(half.depth);
+    }
+    cut(input.variance);
+    input.height = band.y1 - band.y0;
+    return input;
+}
+
+// Blends one channel of a band and adds its error to the map.
 void finish_channel(const Halves& halves, const FilteredHalves& filtered, const Plane& variance, size_t c,
-                    Denoised& out)
+                    const Band& band, Denoised& out)
 {
     const Plane noisy = mean_of(halves.half[0].color[c], halves.half[1].color[c], halves.part_of_b);
     const Plane mean = without_negative_light(mean_of(filtered.a[c], filtered.b[c], halves.part_of_b), noisy);
@@ -69,8 +109,9 @@ void finish_channel(const Halves& halves, const FilteredHalves& filtered, const 
     const Plane error = filter_error(halves, filtered, variance, c);
     const double black = 0.01 * double{halves.scale} * double{halves.scale};  // see Denoised::error
     constexpr float largest = std::numeric_limits<float>::max();
-    for_rows(mean.height(), [&](int y) {
-        const size_t first = static_cast<size_t>(y) * static_cast<size_t>(mean.width());
+    for_rows(static_cast<int>(band.inner_y1 - band.inner_y0), [&](int row) {
+        const size_t first = (band.inner_y0 + static_cast<size_t>(row)) * static_cast<size_t>(mean.width());
+        const int y = row + static_cast<int>(band.inner_y0 - band.y0);
         for (int x = 0; x < mean.width(); ++x) {
             const float p = part.row(y)[x], f = mean.row(y)[x];
             const float value = f + p * (noisy.row(y)[x] - f);
@@ -83,21 +124,31 @@ void finish_channel(const Halves& halves, const FilteredHalves& filtered, const 
     });
 }
 
-}  // namespace
-}  // namespace denoise
-
-Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop)
+void denoise_band(const DenoiseInput& input, const Scales& scales, const Band& band, const std::stop_token& stop,
+                  Denoised& out)
 {
-    using namespace denoise;
-    if (input.width == 0 || input.height == 0) return {};
-    Halves halves = load_halves(input);
+    Halves halves = load_halves(rows_of(input, band), scales);
     spread_outliers(halves);
     const ColorPlanes variance = variance_of_half(halves);
     const FilteredHalves filtered = filter_halves(halves, variance, stop);
-    if (stop.stop_requested()) return {};
+    if (stop.stop_requested()) return;
+    for (size_t c = 0; c < 3; ++c) finish_channel(halves, filtered, variance[c], c, band, out);
+}
+
+}  // namespace
+}  // namespace denoise
+
+Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop, uint32_t rows_at_once)
+{
+    using namespace denoise;
+    if (input.width == 0 || input.height == 0) return {};
+    const Scales scales = scales_of(input);
     const size_t size = size_t{input.width} * input.height;
     Denoised out{std::vector<Color>(size), std::vector<float>(size), {}};
-    for (size_t c = 0; c < 3; ++c) finish_channel(halves, filtered, variance[c], c, out);
+    for (const Band& band : bands_of(input, rows_at_once)) {
+        denoise_band(input, scales, band, stop, out);
+        if (stop.stop_requested()) return {};
+    }
     return out;
 }
 

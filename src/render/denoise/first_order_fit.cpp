@@ -222,6 +222,7 @@ void for_parts_apart(int width, int height, const std::function<void(const Part&
 
 // Windows reach into the parts beside theirs.
 static_assert(part_width >= 2 * (radius + group_width) && part_height >= 2 * (radius + 1));
+static_assert(row_period == 2 * part_height);
 
 }  // namespace
 

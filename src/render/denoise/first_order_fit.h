@@ -11,6 +11,10 @@
 
 namespace lancer::denoise {
 
+// Sums have the same order, and the same bits, in a picture without its first rows if their number is a multiple of
+// this.
+inline constexpr int row_period = 64;
+
 // The filtered colours for each bandwidth.
 using Fitted = std::array<ColorPlanes, bandwidths>;
 

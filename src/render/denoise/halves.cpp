@@ -55,12 +55,13 @@ float mean_depth(const DenoiseInput& input)
 
 }  // namespace
 
-Halves load_halves(const DenoiseInput& input)
+Scales scales_of(const DenoiseInput& input) { return {color_scale(input), mean_depth(input)}; }
+
+Halves load_halves(const DenoiseInput& input, const Scales& scales)
 {
     const int width = static_cast<int>(input.width), height = static_cast<int>(input.height);
     Halves halves;
-    const float scale = halves.scale = color_scale(input);
-    const float z_mean = mean_depth(input);
+    const float scale = halves.scale = scales.color, z_mean = scales.depth;
     for (size_t h = 0; h < 2; ++h) {
         const DenoiseHalf& from = input.halves[h];
         Half& to = halves.half[h];

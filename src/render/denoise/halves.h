@@ -28,7 +28,13 @@ struct Halves {
 // The mean that scaled pictures have, within a factor of sqrt(2).
 inline constexpr float scaled_mean = 0.3f;
 
-Halves load_halves(const DenoiseInput& input);
+// What all of a picture decides.
+struct Scales {
+    float color = 1;  // Halves::scale
+    float depth = 0;  // the mean distance of what is hit
+};
+Scales scales_of(const DenoiseInput& input);
+Halves load_halves(const DenoiseInput& input, const Scales& scales);
 
 // Variance of a half's colour at each pixel: the pixel variance, averaged over 3x3 pixels, times a factor that makes
 // its mean over 21x21 pixels that of (A - B)^2 / 2. Thus samples that are not independent need no model.
