@@ -4,7 +4,10 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
 
 #include "app/commands/commands.h"
 
@@ -73,6 +76,19 @@ void Signals::poll()
 bool Signals::interrupted() const { return interrupts > 0; }
 
 bool Signals::snapshot_requested() const { return snapshot; }
+
+SignalWatch::SignalWatch(Signals& signals)
+    : thread_([&signals](const std::stop_token& done) {
+          std::mutex mutex;
+          std::unique_lock lock(mutex);
+          std::condition_variable_any ends;
+          while (!done.stop_requested()) {
+              signals.poll();
+              ends.wait_for(lock, done, std::chrono::milliseconds(50), [] { return false; });
+          }
+      })
+{
+}
 
 bool Signals::take_snapshot_request() { return snapshot.exchange(false); }
 

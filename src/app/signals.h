@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <thread>
 
 namespace lancer {
 
@@ -25,6 +26,15 @@ public:
 
 private:
     std::stop_source stop_;
+};
+
+// Polls while it lives, where work takes long and has no tiles that would.
+class SignalWatch {
+public:
+    explicit SignalWatch(Signals& signals);
+
+private:
+    std::jthread thread_;
 };
 
 }  // namespace lancer

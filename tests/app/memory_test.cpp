@@ -108,7 +108,7 @@ TEST_F(Memory, ARenderBeyondItIsRefusedBeforeItsFirstSample)
     expect_words(refused.err, " GB, and --memory allows 2.00 GB:");
     expect_words(refused.err, "film: 120.0 million pixels of 192 bytes");
     EXPECT_FALSE(exists("a.exr"));
-    expect_words(with({"--memory", "3G", "--denoise"}).err, "72000.0 MB denoiser");
+    expect_words(with({"--memory", "3G", "--denoise"}).err, "16411.2 MB denoiser");
     EXPECT_EQ(with({"--memory", "2G", "--crop", "0,0,60,50"}).code, 0);
 }
 

@@ -106,6 +106,24 @@ TEST_F(Running, ASnapshotIsWrittenInTheLastPassToo)
     EXPECT_TRUE(same_pixels(interrupted, image("a.exr")));
 }
 
+// The checkpoint is there before the picture is denoised, which takes a second and more.
+TEST_F(Running, AnInterruptDoesNotWaitForTheDenoiser)
+{
+    const std::vector<std::string> arguments{"scene.toml", "-s",           "2", "--size",   "900x700", "-o", "a.exr",
+                                             "--denoise",  "--checkpoint", "c", "--resume", "auto"};
+    Program program(folder_, arguments);
+    ASSERT_TRUE(program.wait_for([&] { return exists("c"); }));
+    program.send(SIGINT);
+    const Said said = program.wait();
+    EXPECT_EQ(said.code, 75);
+    expect_words(said.err, "not denoised");
+    EXPECT_EQ(metadata("a.exr", "partial"), "1");
+    const Said again = run(arguments);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(metadata("a.exr", "partial"), "0");
+    EXPECT_EQ(metadata("a.exr", "bias"), "denoised");
+}
+
 // The second interrupt need not wait for a tile: one of a million pixels takes long.
 TEST_F(Running, TheSecondInterruptEndsAtOnce)
 {

@@ -124,15 +124,17 @@ void Run::render(const Renderer& renderer)
             timed(stats, "find outliers", [&] { return find_error_sources(renderer, camera, film, options.outliers); });
     // Before the first tile there is nothing worth replacing an old picture with. That of a shard is for merge.
     if (!has_samples(stats) || !options.shard.is_whole()) return;
-    const bool is_denoised = options.denoise && !stats.partial;
-    if (is_denoised) {
-        timed(stats, "denoise", [&] { passes.denoised(); });
-        stats.denoised = true;
-        // Where that error has stopped the render it is told already.
-        if (stats.stopped_by != name_of(Stop::error)) passes.tell_error_of_denoised();
-    }
     const Denoised none;
-    timed(stats, "write", [&] { write(content_of(film, is_denoised ? passes.denoised() : none, picture_)); });
+    const Denoised* denoised = &none;
+    if (options.denoise && !stats.partial) {
+        denoised = timed(stats, "denoise", [&] { return &passes.denoised(); });
+        stats.denoised = !denoised->pixels.empty();
+        // An interrupt leaves the noisy picture, which is not what was asked for.
+        stats.partial = !stats.denoised;
+        // Where that error has stopped the render it is told already.
+        if (stats.denoised && stats.stopped_by != name_of(Stop::error)) passes.tell_error_of_denoised();
+    }
+    timed(stats, "write", [&] { write(content_of(film, *denoised, picture_)); });
 }
 
 // The picture is worth more than its place: where it cannot be written, others are tried.
@@ -239,9 +241,10 @@ int Run::report()
     const bool goes_on_by_itself = options.resume == "auto" || options.resume == options.checkpoint;
     const std::string how =
         goes_on_by_itself ? "run the same command" : "add --resume " + in_shell_quotes(options.checkpoint);
-    print_problem(format_text("warning: interrupted: the %s partial (%.1f of %u samples per pixel)%s",
+    print_problem(format_text("warning: interrupted: the %s partial (%.1f of %u samples per pixel%s)%s",
                               options.shard.is_whole() ? "pictures are" : "shard is", samples_per_pixel(stats, pixels_),
-                              asked_.settings.spp, can_go_on_ ? ("; to go on, " + how).c_str() : ""));
+                              asked_.settings.spp, options.denoise ? ", not denoised" : "",
+                              can_go_on_ ? ("; to go on, " + how).c_str() : ""));
     return has_failed_ ? exit_failed : can_go_on_ ? exit_unfinished : exit_interrupted;
 }
 

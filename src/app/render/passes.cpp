@@ -196,6 +196,7 @@ void Passes::log_error()
         return log_.add(to_image(film_), stats_, limits_.cpu_seconds());
     const double wall = wall_seconds(), cpu = cpu_seconds();
     const std::vector<Color>& pixels = denoised().pixels;
+    if (pixels.empty()) return;
     RunStats stats = stats_;
     stats.render_s += wall_seconds() - wall;
     log_.add(to_image(film_, pixels), stats, limits_.cpu_seconds() + (cpu_seconds() - cpu));
@@ -203,7 +204,10 @@ void Passes::log_error()
 
 const Denoised& Passes::denoised()
 {
-    if (denoised_samples_ != stats_.samples) denoised_ = denoise_film(film_), denoised_samples_ = stats_.samples;
+    if (denoised_samples_ == stats_.samples) return denoised_;
+    const SignalWatch watch(signals_);
+    denoised_ = denoise_film(film_, UsedSets::all, signals_.stop());
+    if (!denoised_.pixels.empty()) denoised_samples_ = stats_.samples;
     return denoised_;
 }
 
@@ -227,7 +231,10 @@ void Passes::tell_error_of_denoised()
 {
     if (film_.deal.count() != 4) return;
     timed(stats_, "error of denoised", [&] {
-        const auto error = held_out_error(film_, denoise_film(film_, UsedSets::without_held_out).pixels);
+        const SignalWatch watch(signals_);
+        const Denoised used = denoise_film(film_, UsedSets::without_held_out, signals_.stop());
+        if (used.pixels.empty()) return;
+        const auto error = held_out_error(film_, used.pixels);
         if (!error) return;
         const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
         stats_.denoised_error = root(error->rel_mse);

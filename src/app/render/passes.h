@@ -44,6 +44,7 @@ public:
     const Film& film() const { return film_; }
     uint64_t pixels() const { return pixels_; }  // of the picture, or of the shard
     // The picture with the present samples; computed once, as the last row of a log is of the picture that is written.
+    // Without pixels after an interrupt.
     const Denoised& denoised();
     // Of the picture without the samples that are held out, which tell it; nothing if none are.
     void tell_error_of_denoised();

@@ -3,12 +3,18 @@
 #include "app/console.h"
 #include "app/picture_memory.h"
 #include "app/system_info.h"
+#include "render/denoise/film_halves.h"
 
 namespace lancer {
 namespace {
 
-// At most, of a picture: its halves and what filters them. See docs/denoising.md.
-constexpr uint64_t denoiser_bytes_per_pixel = 600;
+// The halves of a film, and what filters them.
+uint64_t denoiser_bytes(const Tile& crop)
+{
+    constexpr uint64_t planes = 2 * HalfPlanes::of_half + 1;
+    return uint64_t{crop.width()} * crop.height() * planes * sizeof(float) +
+           bytes_to_denoise(crop.width(), crop.height());
+}
 
 std::string row(uint64_t bytes, const std::string& of)
 {
@@ -36,7 +42,7 @@ void require_memory(const PictureRecipe& recipe)
     const PictureMemory memory = memory_for(recipe.options.picture.memory, 1);
     const Tile& crop = recipe.stats.settings.crop;
     const uint64_t pixels = uint64_t{crop.width()} * crop.height(), held = resident_bytes(), film = film_bytes(recipe),
-                   denoiser = recipe.options.denoise ? pixels * denoiser_bytes_per_pixel : 0;
+                   denoiser = recipe.options.denoise ? denoiser_bytes(crop) : 0;
     const uint64_t total = held + film + denoiser;
     if (total <= memory.limit) return;
     std::string table = row(held, "scene, accelerator and program") +

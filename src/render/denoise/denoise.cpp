@@ -68,15 +68,15 @@ struct Band {
 // those in between, 11 by the choice of a bandwidth, 9 by the blend.
 constexpr uint32_t reach = 87;
 
-std::vector<Band> bands_of(const DenoiseInput& input, uint32_t rows_at_once)
+std::vector<Band> bands_of(uint32_t width, uint32_t height, uint32_t rows_at_once)
 {
     constexpr uint32_t pixels_at_once = 1u << 23, period = row_period;
     const auto rounded_up = [](uint32_t rows) { return (rows + period - 1) / period * period; };
-    const uint32_t rows = rounded_up(std::max(1u, rows_at_once > 0 ? rows_at_once : pixels_at_once / input.width));
+    const uint32_t rows = rounded_up(std::max(1u, rows_at_once > 0 ? rows_at_once : pixels_at_once / width));
     std::vector<Band> bands;
-    for (uint32_t y = 0; y < input.height; y += rows) {
-        const uint32_t above = std::min(y, rounded_up(reach)), end = std::min(input.height, y + rows);
-        bands.push_back({y - above, std::min(input.height, end + reach), y, end});
+    for (uint32_t y = 0; y < height; y += rows) {
+        const uint32_t above = std::min(y, rounded_up(reach)), end = std::min(height, y + rows);
+        bands.push_back({y - above, std::min(height, end + reach), y, end});
     }
     return bands;
 }
@@ -145,11 +145,21 @@ Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop,
     const Scales scales = scales_of(input);
     const size_t size = size_t{input.width} * input.height;
     Denoised out{std::vector<Color>(size), std::vector<float>(size), {}};
-    for (const Band& band : bands_of(input, rows_at_once)) {
+    for (const Band& band : bands_of(input.width, input.height, rows_at_once)) {
         denoise_band(input, scales, band, stop, out);
         if (stop.stop_requested()) return {};
     }
     return out;
+}
+
+uint64_t bytes_to_denoise(uint32_t width, uint32_t height)
+{
+    if (width == 0 || height == 0) return 0;
+    constexpr uint64_t of_band = 400, of_result = sizeof(Color) + sizeof(float);  // per pixel; measured
+    uint64_t most = 0;
+    for (const denoise::Band& band : denoise::bands_of(width, height, 0))
+        most = std::max<uint64_t>(most, band.y1 - band.y0);
+    return width * (most * of_band + height * of_result);
 }
 
 }  // namespace lancer

@@ -44,8 +44,11 @@ struct Denoised {
 };
 
 // Uses the threads of the innermost with_threads(). Without pixels if it is stopped. Large pictures are denoised in
-// bands of rows, whose neighbourhoods are denoised with them: the work takes some 430 bytes a pixel of a band.
+// bands of rows, whose neighbourhoods are denoised with them: bytes_to_denoise().
 // rows_at_once: the least number of rows of a band; the bits do not depend on it. 0: as many as 8 million pixels have.
 Denoised denoise_picture(const DenoiseInput& input, const std::stop_token& stop = {}, uint32_t rows_at_once = 0);
+
+// About what denoise_picture() takes at most beside its input, its result included.
+uint64_t bytes_to_denoise(uint32_t width, uint32_t height);
 
 }  // namespace lancer
