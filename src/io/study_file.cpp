@@ -41,9 +41,10 @@ void refuse_doubles(const TomlTable& root, std::string_view key, const std::vect
     if (all.empty()) root.error(root.where(), "there is no [[" + std::string(key) + "]]");
 }
 
-StudyPlan::Scene read_scene(const TomlTable& table, const std::filesystem::path& folder)
+// Without a file where it is optional and not there.
+StudyPlan::Scene read_scene(const TomlTable& table, const std::filesystem::path& folder, Diagnostics& diagnostics)
 {
-    table.allow({"name", "description", "file", "options", "reference_spp"});
+    table.allow({"name", "description", "file", "options", "reference_spp", "optional"});
     StudyPlan::Scene scene;
     scene.name = plain_name(table);
     scene.description = table.text("description").value_or("");
@@ -51,8 +52,14 @@ StudyPlan::Scene read_scene(const TomlTable& table, const std::filesystem::path&
     if (const auto n = table.integer("reference_spp", 16, 1 << 24)) scene.reference_spp = static_cast<uint32_t>(*n);
     if (!table.require("file")) return scene;
     scene.file = (folder / table.text("file").value_or("")).lexically_normal();
-    if (!std::filesystem::exists(scene.file))
-        table.error(table.where("file"), "no such file: " + in_quotes(scene.file), ErrorKind::missing_input);
+    if (std::filesystem::exists(scene.file)) return scene;
+    const std::string missing = "no such file: " + in_quotes(scene.file);
+    if (table.boolean("optional").value_or(false)) {
+        diagnostics.warning(table.where("file"), missing + ": the scene is left out");
+        scene.file.clear();
+        return scene;
+    }
+    table.error(table.where("file"), missing, ErrorKind::missing_input);
     return scene;
 }
 
@@ -94,7 +101,7 @@ StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics)
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (const auto peers = root.text("peers")) plan.peers = (folder / *peers).lexically_normal();
     plan.peer_timeout = root.number("peer_timeout", above_zero).value_or(plan.peer_timeout);
-    for (const TomlTable& table : root.tables("scene")) plan.scenes.push_back(read_scene(table, folder));
+    for (const TomlTable& table : root.tables("scene")) plan.scenes.push_back(read_scene(table, folder, diagnostics));
     for (const TomlTable& table : root.tables("method")) {
         StudyPlan::Method& method = plan.methods.emplace_back(read_method(table));
         if (!method.time) method.time = plan.time;
@@ -103,6 +110,8 @@ StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics)
     }
     refuse_doubles(root, "scene", plan.scenes);
     refuse_doubles(root, "method", plan.methods);
+    if (std::erase_if(plan.scenes, [](const StudyPlan::Scene& s) { return s.file.empty(); }) > 0 && plan.scenes.empty())
+        root.error(root.where(), "none of its scenes is there");
     plan.baseline = root.text("baseline").value_or(plan.methods.empty() ? "" : plan.methods.front().name);
     if (std::none_of(plan.methods.begin(), plan.methods.end(), [&](const auto& m) { return m.name == plan.baseline; }))
         root.error(root.where("baseline"), "no [[method]] is named " + in_quotes(plan.baseline));

@@ -38,8 +38,8 @@ struct StudyPlan {
     std::vector<Method> methods;
 };
 
-// Collects every problem in `diagnostics`; after an error the plan is not fit for use. Throws Error only if the file
-// cannot be read at all.
+// Collects every problem in `diagnostics`, and what is left out as warnings; after an error the plan is not fit for
+// use. Throws Error only if the file cannot be read at all.
 StudyPlan load_study_file(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace lancer

@@ -176,9 +176,21 @@ TEST_F(StudyCommand, SaysWhatIsWrongWithItsFile)
     expect("version = 1\nspp = 4\nbaseline = \"x\"\n" + scene + method, 65, "no [[method]] is named 'x'");
     expect("version = 1\nspp = 4\n[[scene]]\nname = \"a/b\"\nfile = \"scene.toml\"\n" + method, 65, "may have letters");
     expect("version = 1\nspp = 4\n[[scene]]\nname = \"a\"\nfile = \"gone.toml\"\n" + method, 66, "no such file");
+    const std::string optional = "[[scene]]\nname = \"b\"\nfile = \"gone.toml\"\noptional = true\n";
+    expect("version = 1\nspp = 4\n" + optional + method, 65, "none of its scenes is there");
     expect("version = [\n", 65, "invalid TOML");
     EXPECT_EQ(run({"study", "nothing.toml"}).code, 66);
     EXPECT_EQ(run({"study"}).code, 2);
+}
+
+TEST_F(StudyCommand, AnOptionalSceneMayBeMissing)
+{
+    write("study.toml", std::string(study) + "[[scene]]\nname = \"gone\"\nfile = \"gone.toml\"\noptional = true\n");
+    const Said said = run({"study", "study.toml", "-o", "out"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    expect_words(said.err, "gone.toml'");
+    expect_words(said.err, "the scene is left out");
+    EXPECT_EQ(read_bytes(file("out/study.json")).find("\"gone\""), std::string::npos);
 }
 
 TEST_F(StudyCommand, AnInterruptEndsItAndTheNextOneGoesOn)

@@ -231,6 +231,7 @@ int run_study(int argc, char** argv)
     Diagnostics diagnostics;
     const StudyPlan plan = load_study_file(options->study, diagnostics);
     diagnostics.throw_if_errors();
+    for (const auto& warning : diagnostics.warnings()) print_problem(to_string(warning));
     require_harmless(*options, plan);
     return StudyRunner(*options, plan).execute();
 }
