@@ -217,11 +217,9 @@ std::optional<double> Passes::error_to_judge()
     if (options_.denoise && options_.error) {
         if (!limits_.looks_at_denoised(range_.end)) return {};
         tell_error_of_denoised();
-        const auto& interval = stats_.denoised_interval;
-        if (!interval) return {};
-        // What few samples tell may be far off: the error must be likely to be near what is asked for.
-        constexpr double most_above = 1.2;
-        return std::max(*stats_.denoised_error, interval->high / most_above);
+        // What few samples tell may be far off, but its interval knows that.
+        if (!stats_.denoised_interval) return {};
+        return stats_.denoised_interval->high;
     }
     // Samples that all agree may all have missed the same light.
     return stats_.estimated_error > 0.0 ? stats_.estimated_error : std::nullopt;
