@@ -41,7 +41,7 @@ void count_shapes(const SceneDescription& d, const Scene& scene, SceneFacts& fac
         return count(d.spheres, [&](const SphereDescription& s) { return s.part == part; });
     };
     const uint64_t water = count(d.planes, [](const PlaneDescription& p) { return p.is_water; });
-    facts.shapes = {meshes(""),           meshes("triangle"),    meshes("pyramid"),       d.instances.size(),
+    facts.shapes = {meshes(""),           meshes("triangle"),    meshes("pyramid"),       instance_count(d),
                     spheres(Part::whole), spheres(Part::bubble), d.planes.size() - water, water};
     facts.bounds = subject_bounds(d);
 }

@@ -17,6 +17,11 @@ struct Transform {
     friend bool operator==(const Transform&, const Transform&) = default;
 };
 
+inline bool is_finite(const Transform& m)
+{
+    return is_finite(m.x) && is_finite(m.y) && is_finite(m.z) && is_finite(m.translation);
+}
+
 // First b, then a.
 inline Transform compose(const Transform& a, const Transform& b)
 {

@@ -47,6 +47,14 @@ Bounds transformed(const Bounds& b, const Transform& m)
     return out;
 }
 
+std::vector<Bounds> bounds_of_instanced(const SceneDescription& d, const Placement& placement)
+{
+    std::vector<Bounds> all(d.meshes.size());
+    for (size_t i = 0; i < all.size(); ++i)
+        if (placement.instanced[i]) all[i] = bounds_of(*d.meshes[i].data);
+    return all;
+}
+
 Transform to_transform(const TransformDescription& t) { return make_transform(t.translate, t.rotate_deg, t.scale); }
 
 Bounds subject_bounds(const SceneDescription& d)
@@ -58,11 +66,14 @@ Bounds subject_bounds(const SceneDescription& d)
             const Transform m = to_transform(d.meshes[i].transform);
             for (const Vec3d& p : d.meshes[i].data->positions) b.grow(m.point(p));
         }
+    const std::vector<Bounds> of_meshes = bounds_of_instanced(d, placement);
     for (const auto& i : d.instances)
         if (const auto it = placement.by_name.find(i.mesh); it != placement.by_name.end()) {
             const MeshDescription& mesh = d.meshes[it->second];
-            b.grow(
-                transformed(bounds_of(*mesh.data), compose(to_transform(i.transform), to_transform(mesh.transform))));
+            const Transform of_mesh = to_transform(mesh.transform);
+            i.for_each([&](const TransformDescription& t) {
+                b.grow(transformed(of_meshes[it->second], compose(to_transform(t), of_mesh)));
+            });
         }
     // Spheres from small to large; one that dwarfs all before it is a wall or a sky, not part of the subject.
     std::vector<Sphere> spheres;

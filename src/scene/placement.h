@@ -39,6 +39,14 @@ Bounds transformed(const Bounds& b, const Transform& m);
 // rest.
 Bounds subject_bounds(const SceneDescription& description);
 
+// Those of all its `[[instance]]`s.
+inline size_t instance_count(const SceneDescription& description)
+{
+    size_t count = 0;
+    for (const InstanceDescription& i : description.instances) count += i.count();
+    return count;
+}
+
 // Transforms and instances of the description's meshes.
 struct Placement {
     std::map<std::string, uint32_t> by_name;
@@ -52,5 +60,8 @@ struct Placement {
             if (const auto it = by_name.find(instance.mesh); it != by_name.end()) instanced[it->second] = true;
     }
 };
+
+// Of each instanced mesh, in its file's units, so that they are computed once for all instances; else empty.
+std::vector<Bounds> bounds_of_instanced(const SceneDescription& description, const Placement& placement);
 
 }  // namespace lancer

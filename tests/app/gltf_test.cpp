@@ -247,6 +247,73 @@ TEST_F(GltfFiles, NodesThatShareALargeMeshAreInstances)
     EXPECT_GT(sum, 0);
 }
 
+// Transforms of instances and of nodes are composed by the same formulas, so that the pictures are the same.
+TEST_F(GltfFiles, WithInstancesInAccessorsAreThoseWithNodesWrittenOut)
+{
+    constexpr int side = 24;
+    std::vector<double> places, indices;
+    for (int i = 0; i < side * side; ++i) {
+        places.insert(places.end(), {i / 99.0, i % 7 / 9.0, 0.5});
+        places.insert(places.end(), {i / 99.0 + 0.1, i % 5 / 9.0, 0.3, i / 99.0, 1, i % 11 / 11.0});
+        for (int k = 0; k < 3; ++k) indices.push_back(3 * i + k);
+        for (int k = 2; k >= 0; --k) indices.push_back(3 * i + k);
+    }
+    const std::vector<double> moves{0, 0, 0, 1.5, 0.25, 0, -1, 0.5, 3}, sizes{1, 1, 1, -1, 2, 1, 0.5, 0.5, 0.75};
+    const std::vector<double> turns{0, 0.5, 0, 0.75, 0, 0, 0, 1, 0.25, 0.125, -0.5, 0.5};
+    const std::string parent = "\"rotation\":[0,0.6,0,0.8],\"translation\":[0.5,0.1,-0.3]";
+    const auto list = [](const std::vector<double>& v, size_t first, size_t n) {
+        std::string text;
+        for (size_t i = 0; i < n; ++i) text += (i ? "," : "[") + std::to_string(v[first + i]);
+        return text + "]";
+    };
+    GltfFile nodes, instances;
+    for (GltfFile* file : {&nodes, &instances})
+        file->add<float>(places, "VEC3"), file->add<uint16_t>(indices, "SCALAR");
+    const std::string primitive = "\"attributes\":{\"POSITION\":0},\"indices\":1";
+    nodes.roots = "3";
+    nodes.add_mesh(primitive, "\"translation\":" + list(moves, 0, 3) + ",\"rotation\":" + list(turns, 0, 4));
+    for (size_t i = 1; i < 3; ++i)
+        nodes.add_node("\"mesh\":0,\"translation\":" + list(moves, 3 * i, 3) +
+                       ",\"rotation\":" + list(turns, 4 * i, 4) + ",\"scale\":" + list(sizes, 3 * i, 3));
+    nodes.add_node("\"children\":[0,1,2]," + parent);
+    instances.add<float>(moves, "VEC3"), instances.add<float>(turns, "VEC4"), instances.add<float>(sizes, "VEC3");
+    instances.rest =
+        "\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"],\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"]";
+    instances.add_mesh(primitive, parent +
+                                      ",\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{"
+                                      "\"TRANSLATION\":2,\"ROTATION\":3,\"SCALE\":4}}}");
+    write("nodes.glb", nodes.glb()), write("instances.glb", instances.glb());
+    write("nodes.toml", "[[mesh]]\nfile = \"nodes.glb\"\n");
+    write("instances.toml", "[[mesh]]\nfile = \"instances.glb\"\n");
+    expect_words(run({"info", "instances.glb"}).out, "3 instances, 1 mesh");
+    expect_words(run({"info", "instances.toml"}).out, "3456, drawn 3456");
+    for (const std::string form : {".glb", ".toml"}) {
+        for (const std::string name : {"nodes", "instances"})
+            render(name + form, name + form + ".exr", {"-s", "4", "-D", "light=[{type=\"environment\",radiance=1}]"});
+        const Image a = image("nodes" + form + ".exr"), b = image("instances" + form + ".exr");
+        EXPECT_TRUE(a.pixels == b.pixels) << form;
+        EXPECT_TRUE(std::any_of(a.pixels.begin(), a.pixels.end(), [&](Color c) { return c != a.pixels[0]; })) << form;
+    }
+}
+
+TEST_F(GltfFiles, WithManyCopiesOfASmallMeshKeepItOnce)
+{
+    constexpr size_t triangles = 999, copies = 10'011;  // more than ten million triangles
+    std::vector<double> corners, moves;
+    for (size_t i = 0; i < triangles; ++i) {
+        const auto x = static_cast<double>(i);
+        corners.insert(corners.end(), {x, 0, 0, x + 1, 0, 0, x, 1, 0});
+    }
+    for (size_t i = 0; i < 3 * copies; ++i) moves.push_back(static_cast<double>(i));
+    GltfFile file;
+    file.add<float>(corners, "VEC3"), file.add<float>(moves, "VEC3");
+    file.add_mesh("\"attributes\":{\"POSITION\":0}",
+                  "\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":1}}}");
+    write("copies.glb", file.glb());
+    expect_words(run({"info", "copies.glb"}).out, "999, drawn 10000989");
+    expect_words(run({"info", "copies.glb"}).out, "10011 instances, 1 mesh");
+}
+
 TEST_F(GltfFiles, ThatAreBrokenFailClearly)
 {
     write("b.glb", "glTF");

@@ -194,6 +194,45 @@ TEST_F(Gltf, NodesPlaceMeshesAndAMirrorKeepsWhatFacesTheFront)
     EXPECT_EQ(gltf->triangles[6], (std::array<uint32_t, 3>{10, 11, 12}));
 }
 
+TEST_F(Gltf, InstancesAreReadOfEveryTypeAndSparse)
+{
+    const std::string use = "\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{";
+    const auto file_with = [&](const std::string& attributes) {
+        GltfFile file;
+        file.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+        file.add<int8_t>({0, 0, 0, 127, 0, 0, 127, 0}, "VEC4", "\"normalized\":true");
+        file.add<float>({0, 0, 1, 0, 0, 2}, "VEC3");
+        const size_t numbers = file.add_view(GltfFile::word(1)), values = file.add_view(std::string(12, '\0'));
+        file.add_accessor(
+            "\"componentType\":5126,\"count\":2,\"type\":\"VEC3\",\"sparse\":{\"count\":1,"
+            "\"indices\":{\"bufferView\":" +
+            std::to_string(numbers) + ",\"componentType\":5125},\"values\":{\"bufferView\":" + std::to_string(values) +
+            "}}");
+        file.add<float>({1, 2, 1, 2, 4, 8}, "VEC3");
+        file.add_mesh("\"attributes\":{\"POSITION\":0}", "\"scale\":[1,1,2]," + use + attributes + "}}}");
+        return file;
+    };
+    const auto mesh = load(file_with("\"ROTATION\":1,\"TRANSLATION\":2,\"_ID\":2"));
+    ASSERT_TRUE(mesh) << errors();
+    EXPECT_THAT(mesh->positions, ElementsAre(Vec3d{0, 0, 2}, Vec3d{1, 0, 2}, Vec3d{0, 1, 2}, Vec3d{0, 0, 4},
+                                             Vec3d{-1, 0, 4}, Vec3d{0, -1, 4}));
+    const auto sparse = load(file_with("\"TRANSLATION\":3,\"SCALE\":4"));
+    ASSERT_TRUE(sparse) << errors();
+    EXPECT_THAT(sparse->positions,
+                ElementsAre(Vec3d{}, Vec3d{1, 0, 0}, Vec3d{0, 2, 0}, Vec3d{}, Vec3d{2, 0, 0}, Vec3d{0, 4, 0}));
+    for (const char* attributes : {"", "\"_ID\":2"}) {
+        const auto alone = load(file_with(attributes));
+        ASSERT_TRUE(alone) << errors();
+        EXPECT_EQ(alone->triangles.size(), 1u) << "without a place of its own the node is all";
+    }
+    expect_error(file_with("\"ROTATION\":1,\"TRANSLATION\":0").glb(), "different counts");
+    expect_error(file_with("\"TRANSLATION\":1").glb(), "TRANSLATION of instances has not 3 components");
+    expect_error(file_with("\"SCALE\":9").glb(), "SCALE");
+    GltfFile lame = file_with("\"ROTATION\":5");
+    lame.add<float>({0, 0, 0, 1, 0, 0, 0, 0}, "VEC4");
+    expect_error(lame.glb(), "instance 1 has numbers that are not finite, or a rotation that cannot be normalised");
+}
+
 TEST_F(Gltf, MaterialsFollowTheirPrimitivesAndShareVertices)
 {
     GltfFile file;

@@ -76,9 +76,12 @@ void add_meshes(World& world, const lancer::SceneDescription& d, MaterialList& l
             add_triangles(world, mesh, m, UINT32_MAX, own, materials);
             continue;
         }
-        for (uint32_t i = 0; i < d.instances.size(); ++i)
-            if (d.instances[i].mesh == mesh.name)
-                add_triangles(world, mesh, m, i, Placing(d.instances[i].transform) * own, materials);
+        uint32_t number = 0;
+        for (const auto& i : d.instances)
+            i.for_each([&](const lancer::TransformDescription& t) {
+                if (i.mesh == mesh.name) add_triangles(world, mesh, m, number, Placing(t) * own, materials);
+                ++number;
+            });
     }
 }
 

@@ -50,6 +50,15 @@ std::optional<size_t> components_of(std::string_view type);
 
 inline constexpr size_t gltf_block = 1 << 15;  // elements that a thread reads at a time
 
+// f(i) for all i, by all threads.
+template <class F>
+void for_each_index(size_t count, const F& f)
+{
+    parallel_for((count + gltf_block - 1) / gltf_block, [&](size_t b) {
+        for (size_t i = b * gltf_block; i < std::min(count, (b + 1) * gltf_block); ++i) f(i);
+    });
+}
+
 namespace gltf_numbers {
 
 template <class T>
@@ -99,10 +108,7 @@ void for_each_element(const GltfAccessor& a, const F& f)
                 values[c] = gltf_numbers::number_at<T>(at + c * sizeof(T), a.normalized);
             return values;
         };
-        parallel_for((a.count + gltf_block - 1) / gltf_block, [&](size_t b) {
-            for (size_t i = b * gltf_block; i < std::min(a.count, (b + 1) * gltf_block); ++i)
-                f(i, element(a.data ? a.data + i * a.stride : nullptr));
-        });
+        for_each_index(a.count, [&](size_t i) { f(i, element(a.data ? a.data + i * a.stride : nullptr)); });
         for (size_t s = 0; s < a.sparse.count; ++s)
             f(index_at(a.sparse.indices, a.sparse.index_type, s), element(a.sparse.values + s * a.element_size()));
     });

@@ -2,8 +2,10 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/hash.h"
+#include "io/gltf/instances.h"
 #include "io/gltf/mesh.h"
 #include "io/gltf/nodes.h"
 #include "io/shared_mesh.h"
@@ -75,31 +77,54 @@ private:
         return mesh;
     }
 
-    // Takes from placed_ what pays to be kept once: meshes of many triangles in several places that do not shear them.
+    // Where one mesh is placed; whether any of its transforms shears, so that no instance has it.
+    struct Use {
+        size_t triangles = 0;
+        std::vector<TransformDescription> places;
+        bool is_sheared = false, is_taken = false;
+
+        // Copies of a small mesh are traced faster than its instances, until there are so many that memory ends.
+        bool is_shared() const
+        {
+            constexpr size_t least_triangles = 1000, most_copied = 10'000'000;
+            const bool pays = triangles >= least_triangles || triangles * places.size() > most_copied;
+            return !is_sheared && places.size() >= 2 && pays;
+        }
+    };
+    std::map<const JsonValue*, Use> uses() const
+    {
+        std::vector<std::optional<TransformDescription>> parts(placed_.size());
+        for_each_index(parts.size(), [&](size_t i) { parts[i] = parts_of(placed_[i].to_world); });
+        std::map<const JsonValue*, Use> uses;
+        for (size_t i = 0; i < parts.size(); ++i) {
+            const auto [entry, is_new] = uses.try_emplace(placed_[i].mesh);
+            Use& use = entry->second;
+            for (const GltfPrimitive& primitive : *placed_[i].primitives)
+                if (is_new) use.triangles += primitive.triangles();
+            if (parts[i])
+                use.places.push_back(*parts[i]);
+            else
+                use.is_sheared = true;
+        }
+        return uses;
+    }
+
+    // Takes from placed_ what pays to be kept once.
     std::vector<SharedMesh> take_shared()
     {
-        constexpr size_t least_triangles = 1000;
-        std::map<const JsonValue*, std::vector<TransformDescription>> places;
-        std::map<const JsonValue*, bool> is_sheared;
-        for (const Placed& p : placed_) {
-            const std::optional<TransformDescription> parts = parts_of(p.to_world);
-            if (parts) places[p.mesh].push_back(*parts);
-            is_sheared[p.mesh] |= !parts;
-        }
+        std::map<const JsonValue*, Use> uses = this->uses();
         std::vector<SharedMesh> shared;
         std::set<std::string> names;
         std::vector<Placed> rest;
-        std::set<const JsonValue*> taken;
         for (const Placed& p : placed_) {
-            size_t triangles = 0;
-            for (const GltfPrimitive& primitive : *p.primitives) triangles += primitive.triangles();
-            if (is_sheared[p.mesh] || places[p.mesh].size() < 2 || triangles < least_triangles) {
+            Use& use = uses[p.mesh];
+            if (!use.is_taken && !use.is_shared()) {
                 rest.push_back(p);
                 continue;
             }
-            if (!taken.insert(p.mesh).second) continue;
+            if (std::exchange(use.is_taken, true)) continue;
             std::shared_ptr<const MeshData> data = build({{p.mesh, p.primitives, {}}});
-            if (!data->triangles.empty()) shared.push_back({name_of_mesh(*p.mesh, names), data, places[p.mesh]});
+            if (!data->triangles.empty()) shared.push_back({name_of_mesh(*p.mesh, names), data, std::move(use.places)});
         }
         placed_ = std::move(rest);
         return shared;
@@ -120,14 +145,26 @@ private:
         for (const GltfPlaced& p : read_gltf_nodes(doc_).meshes) {
             if (p.node && p.node->member("skin"))
                 doc_.warn(*p.node, "skins are not used: the mesh has the shape in which it is stored");
-            if (p.to_world.determinant() == 0) {
-                doc_.warn(*p.node, "a node that scales its mesh to nothing is left out");
+            std::optional<std::vector<Transform>> instances;
+            if (p.node) instances = read_gltf_instances(*p.node, doc_, buffers_);
+            if (!instances) {
+                place(p, p.to_world);
                 continue;
             }
-            const auto [entry, is_new] = meshes_.try_emplace(p.what);
-            if (is_new) entry->second = primitives_.open(*p.what);
-            placed_.push_back({p.what, &entry->second, p.to_world});
+            placed_.reserve(placed_.size() + instances->size());
+            for (const Transform& in_node : *instances) place(p, compose(p.to_world, in_node));
         }
+    }
+
+    void place(const GltfPlaced& p, const Transform& to_world)
+    {
+        if (to_world.determinant() == 0) {
+            doc_.warn(*p.node, "a node that scales its mesh to nothing is left out");
+            return;
+        }
+        const auto [entry, is_new] = meshes_.try_emplace(p.what);
+        if (is_new) entry->second = primitives_.open(*p.what);
+        placed_.push_back({p.what, &entry->second, to_world});
     }
 
     // Pictures are read in the background.

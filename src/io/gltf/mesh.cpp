@@ -20,15 +20,6 @@ std::array<size_t, 3> corners_of(GltfPrimitive::Mode mode, size_t t)
     return {t + 1, t + 2, 0};
 }
 
-// f(i) for all i, by all threads.
-template <class F>
-void for_each_index(size_t count, const F& f)
-{
-    parallel_for((count + gltf_block - 1) / gltf_block, [&](size_t b) {
-        for (size_t i = b * gltf_block; i < std::min(count, (b + 1) * gltf_block); ++i) f(i);
-    });
-}
-
 }  // namespace
 
 void GltfMeshBuilder::reserve(size_t vertices, size_t triangles)

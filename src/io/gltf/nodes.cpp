@@ -15,34 +15,16 @@ Transform transform_of_matrix(const std::array<double, 16>& m, const JsonValue& 
     return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
-Transform transform_of_rotation(std::array<double, 4> q, const JsonValue& node, const GltfDocument& doc)
-{
-    const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (!(size > 0 && std::isfinite(size))) doc.fail(node, "the rotation is no quaternion that can be normalised");
-    if (size != 1)
-        for (double& part : q) part /= size;
-    const auto [x, y, z, w] = q;
-    return {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
-            {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
-            {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
-            {}};
-}
-
 Transform transform_of(const JsonValue& node, const GltfDocument& doc)
 {
     if (const auto m = doc.numbers<16>(node, "matrix")) return transform_of_matrix(*m, node, doc);
-    const auto t = doc.numbers<3>(node, "translation"), s = doc.numbers<3>(node, "scale");
-    const auto r = doc.numbers<4>(node, "rotation");
-    Transform m;
-    if (r) m = transform_of_rotation(*r, node, doc);
-    if (s) m.x = m.x * (*s)[0], m.y = m.y * (*s)[1], m.z = m.z * (*s)[2];
-    if (t) m.translation = {(*t)[0], (*t)[1], (*t)[2]};
-    return m;
-}
-
-bool is_finite(const Transform& m)
-{
-    return is_finite(m.x) && is_finite(m.y) && is_finite(m.z) && is_finite(m.translation);
+    GltfParts parts;
+    parts.translation = doc.numbers<3>(node, "translation").value_or(parts.translation);
+    parts.scale = doc.numbers<3>(node, "scale").value_or(parts.scale);
+    parts.rotation = doc.numbers<4>(node, "rotation").value_or(parts.rotation);
+    const std::optional<Transform> m = transform_of(parts);
+    if (!m) doc.fail(node, "the rotation is no quaternion that can be normalised");
+    return *m;
 }
 
 class NodeWalk {
@@ -129,6 +111,22 @@ private:
 };
 
 }  // namespace
+
+std::optional<Transform> transform_of(const GltfParts& parts)
+{
+    std::array<double, 4> q = parts.rotation;
+    const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(size > 0 && std::isfinite(size))) return {};
+    if (size != 1)
+        for (double& part : q) part /= size;
+    const auto [x, y, z, w] = q;
+    const Vec3d columns[]{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+                          {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+                          {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
+    const auto& [tx, ty, tz] = parts.translation;
+    return Transform{
+        columns[0] * parts.scale[0], columns[1] * parts.scale[1], columns[2] * parts.scale[2], {tx, ty, tz}};
+}
 
 GltfScene read_gltf_nodes(GltfDocument& document) { return NodeWalk(document).run(); }
 

@@ -38,8 +38,9 @@ void add_instances(const std::vector<SharedMesh>& shared, SceneDescription& scen
             own.name = s.name, own.data = s.data;
             scene.meshes.push_back(std::move(own));
         }
-        for (const TransformDescription& place : s.places)
-            scene.instances.push_back({scene.meshes.front().where, s.name, place});
+        InstanceDescription all{scene.meshes.front().where, s.name, s.places.front()};
+        all.more.assign(s.places.begin() + 1, s.places.end());
+        scene.instances.push_back(std::move(all));
     }
 }
 

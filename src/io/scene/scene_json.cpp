@@ -223,7 +223,9 @@ Json json_of_meshes(const SceneDescription& d, const std::vector<std::string>& f
         if (!placement.instanced[i]) transforms.push_back(json_of(own));
         for (const InstanceDescription& instance : d.instances)
             if (placement.by_name.at(instance.mesh) == i)
-                transforms.push_back(json_of(compose(to_transform(instance.transform), own)));
+                instance.for_each([&](const TransformDescription& t) {
+                    transforms.push_back(json_of(compose(to_transform(t), own)));
+                });
         meshes.push_back({{"file", files[i]}, {"transforms", transforms}});
     }
     return meshes;

@@ -155,7 +155,8 @@ private:
         if (!placement_.instanced[index]) return {own};
         std::vector<Transform> all;
         for (const InstanceDescription& i : d_.instances)
-            if (i.mesh == d_.meshes[index].name) all.push_back(compose(to_transform(i.transform), own));
+            if (i.mesh == d_.meshes[index].name)
+                i.for_each([&](const TransformDescription& t) { all.push_back(compose(to_transform(t), own)); });
         return all;
     }
 

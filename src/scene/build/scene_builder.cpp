@@ -220,8 +220,15 @@ private:
         for (Color& c : colors) c = {decoded(c.r), decoded(c.g), decoded(c.b)};
         return colors;
     }
+    void add_instance(uint32_t mesh, const TransformDescription& transform, const Location& where)
+    {
+        const Transform to_world = placed(mesh, transform, d_.meshes[mesh].transform);
+        check_near(to_world.translation, where, "this instance");
+        scene_.geometry.instances.push_back({mesh, to_world, inverse(to_world)});
+    }
     void add_instances()
     {
+        scene_.geometry.instances.reserve(instance_count(d_));
         for (const auto& i : d_.instances) {
             const auto it = placement_.by_name.find(i.mesh);
             if (it == placement_.by_name.end()) {
@@ -231,10 +238,9 @@ private:
                 continue;
             }
             const uint32_t mesh = it->second;
-            const Transform to_world = placed(mesh, i.transform, d_.meshes[mesh].transform);
-            check_near(to_world.translation, i.where, "this instance");
-            scene_.geometry.instances.push_back({mesh, to_world, inverse(to_world)});
+            add_instance(mesh, i.transform, i.where);
             add_path(i, mesh);
+            for (const TransformDescription& t : i.more) add_instance(mesh, t, i.where);
         }
     }
     // The tables of paths are as long as those of the shapes, or empty.

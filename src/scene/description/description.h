@@ -94,6 +94,17 @@ struct InstanceDescription {
     std::string mesh;
     TransformDescription transform;  // applied after the mesh's own
     PlacesAtSteps<TransformDescription> path{};
+    // Of further instances of the mesh, which stand still: millions of them need no name and location each.
+    std::vector<TransformDescription> more{};
+
+    size_t count() const { return 1 + more.size(); }
+    // f(transform) for all of them.
+    template <class F>
+    void for_each(const F& f) const
+    {
+        f(transform);
+        for (const TransformDescription& t : more) f(t);
+    }
 };
 
 struct SphereDescription {

@@ -93,16 +93,20 @@ Subject::Subject(const SceneDescription& d) : bounds_(subject_bounds(d))
         const auto it = placement.by_name.find(instance.mesh);
         return it == placement.by_name.end() ? nullptr : &d.meshes[it->second];
     };
+    const std::vector<Bounds> boxes = bounds_of_instanced(d, placement);
     for (const InstanceDescription& instance : d.instances)
-        if (const MeshDescription* mesh = mesh_of(instance)) triangles += mesh->data->triangles.size();
+        if (const MeshDescription* mesh = mesh_of(instance))
+            triangles += mesh->data->triangles.size() * instance.count();
     for (const InstanceDescription& instance : d.instances)
         if (const MeshDescription* mesh = mesh_of(instance)) {
-            const Transform m = compose(to_transform(instance.transform), to_transform(mesh->transform));
-            if (triangles > most_triangles) {
-                add_box(bounds_of(*mesh->data), m);
-            } else {
-                add(mesh->data->positions, mesh->data->triangles, m);
-            }
+            instance.for_each([&](const TransformDescription& t) {
+                const Transform m = compose(to_transform(t), to_transform(mesh->transform));
+                if (triangles > most_triangles) {
+                    add_box(boxes[static_cast<size_t>(mesh - d.meshes.data())], m);
+                } else {
+                    add(mesh->data->positions, mesh->data->triangles, m);
+                }
+            });
         }
     // Those that the bounds leave out are walls or skies.
     for (const SphereDescription& s : d.spheres)
