@@ -55,6 +55,9 @@ AccelKind fastest_accelerator(const Geometry& g, RayUse use)
     constexpr double hardly_any_boxes = 0.25;
     const bool may_cut = triangles <= most_cut;
     const bool is_far = triangles >= least_far && triangles <= most_far && use == RayUse::bounces;
+    // Embree keeps an object of 300 bytes for each instance and makes them one after the other.
+    constexpr size_t many_instances = 1'000'000;
+    if (g.instances.size() >= many_instances && triangles <= most_far) return AccelKind::bvh8;
     if (!g.instances.empty() || !(may_cut || is_far)) return AccelKind::embree;
     const double boxes = false_positive_box_hits(g);
     return (may_cut && boxes > too_many_boxes) || (is_far && boxes < hardly_any_boxes) ? AccelKind::bvh8

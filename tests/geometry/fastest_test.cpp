@@ -67,6 +67,18 @@ TEST(FastestAccelerator, CutsTrianglesWhoseBoxesAreInTheWay)
     EXPECT_EQ(fastest_accelerator(many), AccelKind::embree);
 }
 
+TEST(FastestAccelerator, SpendsLittleOnEachOfAMillionInstances)
+{
+    Geometry forest = of_mesh(flat(65));
+    forest.meshes[0].instanced = true;
+    forest.instances.assign(999'999, make_instance(0, make_transform({}, {}, {1, 1, 1})));
+    EXPECT_EQ(fastest_accelerator(forest), AccelKind::embree);
+    forest.instances.push_back(forest.instances[0]);
+    EXPECT_EQ(fastest_accelerator(forest), AccelKind::bvh8);
+    forest.meshes.push_back(flat(4'000'001));
+    EXPECT_EQ(fastest_accelerator(forest), AccelKind::embree);
+}
+
 TEST(FastestAccelerator, DoesNotWaitForTheTrianglesOfALargeScan)
 {
     const auto bounces = [](const Geometry& g) { return fastest_accelerator(g, RayUse::bounces); };
