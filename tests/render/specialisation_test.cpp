@@ -172,6 +172,24 @@ TEST(Specialisation, OpenSkyIsOpen)
     EXPECT_GT(cameras_with_some, 40u);
 }
 
+// To project ten million boxes takes longer than the rays that it saves.
+TEST(Specialisation, OpenSkyIsNotLookedForBehindCountlessInstances)
+{
+    for (const size_t count : {300u, 500u}) {
+        SceneDescription d;
+        d.meshes.push_back(make_mesh(make_cube(), {{}, {}, {0.001, 0.001, 0.001}}));
+        d.meshes.back().name = "cube";
+        d.instances.push_back(instance_of("cube", {}));
+        d.instances.back().more.resize(count - 1);
+        d.camera = make_camera({0, 0, 3}, {}, 60);
+        const Stage stage(d);
+        ASSERT_EQ(stage.scene.geometry.instances.size(), count);
+        SamplingPlan plan;
+        find_background_only(stage.scene, camera_of(d, stage.scene, 40, 30), 40, 30, plan);
+        EXPECT_EQ(plan.is_background_only(0, 0), count == 300);
+    }
+}
+
 // The camera's first rays are replayed, shadow rays heard: each has something to bring.
 TEST(Specialisation, NoShadowRayIsTracedForNothing)
 {

@@ -15,12 +15,13 @@ namespace {
 constexpr double reach = 2.5;           // pixels around a ray's own that its sample may come from, and one to spare
 constexpr double least_distance = 1e3;  // errors from the camera from which on they are but a small angle
 constexpr uint32_t least_tile = 4, most_columns = 1024;
-constexpr uint32_t small = 4;           // cells each way that a group of triangles may cover as a whole
-constexpr uint32_t looked_at = 16;      // cells each way in which it is asked whether all are covered already
-constexpr size_t together = 8;          // neighbours in the list of a mesh are mostly neighbours in space
-constexpr size_t piece_size = 1024;     // triangles that one thread takes at least
-constexpr size_t most_parts = 8;        // at once, each with marks of its own
-constexpr uint64_t most_per_pixel = 4;  // triangles: to look at more takes longer than some samples of the sky do
+constexpr uint32_t small = 4;              // cells each way that a group of triangles may cover as a whole
+constexpr uint32_t looked_at = 16;         // cells each way in which it is asked whether all are covered already
+constexpr size_t together = 8;             // neighbours in the list of a mesh are mostly neighbours in space
+constexpr size_t piece_size = 1024;        // triangles that one thread takes at least
+constexpr size_t most_parts = 8;           // at once, each with marks of its own
+constexpr uint64_t triangles_of_box = 12;  // of an instance
+constexpr uint64_t most_per_pixel = 4;     // triangles: to look at more takes longer than some samples of the sky do
 
 bool sees_one_colour(const Scene& scene)
 {
@@ -305,8 +306,9 @@ bool add_meshes(Coverage& coverage, const Geometry& g, const ErrorAt& error_at)
 
 void find_background_only(const Scene& scene, const Camera& camera, uint32_t width, uint32_t height, SamplingPlan& plan)
 {
+    const uint64_t projected = scene.triangle_count() + triangles_of_box * scene.geometry.instances.size();
     if (!camera.is_pinhole() || !camera.is_still() || !sees_one_colour(scene) ||
-        scene.triangle_count() > most_per_pixel * width * height)
+        projected > most_per_pixel * width * height)
         return;
     Coverage coverage(camera, width, height);
     if (!coverage.is_useful()) return;
