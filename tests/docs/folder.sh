@@ -47,6 +47,7 @@ make_user_files() {
     cp "$folder/scan.obj" "$folder/bunny.obj"
     make_gltf "$source/scenes/meshes/vase.obj" "$folder/product"
     cp "$folder/product.glb" "$folder/scene.glb"
+    cp "$folder/product.glb" "$folder/many.glb"
 }
 
 # make_gltf OBJ NAME: NAME.glb, with the positions, normals and faces of the file, as lacquered copper.
