@@ -92,6 +92,17 @@ for words in "" "make" "run /srv" "burn /srv true"; do
     [[ $code == 2 ]] || { echo "peers: chroot $words: ended with $code instead of 2" >&2; faults=$((faults + 1)); }
 done
 
+# A grid of two triangles, read by lancer alone where there is nothing else.
+program=loaders
+expect 0 "usage: bench/peers/loaders" --help
+expect 2 "--turns" --turns none
+expect 2 "unrecognized arguments: mesh.obj" mesh.obj
+LANCER=$folder/none expect 69 "$folder/none is missing" --turns 1
+for words in "| OBJ | lancer |" "| PLY | lancer |" "| GLB | lancer |" "tinygltf is left out" "there is no blender"; do
+    expect 0 "$words" --side 1 --turns 1
+done
+program=run
+
 # Corners of every form, also side by side.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0.5\nvn 0 0 1\nvn 0 1 0\nusemtl m2\nf 1/1/2 2/1/1 3/1/2\nusemtl m0\nf 1//1 2//1 3//2\nf 1 2 3\nusemtl m1\nf 3 2 1\nusemtl m3\nf 1/1 2//2 3\n' >"$folder/forms.obj"
 "$python" - "$peers" "$folder/forms.obj" <<'END' || faults=$((faults + 1))
