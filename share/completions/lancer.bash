@@ -211,7 +211,7 @@ _lancer_option() {
         *:--resume) takes=yes values='auto' files='.lancer' ;;
         *:--sampler) takes=yes values='sobol independent' ;;
         *:--seed) takes=yes ;;
-        *:--set) takes=yes list='nee=true nee=false mis=true mis=false direct=true direct=false indirect=true indirect=false emitters=true emitters=false fresnel=true fresnel=false soft_shadows=true soft_shadows=false straight_shadows=true straight_shadows=false always_nee=true always_nee=false mis_compensation=true mis_compensation=false learned_nee=true learned_nee=false mirror_nee=true mirror_nee=false light_tree=true light_tree=false split=true split=false roulette=true roulette=false stop=true stop=false multiscatter=true multiscatter=false terminator=true terminator=false legacy=true legacy=false' ;;
+        *:--set) takes=yes list='nee=true nee=false mis=true mis=false direct=true direct=false indirect=true indirect=false emitters=true emitters=false fresnel=true fresnel=false soft_shadows=true soft_shadows=false straight_shadows=true straight_shadows=false always_nee=true always_nee=false mis_compensation=true mis_compensation=false learned_nee=true learned_nee=false mirror_nee=true mirror_nee=false light_tree=true light_tree=false split=true split=false roulette=true roulette=false stop=true stop=false multiscatter=true multiscatter=false terminator=true terminator=false compact=true compact=false legacy=true legacy=false' ;;
         *:--shard) takes=yes values='auto' ;;
         *:--shards) takes=yes ;;
         *:--size) takes=yes ;;

@@ -26,7 +26,7 @@ struct NormalRows {
         if (normals.empty()) return;
         const auto& named = normals.named_by(mesh, triangle);
         if (named[0] == CornerNormals::none) return;
-        for (size_t c = 0; c < 3; ++c) corners[c][k] = load4(&normals.value(mesh, named[c]).x);
+        for (size_t c = 0; c < 3; ++c) corners[c][k] = normals.row(mesh, named[c]);
     }
 };
 
@@ -94,7 +94,7 @@ void fetch(const std::vector<T>& values, const Corners& corners)
 // Vertex normals were loaded with the positions.
 void prefetch_normals(const MeshShading& s, uint32_t triangle)
 {
-    if (!s.normals.triangles.empty()) fetch(s.normals.values, s.normals.triangles[triangle]);
+    if (!s.normals.values.empty()) fetch(s.normals.values, s.normals.triangles[triangle]);
 }
 void prefetch_uvs(const MeshShading& s, uint32_t triangle)
 {

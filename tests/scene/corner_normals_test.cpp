@@ -53,8 +53,8 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
     add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});  // a flat one beside one that is not
     for (const bool mirrored : {false, true}) {
         const Stage a(scene_of(by_vertex, mirrored)), b(scene_of(by_triangle, mirrored));
-        ASSERT_TRUE(a.scene.shading[0].normals.are_of_vertices);
-        ASSERT_FALSE(b.scene.shading[0].normals.are_of_vertices);
+        ASSERT_TRUE(a.scene.shading[0].normals.are_of_vertices());
+        ASSERT_FALSE(b.scene.shading[0].normals.are_of_vertices());
         const auto triangles = static_cast<uint32_t>(by_vertex.triangles.size());
         std::vector<Hit> hits;
         for (uint32_t t = 0; t < triangles; ++t)
@@ -74,6 +74,44 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
         EXPECT_EQ(smooth, triangles - 2);
         EXPECT_EQ(of_a[triangles - 1].n, of_a[triangles - 1].ns);
         EXPECT_NE(of_b[triangles - 1].n, of_b[triangles - 1].ns);
+    }
+}
+
+// Of vertices and of corners: turned by little, flat ones not at all, with the same bits for one hit and for eight.
+TEST(CornerNormals, AsCodesAreNearlyTheSameInAThirdOfTheMemory)
+{
+    MeshData by_vertex = smooth_ball(), by_triangle = by_vertex;
+    add_sheet(by_vertex, {{{none, none, none}, {none, none, none}}});
+    add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});
+    for (const MeshData& mesh : {by_vertex, by_triangle}) {
+        SceneDescription d = scene_of(mesh, true);
+        const Stage full(d);
+        d.render.compact = true;
+        const Stage compact(d);
+        const CornerNormals &a = full.scene.shading[0].normals, &b = compact.scene.shading[0].normals;
+        const Mesh& packed = compact.scene.geometry.meshes[0];
+        EXPECT_EQ(packed.rows, 1u);
+        EXPECT_TRUE(b.values.empty());
+        EXPECT_EQ(a.are_of_vertices(), b.are_of_vertices());
+        EXPECT_EQ(b.codes.size(), a.are_of_vertices() ? packed.vertices() : a.values.size() - 1);
+        const auto triangles = static_cast<uint32_t>(mesh.triangles.size());
+        std::vector<Hit> hits;
+        for (uint32_t t = 0; t < triangles; ++t)
+            hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
+        std::vector<TriangleInteraction> of_full(triangles), of_compact(triangles);
+        const std::vector<Ray> rays(triangles);
+        triangle_interactions(full.scene, rays, hits, of_full);
+        triangle_interactions(compact.scene, rays, hits, of_compact);
+        double largest = 0;
+        for (uint32_t t = 0; t < triangles; ++t) {
+            const Vec3 ns = of_compact[t].ns;
+            expect_same_bits(ns, triangle_interaction(compact.scene, Hit::no_instance, 0, t, hits[t].uv).ns, t);
+            expect_same_bits(of_full[t].n, of_compact[t].n, t);
+            EXPECT_EQ(of_full[t].n == of_full[t].ns, of_compact[t].n == ns) << t;
+            largest = std::max(largest, length(to_double(ns) - to_double(of_full[t].ns)));
+        }
+        EXPECT_LT(largest, 6e-5);
+        EXPECT_GT(largest, 1e-6) << "nothing was packed";
     }
 }
 
@@ -102,7 +140,7 @@ TEST(CornerNormals, OfVerticesLeaveThemTheirColors)
 TEST(CornerNormals, AreNumberedAsTheVerticesOnlyWhereThatSaysAll)
 {
     const auto of_vertices = [](const MeshData& mesh) {
-        return build_scene(scene_of(mesh, false)).shading[0].normals.are_of_vertices;
+        return build_scene(scene_of(mesh, false)).shading[0].normals.are_of_vertices();
     };
     MeshData ball = smooth_ball();
     EXPECT_TRUE(of_vertices(ball));

@@ -85,7 +85,7 @@ TEST(RenderOptions, TechniquesDoNotBias)
                              "roulette", "seed", "sampler", "filter"})
         EXPECT_FALSE(is_biased(changed(render_option(name)), render_option(name))) << name;
     for (const char* name : {"direct", "indirect", "emitters", "fresnel", "soft_shadows", "straight_shadows",
-                             "multiscatter", "terminator", "legacy", "max_depth"}) {
+                             "multiscatter", "terminator", "compact", "legacy", "max_depth"}) {
         EXPECT_TRUE(is_biased(changed(render_option(name)), render_option(name))) << name;
         EXPECT_FALSE(is_biased({}, render_option(name))) << name;
     }

@@ -58,8 +58,9 @@ TEST(TrianglePlaces, OfWhatIsHardlyATriangle)
     mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {9, 10, 11}, {9, 10, 11}};
     MeshShading shading;
     const uint32_t none = CornerNormals::none;
-    shading.normals = {{{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {}},
-                       {{none, none, none}, {0, 0, 0}, {none, none, none}, {1, 1, 1}, {2, 2, 2}, {0, 1, 2}}};
+    shading.normals.values = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {}};
+    shading.normals.triangles = {{none, none, none}, {0, 0, 0}, {none, none, none}, {1, 1, 1}, {2, 2, 2}, {0, 1, 2}};
+    shading.normals.storage = CornerNormals::Storage::corners;
     scene.geometry.meshes = {mesh};
     scene.shading = {shading};
     scene.has_normals = true;

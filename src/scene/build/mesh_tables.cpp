@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/octahedral.h"
+
 namespace lancer {
 namespace {
 
@@ -104,7 +106,8 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
     if (vertices < UINT32_MAX / 2 && vertices * sizeof(Vec3) <= numbers.kept * sizeof(Vec3) + faces * sizeof(Corners))
         of_vertices = normals_of_vertices(data, mesh.triangles, vertices);
     if (of_vertices.empty()) {
-        normals = {numbers.kept_of(data.normals, moved), data.normal_triangles};
+        normals.values = numbers.kept_of(data.normals, moved), normals.triangles = data.normal_triangles;
+        normals.storage = CornerNormals::Storage::corners;
         numbers.apply(normals.triangles);
         normals.values.emplace_back();
     } else {
@@ -112,10 +115,13 @@ void fill_normals(const MeshData& data, const Transform& back, Mesh& mesh, MeshS
             const uint32_t n = of_vertices[i];
             return n == MeshData::no_normal ? CornerNormals::of_flat() : moved(data.normals[n]);
         });
-        normals.are_of_vertices = true;
+        normals.storage = CornerNormals::Storage::vertices;
         unused_features.add("redundant vertex normal indices", faces, faces * sizeof(Corners));
     }
 }
+
+// Of a finite vector; of another one, which marks a flat vertex, none.
+uint32_t code_of_normal(const Vec3& n) { return is_finite(n) ? to_octahedral(n) : no_octahedral; }
 
 // Those that the file gives, of the triangles whose material reads them. shading: with materials.
 void fill_tangents(const MeshData& data, const Transform& place, const std::vector<MaterialTraits>& traits,
@@ -177,6 +183,27 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
     unused_features.add(no_uvs, data.triangles.size() - shading.uv_triangles.all().size(),
                         bytes_of(data.uvs) + bytes_of(data.uv_triangles) - bytes_of(shading.uvs) -
                             std::min(shading.uv_triangles.bytes(), bytes_of(data.uv_triangles)));
+}
+
+void pack_normals(Mesh& mesh, CornerNormals& normals)
+{
+    if (normals.storage == CornerNormals::Storage::corners) {
+        normals.codes.resize(normals.values.size() - 1);
+        std::transform(normals.values.begin(), normals.values.end() - 1, normals.codes.begin(), code_of_normal);
+        normals.values = std::vector<Vec3>();  // {} would keep its memory
+        normals.storage = CornerNormals::Storage::corner_codes;
+    } else if (normals.storage == CornerNormals::Storage::vertices) {
+        std::vector<Vec3> positions(mesh.vertices() + 1);
+        normals.codes.resize(mesh.vertices());
+        for (size_t i = 0; i < mesh.vertices(); ++i) {
+            positions[i] = mesh.vertex(i);
+            normals.codes[i] = code_of_normal(mesh.positions[mesh.rows * i + 1]);
+        }
+        for (auto& t : mesh.triangles)
+            for (uint32_t& corner : t) corner /= mesh.rows;
+        mesh.positions = std::move(positions), mesh.rows = 1;
+        normals.storage = CornerNormals::Storage::vertex_codes;
+    }
 }
 
 void drop_unread_uvs(Scene& scene)

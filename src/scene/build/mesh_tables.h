@@ -14,6 +14,9 @@ void fill_tables(const MeshData& data, const Transform& place, const std::vector
                  const std::vector<float>& alphas, const std::vector<MaterialTraits>& traits, Mesh& mesh,
                  MeshShading& shading, UnusedFeatures& unused_features);
 
+// Keeps normals as octahedral codes (RenderSettings::compact); those behind positions leave that place.
+void pack_normals(Mesh& mesh, CornerNormals& normals);
+
 // Frees texture coordinates that no material reads any more.
 void drop_unread_uvs(Scene& scene);
 

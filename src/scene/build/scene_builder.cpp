@@ -47,6 +47,7 @@ public:
           scene_(scene),
           pending_(pending),
           integrator_(settings.integrator),
+          compact_(settings.compact),
           materials_(d, settings, scene, pending.textures, diagnostics, images)
     {
         scene_.terminator_fix = settings.terminator;
@@ -180,6 +181,7 @@ private:
         fill_tables(data, place, linear_colors(data, m.vertex_colors),
                     m.vertex_colors == VertexColors::none ? std::vector<float>{} : data.alphas, scene_.traits, mesh,
                     shading, scene_.unused_features);
+        if (compact_) pack_normals(mesh, shading.normals);
         if (data.second_uvs.empty() && shading.uses([&](uint32_t id) { return scene_.traits[id].reads_second_uv; }))
             diagnostics_.warning(m.where,
                                  "a texture of 'uv_set = 1' is on a mesh that has one set of texture "
@@ -330,6 +332,7 @@ private:
     Scene& scene_;
     PendingPictures& pending_;
     IntegratorKind integrator_;
+    bool compact_;
     MaterialTable materials_;
     std::vector<Normalisation> own_;  // of each mesh
     std::set<std::string> mesh_names_;

@@ -142,6 +142,10 @@ constexpr std::array rows{
                  .bias = {.effect = "rays of smoothed meshes start from the rounder shape that their normals promise: "
                                     "near the edge of shadow they get light that the faces themselves would keep "
                                     "away"}},
+    RenderOption{.name = "compact",
+                 .field = SwitchField{&S::compact},
+                 .help = "normals of vertices take 32 bits instead of 96",
+                 .bias = {.effect = "normals of vertices are off by up to 0.003 degrees"}},
     RenderOption{.name = "legacy",
                  .field = SwitchField{&S::legacy},
                  .help = "pictures of the two programs that lancer grew from, their faults included",

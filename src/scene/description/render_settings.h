@@ -71,6 +71,7 @@ struct RenderSettings {
     bool stop = false;
     bool multiscatter = true;
     bool terminator = false;
+    bool compact = false;
     bool legacy = false;
     double stop_error = 0.01;
     uint32_t replicates = 1;
