@@ -211,7 +211,7 @@ void drop_unread_uvs(Scene& scene)
     for (MeshShading& s : scene.shading) {
         if (s.uvs.empty() || s.uses([&](uint32_t m) { return scene.traits[m].reads_uv; })) continue;
         scene.unused_features.add(no_uvs, s.uv_triangles.all().size(), bytes_of(s.uvs) + s.uv_triangles.bytes());
-        s.uvs = {}, s.second_uvs = {};
+        s.uvs = std::vector<Vec2>(), s.second_uvs = std::vector<Vec2>();  // {} would keep their memory
         s.uv_triangles = {};
     }
 }
