@@ -92,6 +92,11 @@ for words in "" "make" "run /srv" "burn /srv true"; do
     [[ $code == 2 ]] || { echo "peers: chroot $words: ended with $code instead of 2" >&2; faults=$((faults + 1)); }
 done
 
+program=baked
+expect 0 "usage: bench/peers/baked" --help
+expect 2 "unknown argument 'sphere'" sphere
+expect 69 "apt-get install blender" --out "$folder/baked"
+
 # A grid of two triangles, read by lancer alone where there is nothing else.
 program=loaders
 expect 0 "usage: bench/peers/loaders" --help
