@@ -94,7 +94,7 @@ done
 
 program=baked
 expect 0 "usage: bench/peers/baked" --help
-expect 2 "unknown argument 'sphere'" sphere
+expect 2 "unrecognized arguments: sphere" sphere
 expect 69 "apt-get install blender" --out "$folder/baked"
 
 # A grid of two triangles, read by lancer alone where there is nothing else.
