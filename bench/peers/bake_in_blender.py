@@ -1,5 +1,5 @@
-"""Within Blender: a wavy sphere of many triangles, the map of its normals baked for a coarse one, and both as OBJ files,
-into the folder that is named behind `--`. See `baked`."""
+"""Within Blender: a wavy sphere of many triangles, the map of its normals baked for a coarse one, and both as OBJ
+files, into the folder that is named behind `--`. See `baked`."""
 import math
 import os
 import sys
