@@ -33,7 +33,7 @@ TEST_F(SceneMistakes, UnknownKeys)
          {"[render]\nthreads = 3",
           "2:1: error: unknown key 'threads' in [render]; known: size, spp, seed, integrator, max_depth, sampler, "
           "filter, accel, isa, nee, mis, direct, indirect, emitters, fresnel, soft_shadows, straight_shadows, "
-          "always_nee, mis_compensation, learned_nee and 11 more"},
+          "always_nee, mis_compensation, learned_nee and 12 more"},
          {"[[mesh]]\nfile = \"a.obj\"\nscal = 2",
           "3:1: error: unknown key 'scal' in [[mesh]]; did you mean 'scale'? known: name, file, material, "
           "vertex_colors, smooth, catmull_clark, subdivision_edge, subdivision_level, translate, rotate, scale"},
