@@ -78,8 +78,8 @@ MATERIALS = {
     "plastic_texture": of("plastic", texture="pieces", roughness_texture="numbers") + PIECES,
     "metallic_texture": of("plastic", base_color=GOLD, roughness=0.4, metallic_texture="numbers") + PIECES,
     "principled_half_metal": of("principled", base_color=GOLD, metallic=0.5, roughness=0.5, fuzz=1e-4),
-    "principled_half_clear": of("principled", base_color=[0.7, 0.4, 0.2], transmittance=[0.7, 0.4, 0.2], transmission=0.5,
-                                roughness=0.4),
+    "principled_half_clear": of("principled", base_color=[0.7, 0.4, 0.2], transmittance=[0.8367, 0.6325, 0.4472],
+                                transmission=0.5, roughness=0.4),  # Blender 4 tints by the root at each crossing
     "principled_coat": of("principled", base_color=[0.7, 0.4, 0.2], roughness=0.6, coat=0.25, coat_ior=1.5, coat_darkening=0),
     "principled_coat_rough": of("principled", base_color=GOLD, metallic=1, roughness=0.6, coat=0.25, coat_ior=1.5,
                                 coat_roughness=0.4, coat_darkening=0),
