@@ -55,7 +55,7 @@ enum class RayUse { all, bounces };  // bounces: no shadow rays
 // The accelerator that was fastest in benchmarks (docs/benchmarks.md): list8 for at most 64 triangles and nothing else;
 // bvh8, which splits triangles, if false_positive_box_hits() is high, there are at most 500,000 triangles and no
 // instances; bvh8 also for bounce rays in one to four million small triangles, where it hides memory latency, and
-// for a million instances, where it takes half of Embree's memory; else Embree. Must not be called inside a parallel
+// for a million instances, of which Embree keeps an object each; else Embree. Must not be called inside a parallel
 // loop.
 AccelKind fastest_accelerator(const Geometry& geometry, RayUse use = RayUse::all);
 

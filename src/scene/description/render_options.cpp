@@ -53,7 +53,7 @@ constexpr std::array rows{
                  .field = choice<&S::accel>(),
                  .help = "ray-intersection backend: Embree, trees of our own, or lists of all primitives; auto is "
                          "list8 for up to 64 triangles, bvh8 for long triangles at an angle and where things "
-                         "move, else Embree"},
+                         "move, and a million instances, else Embree"},
     RenderOption{
         .name = "isa", .field = choice<&S::isa>(), .help = "instruction set of Embree; others round differently"},
     RenderOption{.name = "nee",
