@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
+#include "support/random.h"
 #include "support/render.h"
 
 namespace lancer {
@@ -200,6 +204,34 @@ TEST(DenoiseFilm, LessensTheErrorOfAPicture)
         EXPECT_GE(denoised.error[i], 0);
     }
     EXPECT_LT(after, before / 2) << "the edge of the lamp included, which has most of the error";
+}
+
+// Whenever it is stopped: the picture with all of its layers, or nothing.
+TEST(DenoiseFilm, IsWholeOrEmptyWhereItIsStopped)
+{
+    Film film(96, 96, {0, 0, 96, 96});
+    film.keep_sets(SetDeal{});
+    film.keep_layers({.groups = 6});
+    Random random(3);
+    for (size_t i = 0; i < film.pixels.size(); ++i) {
+        film.pixels[i] += {{0.5, 0.5, 0.5}, 0.25, 1};
+        for (size_t k = 0; k < film.deal.count(); ++k) {
+            film.sets[film.deal.count() * i + k].n = 1;
+            for (double& s : film.sets[film.deal.count() * i + k].sum) s = random.uniform();
+        }
+    }
+    for (const int after : {0, 1, 3, 10, 30, 60, 100, 150, 200, 300}) {
+        std::stop_source stop;
+        const std::jthread stopper([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(after));
+            stop.request_stop();
+        });
+        const Denoised denoised = denoise_film(film, UsedSets::all, stop.get_token());
+        const size_t pixels = denoised.pixels.size();
+        EXPECT_TRUE(pixels == 0 || pixels == film.pixels.size());
+        EXPECT_EQ(denoised.layers.size(), pixels == 0 ? 0 : film.layers.size()) << after;
+        for (const auto& layer : denoised.layers) EXPECT_EQ(layer.size(), pixels) << after;
+    }
 }
 
 // What a picture file holds of the halves denoises to the same bits.

@@ -130,10 +130,11 @@ Denoised denoise_film(const Film& film, UsedSets used, const std::stop_token& st
         return denoised;
     };
     Denoised denoised = denoised_of(halves);
-    if (used == UsedSets::without_held_out || stop.stop_requested()) return denoised;
+    if (used == UsedSets::without_held_out || denoised.pixels.empty()) return denoised;
     for (uint32_t k = 0; k < film.layers.size(); ++k) {
         set_layer(film, k, halves);
         denoised.layers.push_back(denoised_of(halves).pixels);
+        if (denoised.layers.back().empty()) return {};
     }
     return denoised;
 }
