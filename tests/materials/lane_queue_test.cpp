@@ -8,6 +8,7 @@
 #include "materials/plastic_queue.h"
 #include "materials/principled_queue.h"
 #include "materials/samples.h"
+#include "scene/wide_scene.h"
 
 namespace lancer {
 namespace {
@@ -30,32 +31,31 @@ void expect_color(const Vec3x8& found, uint32_t i, Color wanted)
     EXPECT_EQ(found.z[i], wanted.b);
 }
 
+// Those of the samples of a material that are queued, seen from either side.
+template <class M>
+auto queued_points_of()
+{
+    static const auto materials = samples<M>();
+    std::vector<decltype(std::declval<M>().at({}))> bsdfs;
+    for (const auto& s : materials)
+        for (const bool front : {true, false})
+            if (const auto b = s.material.at({.front = front}); is_queued(b)) bsdfs.push_back(b);
+    return bsdfs;
+}
+
 struct PlasticCase {
     static constexpr bool mirrors = true;
     using Queue = PlasticQueue;
     using Bsdf = PlasticBsdf;
 
-    static std::vector<Bsdf> all()
-    {
-        std::vector<Bsdf> bsdfs;
-        for (const auto& s : samples<Plastic>()) bsdfs.push_back(s.material.at({}));
-        return bsdfs;
-    }
+    static std::vector<Bsdf> all() { return queued_points_of<Plastic>(); }
 };
 struct PrincipledCase {
     static constexpr bool mirrors = true;
     using Queue = PrincipledQueue;
     using Bsdf = PrincipledBsdf;
 
-    static std::vector<Bsdf> all()
-    {
-        static const auto materials = samples<Principled>();
-        std::vector<Bsdf> bsdfs;
-        for (const auto& s : materials)
-            for (const bool front : {true, false})
-                if (const Bsdf b = s.material.at({.front = front}); b.is_queued) bsdfs.push_back(b);
-        return bsdfs;
-    }
+    static std::vector<Bsdf> all() { return queued_points_of<Principled>(); }
 };
 
 struct GlassCase {
@@ -83,14 +83,7 @@ struct MetalCase {
     using Queue = MetalQueue;
     using Bsdf = MetalBsdf;
 
-    static std::vector<Bsdf> all()
-    {
-        static const auto materials = samples<Metal>();
-        std::vector<Bsdf> bsdfs;
-        for (const auto& s : materials)
-            if (const Bsdf b = s.material.at({}); !b.only_delta()) bsdfs.push_back(b);
-        return bsdfs;
-    }
+    static std::vector<Bsdf> all() { return queued_points_of<Metal>(); }
 };
 
 constexpr size_t eights = LaneQueue::most / float_lanes;

@@ -46,23 +46,41 @@ void expect_same_bits(Vec3 a, Vec3 b, uint32_t triangle)
         EXPECT_EQ(std::bit_cast<uint32_t>(a.*of), std::bit_cast<uint32_t>(b.*of)) << triangle;
 }
 
+// A ball and a sheet: with normals of its vertices, the sheet flat, and with those of corners, where one of its
+// triangles is flat beside one that is not.
+struct Balls {
+    MeshData by_vertex = smooth_ball(), by_triangle = by_vertex;
+    Balls()
+    {
+        add_sheet(by_vertex, {{{none, none, none}, {none, none, none}}});
+        add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});
+    }
+};
+
+// Hits of all triangles of the only mesh.
+std::vector<Hit> hits_of_all(size_t triangles)
+{
+    std::vector<Hit> hits;
+    for (uint32_t t = 0; t < triangles; ++t) hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
+    return hits;
+}
+std::vector<TriangleInteraction> all_at_once(const Scene& scene, const std::vector<Hit>& hits)
+{
+    std::vector<TriangleInteraction> places(hits.size());
+    triangle_interactions(scene, std::vector<Ray>(hits.size()), hits, places);
+    return places;
+}
+
 TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
 {
-    MeshData by_vertex = smooth_ball(), by_triangle = by_vertex;
-    add_sheet(by_vertex, {{{none, none, none}, {none, none, none}}});
-    add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});  // a flat one beside one that is not
+    const auto [by_vertex, by_triangle] = Balls();
     for (const bool mirrored : {false, true}) {
         const Stage a(scene_of(by_vertex, mirrored)), b(scene_of(by_triangle, mirrored));
         ASSERT_TRUE(a.scene.shading[0].normals.are_of_vertices());
         ASSERT_FALSE(b.scene.shading[0].normals.are_of_vertices());
         const auto triangles = static_cast<uint32_t>(by_vertex.triangles.size());
-        std::vector<Hit> hits;
-        for (uint32_t t = 0; t < triangles; ++t)
-            hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
-        std::vector<TriangleInteraction> of_a(triangles), of_b(triangles);
-        const std::vector<Ray> rays(triangles);
-        triangle_interactions(a.scene, rays, hits, of_a);
-        triangle_interactions(b.scene, rays, hits, of_b);
+        const std::vector<Hit> hits = hits_of_all(triangles);
+        const auto of_a = all_at_once(a.scene, hits), of_b = all_at_once(b.scene, hits);
         uint32_t smooth = 0;
         for (uint32_t t = 0; t + 1 < triangles; ++t) {
             const TriangleInteraction alone = triangle_interaction(a.scene, Hit::no_instance, 0, t, hits[t].uv);
@@ -80,9 +98,7 @@ TEST(CornerNormals, OfVerticesAndOfTrianglesAreTheSame)
 // Of vertices and of corners: turned by little, flat ones not at all, with the same bits for one hit and for eight.
 TEST(CornerNormals, AsCodesAreNearlyTheSameInAThirdOfTheMemory)
 {
-    MeshData by_vertex = smooth_ball(), by_triangle = by_vertex;
-    add_sheet(by_vertex, {{{none, none, none}, {none, none, none}}});
-    add_sheet(by_triangle, {{{none, none, none}, {0, 1, 2}}});
+    const auto [by_vertex, by_triangle] = Balls();
     for (const MeshData& mesh : {by_vertex, by_triangle}) {
         SceneDescription d = scene_of(mesh, true);
         const Stage full(d);
@@ -95,13 +111,8 @@ TEST(CornerNormals, AsCodesAreNearlyTheSameInAThirdOfTheMemory)
         EXPECT_EQ(a.are_of_vertices(), b.are_of_vertices());
         EXPECT_EQ(b.codes.size(), a.are_of_vertices() ? packed.vertices() : a.values.size() - 1);
         const auto triangles = static_cast<uint32_t>(mesh.triangles.size());
-        std::vector<Hit> hits;
-        for (uint32_t t = 0; t < triangles; ++t)
-            hits.push_back({1, Hit::no_instance, 0, t, {0.25f, 0.4f}, Kind::triangle});
-        std::vector<TriangleInteraction> of_full(triangles), of_compact(triangles);
-        const std::vector<Ray> rays(triangles);
-        triangle_interactions(full.scene, rays, hits, of_full);
-        triangle_interactions(compact.scene, rays, hits, of_compact);
+        const std::vector<Hit> hits = hits_of_all(triangles);
+        const auto of_full = all_at_once(full.scene, hits), of_compact = all_at_once(compact.scene, hits);
         double largest = 0;
         for (uint32_t t = 0; t < triangles; ++t) {
             const Vec3 ns = of_compact[t].ns;
