@@ -30,16 +30,10 @@ public:
             const Vec3T<Float4> wi = wi_.four(k);
             const Value f = eval_rough_glass(points_[k / 4], wo_in_double_[k / 4], wi);
             const Mask4f is_lit = (wo_.z.four(k) > zero) & (wi.z != zero);
-            color_.set_four(k, select(is_lit, f.f_cos, {}));
-            pdf_.set_four(k, select(is_lit, f.pdf, zero));
+            set_value(k, f, is_lit);
         }
     }
 
-    // u selects the lobe, v the direction.
-    void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8&)
-    {
-        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y);
-    }
     void sample()
     {
         for (size_t k = 0; k < count_; k += 4) sample_four(k);
@@ -68,7 +62,7 @@ private:
 
     std::array<RoughGlass4, most / 4> points_{};
     std::array<Vec3T<Double4>, most / 4> wo_in_double_{};
-    Numbers<Float8> v_x_{}, v_y_{}, eta_{};
+    Numbers<Float8> eta_{};
 };
 
 }  // namespace lancer

@@ -68,6 +68,11 @@ public:
     // wo: before all other operations.
     void put_wo(const Eight& of, const Vec3x8& wo) { wo_.put(of, wo); }
     void put_wi(const Eight& of, const Vec3x8& wi) { wi_.put(of, wi); }
+    // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v, for queues with matt lobes.
+    void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& /*cosine*/)
+    {
+        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y);
+    }
     // After eval().
     BsdfValueLanes value(const Eight& of) const { return {color_.of(of), pdf_.of(of)}; }
     // After sample(). eta: of glass.
@@ -86,9 +91,16 @@ protected:
         return count_++;
     }
 
+    // The value of four points; 0 where light comes or goes on a side that they do not answer for.
+    void set_value(size_t k, const BsdfValueT<Vec3T<Float4>, Float4>& f, Mask4f is_lit)
+    {
+        color_.set_four(k, select(is_lit, f.f_cos, {}));
+        pdf_.set_four(k, select(is_lit, f.pdf, Float4{}));
+    }
+
     uint32_t count_ = 0;
     Vectors wo_{}, wi_{};
-    Numbers<Float8> u_{};
+    Numbers<Float8> u_{}, v_x_{}, v_y_{};
     Vectors color_{};  // f cos, or the weight
     Numbers<Float8> pdf_{};
     Numbers<Mask8> found_{}, delta_{};

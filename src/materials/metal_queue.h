@@ -33,16 +33,10 @@ public:
             const Vec3T<Float4> wi = wi_.four(k);
             const Value f = value_of(k, wi);
             const Mask4f is_lit = (wo_.z.four(k) > zero) & (wi.z > zero);
-            color_.set_four(k, select(is_lit, f.f_cos, {}));
-            pdf_.set_four(k, select(is_lit, f.pdf, zero));
+            set_value(k, f, is_lit);
         }
     }
 
-    // u selects the lobe, v the direction.
-    void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8&)
-    {
-        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y);
-    }
     void sample()
     {
         for (size_t k = 0; k < count_; k += 4) sample_four(k);
@@ -83,7 +77,6 @@ private:
 
     std::array<RoughMetal4, most / 4> points_{};
     std::array<Seen, most / 4> seen_{};
-    Numbers<Float8> v_x_{}, v_y_{};
 };
 
 }  // namespace lancer

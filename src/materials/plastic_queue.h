@@ -38,10 +38,10 @@ public:
         }
     }
 
-    // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
     void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
     {
-        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y), wi_.put(of, cosine);
+        LaneQueue::put_numbers(of, u, v, cosine);
+        wi_.put(of, cosine);
     }
     void sample()
     {
@@ -100,7 +100,6 @@ private:
     Numbers<Float8> eta_{}, alpha_{}, mean_through_{};
     std::array<Facets, most / 4> facets_{};
     std::array<Coat::Seen, most / 4> seen_{};
-    Numbers<Float8> v_x_{}, v_y_{};
 };
 
 }  // namespace lancer

@@ -46,7 +46,7 @@ Vec3T<Float4> albedo_by_table(const PrincipledLayers<Float4>& p, Float4 cos, Mas
     Vec3T<Float4> albedo{};
     for_each_lane(movemask(mask), [&](uint32_t i) {
         const Color c = p.film_table[i]->albedo(cos[i], p.film_roughness[i], p.film_thickness[i]);
-        albedo.x[i] = c.r, albedo.y[i] = c.g, albedo.z[i] = c.b;
+        set_lane(albedo, i, c);
     });
     return albedo;
 }

@@ -53,15 +53,14 @@ public:
                 continue;
             }
             const Value f = eval_lobes(points, seen_[k / 4], wi);
-            color_.set_four(k, select(is_lit, f.f_cos, {}));
-            pdf_.set_four(k, select(is_lit, f.pdf, zero));
+            set_value(k, f, is_lit);
         }
     }
 
-    // u selects the lobe, v the direction; cosine: square_to_cosine_hemisphere() of v.
     void put_numbers(const Eight& of, const Float8& u, const Vec2x8& v, const Vec3x8& cosine)
     {
-        u_.put(of, u), v_x_.put(of, v.x), v_y_.put(of, v.y), wi_.put(of, cosine);
+        LaneQueue::put_numbers(of, u, v, cosine);
+        wi_.put(of, cosine);
         const SinCosT<Float8> phi = sin_cos_2pi(v.x);
         sin_.put(of, phi.sin), cos_.put(of, phi.cos);
     }
@@ -182,7 +181,7 @@ private:
 
     std::array<Four, most / 4> points_{};
     std::array<Four::Seen, most / 4> seen_{};
-    Numbers<Float8> v_x_{}, v_y_{}, sin_{}, cos_{}, eta_{};
+    Numbers<Float8> sin_{}, cos_{}, eta_{};
 };
 
 }  // namespace lancer

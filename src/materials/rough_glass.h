@@ -19,11 +19,11 @@ struct RoughGlass4 {
     template <class G>
     void set(size_t i, const G& g)
     {
-        tint.x[i] = g.tint.r, tint.y[i] = g.tint.g, tint.z[i] = g.tint.b;
+        set_lane(tint, i, g.tint);
         eta[i] = g.eta, alpha[i] = g.alpha;
         const GlassLobes& m = g.multiple;
         multiple.here.set(i, m.here), multiple.beyond.set(i, m.beyond);
-        multiple.color.x[i] = m.color.r, multiple.color.y[i] = m.color.g, multiple.color.z[i] = m.color.b;
+        set_lane(multiple.color, i, m.color);
         multiple.reflected[i] = m.reflected, multiple.transmitted[i] = m.transmitted;
         multiple.part_through[i] = m.part_through;
     }

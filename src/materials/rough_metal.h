@@ -50,10 +50,9 @@ struct MetalReflectanceT<Float4> {
 
     void set(size_t i, const MetalReflectanceT<float>& one)
     {
-        const auto put = [i](Vec3T<Float4>& to, Color from) { to.x[i] = from.r, to.y[i] = from.g, to.z[i] = from.b; };
-        put(color, one.color);
+        set_lane(color, i, one.color);
         is_conductor[i] = one.conductor ? -1 : 0;
-        if (one.conductor) put(eta, one.conductor->eta), put(k, one.conductor->k);
+        if (one.conductor) set_lane(eta, i, one.conductor->eta), set_lane(k, i, one.conductor->k);
     }
     Vec3T<Float4> operator()(Double4 cos) const
     {
@@ -98,7 +97,7 @@ struct RoughMetal4 : RoughMetalT<Float4> {
     {
         fresnel.set(i, one.fresnel), compensation.set(i, one.compensation);
         alpha[i] = one.alpha, mean[i] = one.mean;
-        multiple.x[i] = one.multiple.r, multiple.y[i] = one.multiple.g, multiple.z[i] = one.multiple.b;
+        set_lane(multiple, i, one.multiple);
     }
 };
 

@@ -20,6 +20,10 @@ inline Vec3T<Float4> product(const Vec3T<Float4>& a, const Vec3T<Float4>& b)
 {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
+inline void set_lane(Vec3T<Float4>& colors, size_t i, Color c)
+{
+    colors.x[i] = c.r, colors.y[i] = c.g, colors.z[i] = c.b;
+}
 inline float largest(Color c) { return max_component(c); }
 inline Float4 largest(const Vec3T<Float4>& c) { return larger(c.x, larger(c.y, c.z)); }
 inline Float4 mix(Float4 a, Float4 b, Float4 t) { return a + (b - a) * t; }
